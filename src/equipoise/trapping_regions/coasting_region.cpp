@@ -1,4 +1,4 @@
-// Energy against that at the stall speed; short flights towards balance.
+// Compares the energy with that at the stall speed; follows short flights towards balance.
 #include "equipoise/trapping_regions/coasting_region.hpp"
 
 #include <algorithm>
@@ -23,22 +23,22 @@ namespace equipoise {
 
 namespace {
 
-// Farther from balance than this, in System::scale(), linear theory has nothing to say.
+// In System::scale(). Farther from balance linear theory has nothing to say.
 constexpr double rest_reach = 0.2;
 
-// Of what hangs on the springs. Balls and unbalance are above the shaft as often as below.
+// Of rotor and balls hanging on the springs. Balls and unbalance are above the shaft as often as below.
 double least_potential_energy(const model::Parameters& p) {
   const double weight = (1.0 + p.total_mass()) * p.gravity;
   return -0.5 * weight * weight / p.stiffness[1];
 }
 
-// What the supports' dampers take of a rotor that goes round at distance r.
+// Power that the supports' dampers take from a rotor that goes round at distance r.
 double support_loss(const model::Parameters& p, double speed, double r) {
   return std::max(p.damping[0], p.damping[1]) * speed * speed * r * r;
 }
 
-// What supports and drag may take of a motion at a held speed: the rotor goes round at its largest r, and every ball
-// slips at its greatest rate.
+// The most that supports and drag can take from a motion at a held speed: the rotor goes round at its largest r, and
+// every ball slips at its greatest rate.
 double most_loss(const model::Parameters& p, const Motion& motion) {
   double loss = support_loss(p, motion.speed, motion.r_max);
   for (int i = 0; i < p.balls; ++i) {
@@ -72,15 +72,15 @@ double CoastingRegion::energy(const double* state) const {
 
 bool CoastingRegion::stalls(const double* state) const { return energy(state) < least_energy_; }
 
-// Asked often: what is far from balance shows it in the balls.
+// Tested often: a state far from balance shows it in the balls.
 bool CoastingRegion::is_near(const double* state) const {
   const model::Parameters& p = system_.parameters();
   const double speed = state[system_.layout().speed];
   if (!balances_ || speed == 0.0) return false;
   const model::CentredTwin twin = model::centred_twin(p, speed);
   const std::complex<double> rest =
-      p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn);  // 0 but for a race off its centre
-  // Weights rock the balls, once a turn; else so near to balance hardly any of the speed is still to be lost.
+      p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn);  // 0 except with an off-centre race
+  // Weight rocks the balls once a turn. Otherwise hardly any speed is still to be lost this near to balance.
   const double rocking = 2.0 * p.gravity / std::min(std::fabs(speed), speed * speed);
   const double reach = exact_ ? rest_reach : 0.5 * rest_reach + rocking;
   if (std::abs(model::unbalance(p, state + model::index::phi(0)) - rest) > reach * p.all_unbalances()) return false;
@@ -109,7 +109,7 @@ CoastingRegion::Answer CoastingRegion::balances(const double* state, const StopF
   if (!is_near(state)) return {};
   const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
   if (exact_) return approaches(y);
-  // Balls that stick leave what unbalance they have then.
+  // Balls that stick leave the unbalance that they then have.
   const Held held = held_at_present_speed(y);
   if (system_.events().stick && !stuck_for_good(held.system, held.state, held.psi)) return {};
   const auto motion = lasting_motion(y, stop);

@@ -1,4 +1,4 @@
-// The nearest member, up to an exchange of balls, and its form.
+// Finds the nearest member, up to an exchange of balls, and uses its form.
 #include "equipoise/trapping_regions/continuum_estimate.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using model::index::phi;
 using model::index::q;
 
-// Matrices change by as much as themselves over about a radian.
+// Over about a radian matrices change by as much as themselves.
 constexpr double beside = 0.6;
 
 }  // namespace
@@ -47,7 +47,7 @@ ContinuumEstimate::Ring ContinuumEstimate::ring(const double* angles) const {
   return result;
 }
 
-// Equal balls on a ring are nearest to others, all at once, in an order that is theirs but for where it begins.
+// Alike balls on a ring are all nearest to others in the same order, up to where it begins.
 ContinuumEstimate::Nearest ContinuumEstimate::nearest(std::size_t left_out, const double* balanced,
                                                       const Eigen::VectorXd& offset) const {
   const int n = system_.balls();

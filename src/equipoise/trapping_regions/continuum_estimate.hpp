@@ -1,4 +1,4 @@
-// What the trapping region of a continuum says, for a thousandth of the work.
+// Estimates what a continuum's trapping region would answer, for a thousandth of the work.
 #pragma once
 
 #include <array>
@@ -12,36 +12,37 @@
 
 namespace equipoise {
 
-/// Members whose matrices stand for those beside them.
+/// Members whose matrices stand for those of their neighbours.
 class ContinuumEstimate {
  public:
   ContinuumEstimate(const model::System& system, std::vector<ContinuumMember> members);
 
-  /// V of a state over the level that `factor` gives the member which it comes to. Empty if it is not known: no member
-  /// is within 0.6 rad, in each ball's angle, of the balance that is nearest to it.
+  /// V of a state over the level that `factor` gives its member. Empty if unknown: no member is within 0.6 rad, in each
+  /// ball's angle, of the balanced state nearest to it.
   std::optional<double> depth(const Eigen::VectorXd& state, double factor) const {
     return depth_without(members_.size(), state, factor);
   }
 
-  /// What is wrong with depths, by each member and states around it as the others see them.
+  /// Errors of depths, from each member and the states around it as the other members see them.
   struct Errors {
-    double shortfall = 0.0;  ///< the largest factor by which they are too small; 0 if members are too far apart to tell
-    double excess = 0.0;     ///< the largest by which they are too great
-    double floor = 0.0;      ///< the largest that is left of them on the continuum itself
+    double shortfall = 0.0;  ///< largest factor by which depths are too small; 0 if members are too far apart to tell
+    double excess = 0.0;     ///< largest factor by which they are too great
+    double floor = 0.0;      ///< largest depth on the continuum itself
   };
   Errors errors(const ContinuumOfEquilibria& continuum, double factor) const;
 
  private:
-  // As if a member was not there.
+  // As if this member did not exist.
   std::optional<double> depth_without(std::size_t left_out, const Eigen::VectorXd& state, double factor) const;
 
-  // Of the balanced state at some ball angles; a state's offset from it with balls named as those of that member.
+  // The member nearest to the balanced state at some ball angles, and a state's offset from that balanced state, with
+  // the member's order of balls.
   struct Nearest {
     std::size_t member = 0;
     double distance = 0.0;
     Eigen::VectorXd offset;
   };
-  // The balls as they follow each other round the race, if they are alike; else as they are numbered.
+  // Alike balls in their order round the race; others in numerical order.
   struct Ring {
     std::array<int, model::max_balls> ball{};
     std::array<double, model::max_balls> angle{};  // 0 to 2 pi
@@ -55,7 +56,7 @@ class ContinuumEstimate {
   Eigen::VectorXd scale_;
   std::vector<ContinuumMember> members_;
   std::vector<Ring> rings_;
-  std::vector<Eigen::VectorXd> moved_;  // the members' centres from the balanced states at their angles
+  std::vector<Eigen::VectorXd> moved_;  // from balanced states at the members' angles to the members' centres
 };
 
 }  // namespace equipoise

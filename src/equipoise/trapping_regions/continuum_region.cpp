@@ -18,22 +18,21 @@ namespace equipoise {
 
 namespace {
 
-// A state of a continuum's trapping region falls to this share of its V: so much nearer, it is where linear theory
-// holds.
+// A state of a continuum's trapping region falls to this share of its V, where linear theory holds.
 constexpr double come_near = 0.03;
 // A state beside the slowest member that is tried may come to one a little slower.
 constexpr double slower = 0.5;
 
-// Slower ones would hold all levels down: errors of integration keep states about tolerance over rate away from them.
+// Slower members would hold all levels down: integration errors keep states about tolerance over rate away from them.
 double slowest_caught(const ContinuumPart& part) {
   constexpr double share = 0.1, of_all = 2e-4;
   return std::min(-of_all, share * part.fastest_rate);
 }
 
-// Members of a continuum to try levels around, and how far what gravity makes of them is from each other and from rest.
+// Members of a continuum to try levels around, and how far gravity moves them from each other and from rest.
 struct Members {
   std::vector<ContinuumMember> all;
-  Eigen::Vector4d place = Eigen::Vector4d::Zero();  // of the rotor, on average
+  Eigen::Vector4d place = Eigen::Vector4d::Zero();  // mean of the rotor's
   double unit = 0.0, slowest_rate = 0.0, fastest_rate = 0.0, unrest = 0.0;
   bool everywhere = false;  // catches_all()
 };
@@ -71,7 +70,7 @@ double reach_of(const Members& members, double factor) {
   return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
 }
 
-// The trapping region at that factor.
+// The region with this factor.
 ContinuumRegion at_factor(ContinuumRegion region, const Members& members, double factor) {
   region.factor = factor;
   region.reach = reach_of(members, factor);
@@ -82,15 +81,15 @@ ContinuumRegion at_factor(ContinuumRegion region, const Members& members, double
     region.estimate.reset();
     return region;
   }
-  // Wherever a state comes to then, it is no farther than V tells, and what creeps from there comes to nothing else.
+  // A state this deep is inside whichever member it comes to, and then creeps to nothing else.
   if (members.everywhere) region.deep = 1.0 / (safety * errors.shortfall);
-  // A state that is outside by mistake is only told a little later. If that is as soon as the estimate comes down to
-  // what is inside, V need not be computed at all.
+  // A state taken for outside by mistake is only caught a little later. If the estimate by then falls below `deep`, V
+  // need never be computed.
   region.far = safety * errors.floor < region.deep ? region.deep : std::max(errors.excess, safety * errors.floor);
   return region;
 }
 
-// In that direction or the opposite one, where balls in contact do not overlap; else as far as they do not.
+// In this direction or the opposite one, at the highest V up to `value` where balls in contact do not overlap.
 Eigen::VectorXd state_with_room(const ContinuumRegion& region, const ContinuumMember& m, double value,
                                 const Eigen::VectorXd& direction, const model::System& system) {
   constexpr int most = 64;
@@ -103,7 +102,7 @@ Eigen::VectorXd state_with_room(const ContinuumRegion& region, const ContinuumMe
   return m.centre;
 }
 
-// From a member to the one beside it in the continuum of another rotor.
+// From a member to its neighbour in the continuum of another rotor.
 Eigen::VectorXd moved_to(const model::System& other, const model::System& system, const ContinuumMember& m) {
   std::array<double, model::max_balls> phi = m.phi;
   const double speed = model::balanced_speed(system).value_or(0.0),
@@ -112,7 +111,7 @@ Eigen::VectorXd moved_to(const model::System& other, const model::System& system
   return model::balanced_state(other, other_speed, phi.data()) - model::balanced_state(system, speed, m.phi.data());
 }
 
-// All states that are tried at `factor` times the members' units of V come near to the continuum.
+// Whether all states tried at `factor` times the members' units of V come near the continuum.
 bool all_approach(const ContinuumRegion& region, const Members& members, DirectionTable& directions,
                   const TrialSettings& settings, double factor, const TryRange& tries) {
   const std::size_t count = members.all.size();
@@ -130,10 +129,10 @@ bool all_approach(const ContinuumRegion& region, const Members& members, Directi
   ContinuumRegion near = at_factor(region, members, come_near * factor);
   near.slowest_rate *= slower;
   trials.rule = rule_of_regions(*settings.system);
-  // Where half windows end: to tell what a state comes to costs more than to follow it until V has fallen by a factor
-  // of e, even of the member that attracts most.
+  // Regions are tested where half windows end. A test costs more than following a state until V has fallen by a factor
+  // of e, even at the member that attracts most.
   trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
-  set_regions(trials.rule, *settings.system, {}, near);  // which asks by the window
+  set_regions(trials.rule, *settings.system, {}, near);  // tests depend on the window
   trials.flight = [&](std::size_t first) {
     const double rate = -member_of(first).rate;  // the slowest of the chunk
     return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
@@ -163,7 +162,7 @@ std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const Cont
   if (members.all.empty()) return std::nullopt;
   ContinuumRegion region{continuum,     0.0, members.slowest_rate,
                          members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};
-  // With anisotropic supports or gravity to tell what a state comes to is a flight of its own.
+  // With anisotropic supports or gravity every test takes a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};
   DirectionTable directions(continuum->directions());

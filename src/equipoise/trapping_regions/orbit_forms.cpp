@@ -1,7 +1,7 @@
-// Two kinds of form. Along a motion whose period is free nothing brings a deviation back: the form is made of Floquet
-// vectors, which have no part along it, so that the phase may be any angle that grows. Where states are strobed the
-// phase is imposed and every deviation shrinks: the integral of its square along the linear flow weighs them all, and
-// needs no eigenvectors, which double precision cannot separate where multipliers span many powers of ten (drag).
+// Two kinds of forms. Along a motion with a free period nothing brings a deviation back, so the form is made of Floquet
+// vectors, which have no part along it; the phase may be any angle that grows. On a stroboscopic section the phase is
+// imposed and every deviation shrinks, so the form integrates its square along the linear flow. That needs no
+// eigenvectors, which double precision cannot separate if multipliers span many powers of ten (drag).
 #include "equipoise/trapping_regions/orbit_forms.hpp"
 
 #include <algorithm>
@@ -27,16 +27,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Node = OrbitRegion::Node;
 
-// Of a ball, by chords: one misses its arc by (2 pi / 128)^2 / 8 = 3e-4 of the curvature.
+// For a ball, with chords: a chord misses its arc by (2 pi / 128)^2 / 8 = 3e-4 of the curvature.
 constexpr int cells_a_turn = 128;
 constexpr int samples_a_turn = 4 * cells_a_turn;  // times at which the orbit and its Floquet vectors are computed
-// Of the rotor: cubic interpolation between nodes 0.1 to 0.2 rad apart errs by 1e-6 of an amplitude or less, far below
+// For the rotor: cubic interpolation between nodes 0.1 to 0.2 rad apart errs by 1e-6 of an amplitude or less, far below
 // any trapping region's size.
 constexpr int cells_per_section = 32;
-constexpr int most_turns = 16, most_copies = 24, most_sections = 8;  // all of them are compared with every state
+constexpr int most_turns = 16, most_copies = 24, most_sections = 8;  // every state is compared with all of them
 constexpr double form_tolerance = 1e-12;
 
-// What an orbit's angles grow by in one period.
+// The growth of an orbit's angles in one period.
 VectorXd shift_of(const model::System& system, const PeriodicOrbit& orbit) {
   VectorXd shift = VectorXd::Zero(system.dimension());
   const auto angles = system.angles();
@@ -44,7 +44,7 @@ VectorXd shift_of(const model::System& system, const PeriodicOrbit& orbit) {
   return shift;
 }
 
-// The ball whose angle tells the phase: it turns, always the same way, and fewest times a period; -1 if there is none.
+// The ball whose angle is the phase: it always turns the same way, and the fewest times a period. -1 if there is none.
 int clock_of(int balls, const Motion& motion) {
   int clock = -1;
   for (int i = 0; i < balls; ++i) {
@@ -76,7 +76,7 @@ std::optional<Samples> sample(const model::System& system, const Motion& motion,
 std::vector<Node> nodes_over_angle(const Samples& samples, int clock, int turns) {
   const bool rising = samples.shift[clock] > 0.0;
   const int count = static_cast<int>(samples.states.size());
-  // Sample j of the doubly infinite orbit, j counted so that the clock's angle grows.
+  // Sample j of the doubly infinite orbit, counted so that the clock's angle grows.
   const auto state = [&](int j) -> VectorXd {
     const int forward = rising ? j : -j;
     const int lap = static_cast<int>(std::floor(static_cast<double>(forward) / count));
@@ -88,7 +88,7 @@ std::vector<Node> nodes_over_angle(const Samples& samples, int clock, int turns)
   };
   std::vector<Node> nodes;
   const double first = state(0)[clock];
-  // The whole turn nearest below the first sample's angle; the table starts there.
+  // The whole turn next below the first sample's angle; the table starts there.
   const double origin = two_pi * std::floor(first / two_pi);
   int j = 0;
   while (state(j)[clock] > origin) --j;
@@ -124,7 +124,7 @@ std::vector<OrbitRegion> regions_by_ball(const model::System& system, const Moti
   return regions;
 }
 
-// The orbit's nodes and its linear flow from one to the next, the latter in units of deviations.
+// The orbit's nodes and its linear flow between them, in units of deviations.
 struct Arcs {
   std::vector<Node> nodes;
   std::vector<MatrixXd> flows;
@@ -148,7 +148,7 @@ std::optional<Arcs> arcs_over_sections(const model::System& system, const Period
   return arcs;
 }
 
-// From `z`, on a motion along which the rotor's angle grows or falls all the way, to where that is `psi`; with the
+// Follows `z`, on a motion whose rotor angle only grows or only falls, to where that angle is `psi`, with the
 // derivative. Newton's method on the time.
 std::optional<TangentFlight> follow_to_angle(const model::System& system, const VectorXd& z, double psi) {
   const int place = system.layout().psi;
@@ -164,8 +164,8 @@ std::optional<TangentFlight> follow_to_angle(const model::System& system, const 
   return std::nullopt;
 }
 
-// The same under a motor, from one angle of the rotor to the next: what deviates with that angle is taken along the
-// motion to where it does not.
+// The same with a motor, from one rotor angle to the next: a deviation in that angle is shifted along the motion until
+// it vanishes.
 std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& motion, const VectorXd& unit,
                                     int turns) {
   const int place = system.layout().psi, size = system.dimension(), cells = cells_per_section * turns;
@@ -193,15 +193,15 @@ std::optional<Arcs> arcs_over_turns(const model::System& system, const Motion& m
   return arcs;
 }
 
-// The first node once more, a period later.
+// Adds the first node again, a period later.
 void close(const model::System& system, const PeriodicOrbit& orbit, Arcs& arcs) {
   Node again = arcs.nodes.front();
   again.state += shift_of(system, orbit);
   arcs.nodes.push_back(std::move(again));
 }
 
-// P = integral of |d|^2 e^{2 a t} along the linear flow, a = 0.8 of the slowest rate, so that V falls at least as
-// e^{-2 a t}; scaled so that V is |d|^2 or more. False if there is none.
+// P = integral of |d|^2 e^{2 a t} along the linear flow, a = 0.8 of the slowest rate, so that V falls at least as e^{-2
+// a t}; scaled so that V is |d|^2 or more. False if there is none.
 bool integrate_forms(Arcs& arcs, double h, double slowest_rate) {
   const double growth = std::exp(-share_of_rate * slowest_rate * h);
   const Index size = arcs.flows.front().rows();
@@ -228,7 +228,7 @@ bool integrate_forms(Arcs& arcs, double h, double slowest_rate) {
 std::vector<OrbitRegion> regions_by_rotor(const model::System& system, const Motion& motion, int attractor) {
   const bool continuum = motion.kind == MotionKind::equilibrium && model::balanced_freedom(system) > 0;
   if (continuum || motion.orbit.nodes.empty() || motion.sections < 1 || motion.sections > most_sections) return {};
-  // Where the rotor turns back on its way its angle tells no phase.
+  // If the rotor turns back on its way, its angle is no phase.
   if (motion.motor && !(motion.motor->speed_min * motion.motor->speed_max > 0.0)) return {};
   OrbitRegion region;
   region.attractor = attractor;

@@ -1,6 +1,6 @@
-// How deep inside a cycle's trapping region a state lies. There are two ways to look between the rows of a table:
-// lanes, which compare states with a ball's angle at every step, take chords and one form a cell, of many cells; with
-// the rotor's angle states are asked one by one, and seldom, so that few cells, cubic in between, do.
+// How deep a state lies inside an orbit's trapping region. Lanes compare states with a ball's angle at every step:
+// their table has many cells, with a chord and one form each. With the rotor's angle as phase, states are tested one by
+// one and seldom: a few cells with cubics in between suffice.
 #include "equipoise/trapping_regions/orbit_region.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace kernels = HWY_NAMESPACE;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Components that are compared with the table: all but the phase, where that is one of them.
+// Components that are compared with the table: all except the phase, if the state contains it.
 Eigen::VectorXi compared(const OrbitRegion& region) {
   const int size = static_cast<int>(region.unit.size());
   if (region.phase_place < 0) return Eigen::VectorXi::LinSpaced(size, 0, size - 1);
@@ -39,7 +39,7 @@ MatrixXd form_at(const OrbitRegion& region, int row) {
   return 0.5 * (form(others, others) + region.nodes[row + 1].form(others, others));
 }
 
-// The places on the motion that like balls of a state are nearest to, one after the other.
+// Puts alike balls of a state, one after the other, in the nearest free place on the motion.
 VectorXd in_places(const model::System& system, const VectorXd& motion, const double* state) {
   const int n = system.balls();
   BallOrder order{};
@@ -73,7 +73,7 @@ double value_by_rotor(const model::System& system, const OrbitRegion& region, co
   const double place = turned / angle * region.cells;
   const int cell = std::min(static_cast<int>(place), region.cells - 1);
   const double s = place - cell, r = 1.0 - s;
-  const double h = (driven ? angle : system.section_period()) / region.cells;  // in what rates are by
+  const double h = (driven ? angle : system.section_period()) / region.cells;  // the unit of rates
   const Eigen::VectorXi compare = compared(region);
   double least = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < region.turns; ++turn) {
@@ -83,7 +83,7 @@ double value_by_rotor(const model::System& system, const OrbitRegion& region, co
     VectorXd d = in_places(system, motion, state) - motion;
     for (int i = 0; i < system.balls(); ++i) d[model::index::phi(i)] = wrapped(d[model::index::phi(i)]);
     d = d.cwiseQuotient(region.unit)(compare).eval();
-    // V is |d|^2 or more: what is far off need not be weighed.
+    // V is |d|^2 or more, so far-off states need no form.
     const double square = d.squaredNorm();
     if (square > least || (region.level > 0.0 && square > region.level)) continue;
     least = std::min(least, r * d.dot(a.form * d) + s * d.dot(b.form * d));
@@ -151,7 +151,7 @@ OrbitRegionTable table_of(const OrbitRegion& region, int balls) {
     table.table.insert(table.table.end(), change.begin(), change.end());
     for (Eigen::Index i = 0; i < others; ++i)
       for (Eigen::Index l = i; l < others; ++l) table.table.push_back(factor(i, l));
-    // The quadratic form's reach in each variable, and one in the plane of the rotor's centre that covers every way.
+    // The form's reach in each variable, and one reach in the plane of the rotor's centre for all directions.
     const MatrixXd inverse = dense::inverse(factor);
     const VectorXd reach = (region.level * (inverse * inverse.transpose()).diagonal()).cwiseSqrt();
     const double around = std::hypot(reach[0], reach[1]);

@@ -1,4 +1,4 @@
-// Places along a motion, for one rotor or as polynomials of what differs between rotors.
+// Places along a motion, for one rotor or as polynomials of a family's coordinates.
 #include "equipoise/trapping_regions/path_region.hpp"
 
 #include <algorithm>
@@ -27,35 +27,36 @@ namespace kernels = HWY_NAMESPACE;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A place misses what lies half way to the next by (pi / 48)^3 / 6 = 5e-5 of an amplitude. Turns of a ball, or as long
-// as the rotor swings once on its springs.
+// A place misses the middle between two places by (pi / 48)^3 / 6 = 5e-5 of an amplitude. A turn is a ball's or, if
+// none turns, lasts as long as the rotor swings once on its springs.
 constexpr int places_a_turn = 48, most_path_turns = 12, most_path_copies = 24;
-// States beside a place: more than half way to the next, so that nothing falls between two where the motion bends.
+// States beside a place: more than half way to the next one, so that no gap opens where the motion bends.
 constexpr double place_reach = 0.8;
 // In System::scale().
 constexpr double highest_path_level = 4.0;
-// Of rotors that differ: so many are looked at, two or more a term, and one in three asks whether
-// the others' polynomial holds for it.
+// Where rotors differ: at most this many are looked at, two or more for each term. Every third one is kept back from
+// the fit, as a test of its polynomial.
 constexpr std::size_t most_looked_at = 40, asked_a_term = 2, kept_back = 3, fewest = 5;
 constexpr int highest_degree = 6;
-// Where a motion is about to end it attracts ever more slowly: by this share of what it does where it was found.
+// A motion about to end attracts ever more slowly. A rotor below this share of the first one's rate counts as lacking
+// it.
 constexpr double barely = 0.2;
-// Where a polynomial does not hold for all rotors, so many of the nearest are tried alone.
+// If a polynomial does not hold for all rotors, this share of the nearest ones is tried alone.
 constexpr double nearer_ones = 0.7;
 constexpr int most_shrunk = 3;
 // From one rotor's motion to the next one's, in System::scale().
 constexpr double farthest_neighbour = 8.0;
 constexpr double path_tolerance = 1e-10;
-// V of own motions beyond which tries have no level to pass.
+// V of the rotors' own motions beyond which trials have no level to pass.
 constexpr double highest_path_floor = 0.02, good_floor = 2e-4, floor_margin = 4.0;
 
 double apart(const OwnRotor& a, const OwnRotor& b) { return squared_distance(a.coordinates, b.coordinates); }
 bool nearer(const OwnRotor& to, const OwnRotor& a, const OwnRotor& b) { return apart(to, a) < apart(to, b); }
 
-// Of a family's rotors: the more, the more values differ.
+// Rotors of a family: more of them if more values differ.
 std::size_t first_looked_at(const OwnRotor& own) { return std::min(most_looked_at, 8 + 8 * own.coordinates.size()); }
 
-// d^T P d or more is |d|^2 in units of `scale`, along the flow aside. False if P is none.
+// Scales forms so that d^T P d is |d|^2 or more in units of `scale`, except along the flow. False if P is not definite.
 bool normalise(std::vector<MatrixXd>& forms, const VectorXd& scale, int free_directions) {
   double least = infinite;
   for (const MatrixXd& form : forms) {
@@ -67,7 +68,7 @@ bool normalise(std::vector<MatrixXd>& forms, const VectorXd& scale, int free_dir
   return true;
 }
 
-// Down to levels that leave tries room to come inside.
+// Down to levels that leave trials room to come inside.
 WindowTries tries_above(double floor) {
   constexpr double room = 32.0;
   WindowTries tries{.highest = highest_path_level};
@@ -148,7 +149,7 @@ std::optional<PathRegion::There> PathRegion::found(const OwnRotor& own, const Th
   return there.places.size() > 0 ? std::optional(std::move(there)) : std::nullopt;
 }
 
-// From where it passes the first place on.
+// The first place is where the motion passes closest to the known one.
 VectorXd PathRegion::places_of(const model::System& system, There& there) const {
   const Eigen::Index size = inverse_scale_.size();
   std::vector<VectorXd> states{there.rest};
@@ -185,7 +186,7 @@ VectorXd PathRegion::places_of(const model::System& system, There& there) const 
   return all;
 }
 
-// From rotor to rotor, each from the nearest that has the motion. Where few of the first have it, more beside those.
+// From rotor to rotor, each from the nearest one that has the motion. If few of the first have it, more next to those.
 bool PathRegion::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
                                NotePage* notes) {
   std::vector<Tried> tried;
@@ -222,7 +223,7 @@ bool PathRegion::follow_rotors(const Motion& motion, const std::vector<const Own
   return true;
 }
 
-// Whether a polynomial through the motions of most holds for the others: of the lowest degree that does well.
+// Fits a polynomial of the lowest sufficient degree to the motions of most rotors, and tests it on all.
 bool PathRegion::fit(const std::vector<There>& all) {
   std::vector<const OwnRotor*> owns;
   std::vector<VectorXd> fitted;
@@ -259,7 +260,7 @@ double PathRegion::largest_miss(const std::vector<There>& all) {
   return largest;
 }
 
-// Not nearer to one that lacks the motion than any is that has it.
+// The rotor must not be closer to one that lacks the motion than any rotor that has it.
 bool PathRegion::holds_for(const OwnRotor& own) const {
   return std::all_of(lacking_.begin(), lacking_.end(), [&](const Lacking& l) {
     return squared_distance(l.coordinates, own.coordinates) >= l.square_to_nearest;
@@ -304,7 +305,7 @@ double PathRegion::value_in_place(const double* state, const VectorXd& terms, co
       double later = 0.0;
       for (int i = 0; i < size; ++i) later += at[i] * d[i];
       if (std::fabs(later) > half_) continue;
-      if (own) {  // whose motion passes here in its own time
+      if (own) {  // its motion passes here in its own time
         const VectorXd flow = model::rate(own->system, here);
         later /= Eigen::Map<const VectorXd>(at, size).dot(flow);
         for (int i = 0; i < size; ++i) d[i] -= later * (flow[i] + 0.5 * later * at[2 * size + i]);
@@ -381,7 +382,7 @@ std::shared_ptr<const PathRegion> path_region(const model::System& system, const
                                               const TrialSettings& settings, const OwnRotor* own, double near) {
   std::vector<const OwnRotor*> rotors;
   for (const OwnRotor& rotor : settings.rotors) rotors.push_back(&rotor);
-  if (own)  // of the first ones, which hold the part's corners, the nearest first
+  if (own)  // the first ones contain the part's corners; the nearest go first
     std::stable_sort(rotors.begin(),
                      rotors.begin() + static_cast<std::ptrdiff_t>(std::min(rotors.size(), first_looked_at(*own))),
                      [&](const OwnRotor* a, const OwnRotor* b) { return nearer(*own, *a, *b); });

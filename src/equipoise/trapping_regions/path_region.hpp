@@ -1,5 +1,5 @@
-// SharedRegions around stable equilibria and periodic motions of which no angle tells the phase, and around those that
-// every rotor of a family has elsewhere.
+// Trapping regions around stable equilibria, around periodic motions without an angle as phase, and around motions that
+// differ from rotor to rotor of a family.
 #pragma once
 
 #include <memory>
@@ -17,18 +17,19 @@
 
 namespace equipoise {
 
-/// Places along the motion, equally spaced in time, each with the form P of deviations there: V of a state is the least
-/// d^T P d over the places that it lies beside, d being its deviation from the motion there. An equilibrium is one
-/// place. In System::scale() V is the square of the distance or more.
+/// Places along the motion, equally spaced in time, each with a form P of deviations. V of a state is the least d^T P d
+/// over the places beside it, with d its deviation from the motion there. An equilibrium has one place. In
+/// System::scale() V is the square of the distance or more.
 ///
-/// Of a family's part the places are polynomials of what differs between rotors, fitted to the motions of some of them.
-/// Of a rotor nearer to one that lacks the motion, or barely has it, than any is that has it, V is infinite.
+/// For a part of a family, places are polynomials of the coordinates, fitted to the motions of some rotors. Rotors that
+/// lack the motion, or barely have it, are known too. A rotor closer to one of them than any that has the motion gets
+/// an infinite V.
 class PathRegion final : public WindowRegion {
  public:
-  /// Of a motion of a smooth system of section none. Null where there is none: neither an equilibrium nor periodic, too
-  /// slow an approach, too many exchange images, Floquet vectors that double precision cannot separate, a failed
-  /// integration. `rotors`: of a family's part, the nearest to the one that has `motion` first; null, too, if few of
-  /// them have it.
+  /// Around a motion of a smooth system with section `none`. Null if there is no region: neither an equilibrium nor
+  /// periodic, too slow an approach, too many exchange images, Floquet vectors that double precision cannot separate,
+  /// or a failed integration. `rotors`: of a family's part, those nearest to the one with `motion` first; null, too, if
+  /// few of them have it.
   static std::shared_ptr<PathRegion> around(const model::System& system, const Motion& motion, int attractor,
                                             const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
                                             NotePage* notes = nullptr);
@@ -36,13 +37,13 @@ class PathRegion final : public WindowRegion {
   double value(const double* state, const OwnRotor* own) const override;
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                  const OwnRotor* own) const override;
-  /// Whether the rotor has the motion, as far as is known.
+  /// Whether the rotor has the motion, as far as known.
   bool holds_for(const OwnRotor& own) const;
 
  private:
   struct Place {
-    Eigen::VectorXd flow, bend;  // in what time it passes there: first and second derivative
-    Eigen::VectorXd phase;       // phase . d is how much later than here a state is
+    Eigen::VectorXd flow, bend;  // in time: first and second derivative there
+    Eigen::VectorXd phase;       // phase . d: how much later than this place a state is
     Eigen::MatrixXd form;        // P
   };
   // The motion of one rotor.
@@ -52,7 +53,7 @@ class PathRegion final : public WindowRegion {
     PeriodicOrbit orbit;
     double rate = 0.0;
     Eigen::VectorXd places;                // one after the other
-    std::vector<Eigen::VectorXd> between;  // half way from one to the next
+    std::vector<Eigen::VectorXd> between;  // half way between places
   };
   template <class Bytes, Like<There> T>
   friend void members(Bytes& b, T& t) {
@@ -62,7 +63,7 @@ class PathRegion final : public WindowRegion {
     const OwnRotor* own;
     bool has = false;
   };
-  // A rotor without the motion, and how far from it the nearest is that has it.
+  // A rotor without the motion, and its distance from the nearest rotor that has it.
   struct Lacking {
     std::vector<double> coordinates;
     double square_to_nearest = 0.0;
@@ -74,11 +75,11 @@ class PathRegion final : public WindowRegion {
   bool follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
                      NotePage* notes);
   bool fit(const std::vector<There>& all);
-  // The largest V of these, whose states it holds from now on.
+  // The largest V of these motions' states, all of which are held.
   double largest_miss(const std::vector<There>& all);
-  // As Newton's method finds it from a neighbour's.
+  // The rotor's motion by Newton's method from a neighbour's.
   std::optional<There> found(const OwnRotor& own, const There& neighbour, const StopFlag* stop) const;
-  // At the places; empty if that fails. Fills in what is between.
+  // The states at the places; empty if that fails. Also sets `between`.
   Eigen::VectorXd places_of(const model::System& system, There& there) const;
   Eigen::VectorXd away(const Eigen::VectorXd& state, const Eigen::VectorXd& from) const;
   void lay_out();
@@ -86,15 +87,15 @@ class PathRegion final : public WindowRegion {
   double value_in_place(const double* state, const Eigen::VectorXd& terms, const OwnRotor* own) const;
 
   std::vector<Place> along_;
-  Eigen::MatrixXd positions_;     // a column a term of the rotor's coordinates; place after place
-  int degree_ = 0;                // of these
-  std::vector<Lacking> lacking_;  // of a family
-  double half_ = 0.0;             // a state this much earlier or later lies beside a place; 0 of an equilibrium
-  std::vector<double> table_;     // of all places: what value_in_place() reads
+  Eigen::MatrixXd positions_;     // a column for each term of the coordinates; place after place
+  int degree_ = 0;                // of these polynomials
+  std::vector<Lacking> lacking_;  // in a family
+  double half_ = 0.0;             // a state up to this much earlier or later lies beside a place; 0 for an equilibrium
+  std::vector<double> table_;     // all that value_in_place() reads, for all places
 };
 
-/// The trapping region, its level found by tries. Null if there is none. `own`: the rotor that has the motion, if tries
-/// have rotors of their own; `near`: as of highest_good_level().
+/// The trapping region, with its level found by trials. Null if there is none. `own`: the rotor that has the motion, if
+/// trials have their own; `near`: as in highest_good_level().
 std::shared_ptr<const PathRegion> path_region(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near = 0.0);
 

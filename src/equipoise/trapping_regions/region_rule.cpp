@@ -20,14 +20,14 @@ namespace equipoise {
 
 namespace {
 
-// The unbalance of what the continuum holds: 0 but for a race off its centre.
+// The unbalance on the continuum: 0 except with an off-centre race.
 std::complex<double> unbalance_of_rest(const model::System& system) {
   const model::Parameters& p = system.parameters();
   const model::CentredTwin twin = model::centred_twin(p, model::balanced_speed(system).value_or(0.0));
   return p.eccentricity - std::polar(twin.parameters.eccentricity, twin.turn);
 }
 
-// Velocities of the balls and imbalance are within the reach of what the continuum holds.
+// Whether ball velocities and unbalance are within reach of those on the continuum.
 bool balls_in_reach(const model::Parameters& p, const ContinuumRegion& region, std::complex<double> rest,
                     const double* state) {
   double away = std::abs(model::unbalance(p, state + model::index::phi(0)) - rest);
@@ -52,12 +52,12 @@ class Continuum final : public TrappingRegions {
   int size_;
 };
 
-// Of states against levels that are known to per cents, of deviations of 1e-3 and more.
+// For comparing states with levels known to percents, at deviations of 1e-3 and more.
 constexpr double near_enough = 1e-8;
 
-// To tell what a state near a continuum comes to is dear, and a state that was refused once may linger there for long:
-// it is asked again when the rotor has turned by as much more of all that it has turned. `half`: by so much it turns
-// in half a window, where it may be asked.
+// Finding the member that a state comes to is costly, and a refused state may stay near the continuum for long. It is
+// tested again once the rotor has turned by a further share of all its turning. `half`: the turning in half a window,
+// after which tests are made.
 bool is_due(double psi, double half) {
   constexpr double later = 0.2;
   const double before = std::fabs(psi) - half;
@@ -66,7 +66,7 @@ bool is_due(double psi, double half) {
   return times(std::fabs(psi)) != times(before);
 }
 
-// With what gravity leaves of a continuum the same is asked of the state at the next strobe.
+// If gravity leaves motion on a continuum, the state on the next section is tested.
 class ContinuumOnSection {
  public:
   ContinuumOnSection(const model::System& system, const ContinuumRegion& region, double window)
@@ -80,7 +80,7 @@ class ContinuumOnSection {
     const model::Parameters& p = (own ? own->system : system_).parameters();
     const std::complex<double> rest = own ? unbalance_of_rest(own->system) : rest_;
     if (!balls_in_reach(p, region_, rest, at) || !is_due(psi, half_)) return false;
-    // So near to balance it makes no difference whether balls touch before that.
+    // This close to balance it does not matter whether balls touch on the way.
     const auto state = at_next_section(own ? without_events(own->system) : passing_,
                                        Eigen::Map<const Eigen::VectorXd>(at, passing_.dimension()), psi, near_enough);
     return state && balls_in_reach(p, region_, rest, state->data()) && rotor_in_reach(region_, *state) &&
@@ -91,18 +91,17 @@ class ContinuumOnSection {
   model::System system_, passing_;
   ContinuumRegion region_;
   std::complex<double> rest_;
-  double half_;  // by so much the rotor turns in half a window
+  double half_;  // turning of the rotor in half a window
 };
 
-// An own rotor's well is its own, and is as deep for every order of its balls.
+// A rotor of its own has a well of its own, equally deep for every order of its balls.
 int stalled_in(const model::System& system, const StalledRegion& stalled, const double* state, const OwnRotor* own) {
   if (!own) return stalled.caught(system, state);
   const auto well = model::GravityWell::of(own->system);
   return well ? StalledRegion{*well, stalled.rests}.caught(own->system, state) : 0;
 }
 
-// Of a rotor of its own: the trapping region of a balanced motion stands beside where it was made, as the balanced
-// state does.
+// For a rotor of its own, the region of a balanced motion moves as the balanced state does.
 double value_for(const model::System& system, const OrbitRegion& region, const double* state, double psi,
                  const OwnRotor* own) {
   if (!own || region.attractor != balanced_id) return value(system, region, state, psi);
@@ -167,7 +166,7 @@ void set_regions(ClassificationRule& rule, const model::System& system, const Or
   }
   for (const auto& region : cycles) rule.cycles.push_back(table_of(*region, system.balls()));
   if (!continuum) return;
-  // Lanes measure the way to a continuum from where the rotor is centred.
+  // Lanes measure the way to a continuum from the centred rotor.
   if (system.parameters().race_is_centred())
     rule.continuum = {continuum->reach, std::make_shared<const Continuum>(system, *continuum)};
   else

@@ -1,4 +1,4 @@
-// What lanes ask of the trapping regions around motions and continua.
+// Trapping regions around motions and continua, as lanes test them.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ namespace equipoise {
 
 using OrbitRegions = std::vector<std::shared_ptr<const OrbitRegion>>;
 
-/// Makes `rule` ask all of these, and the continuum if there is one, in place of what it asked before of the kind: at
-/// every step where nothing depends on the rotor's angle, else, and of a continuum around a race off its centre, one
-/// state at a time and with that angle, where half a window ends. SharedRegions of balanced states stay as they are.
+/// Makes `rule` test all of these, and the continuum if there is one, in place of earlier ones. If nothing depends on
+/// the rotor's angle, lanes test at every step. Otherwise, and for a continuum under an off-centre race, states are
+/// tested one by one, with that angle, where half a window ends. Regions of balanced states stay as they are.
 void set_regions(ClassificationRule& rule, const model::System& system, const OrbitRegions& cycles,
                  const std::optional<ContinuumRegion>& continuum, const std::optional<StalledRegion>& stalled = {});
 
-/// Dry friction holds all balls for good where they stick; which of `listed` that is, its catalogue says.
+/// Recognises balls that dry friction holds for good; the catalogue `listed` names their motion.
 SharedRegions stuck_balls(const model::System& system, const Catalogue& listed);
 
 }  // namespace equipoise

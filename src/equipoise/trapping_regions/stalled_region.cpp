@@ -11,7 +11,7 @@ namespace equipoise {
 
 namespace {
 
-// All orders of four balls. Of more they are met by starts, or not.
+// All orders of four balls. With more, starts may meet the others.
 constexpr std::size_t most_orders = 24;
 
 std::vector<int> kinds_of(const model::System& system) {

@@ -1,4 +1,4 @@
-// A cloud of states on a torus, and the planes that touch it there.
+// A cloud of states on a torus, and tangent planes there.
 #include "equipoise/trapping_regions/torus_region.hpp"
 
 #include <algorithm>
@@ -18,19 +18,19 @@ namespace {
 
 using Eigen::VectorXd;
 
-// About 0.05 rad from one state to the next, in either direction of the torus: its curvature leaves 1e-3.
+// States are about 0.05 rad apart in either direction of the torus, whose curvature leaves 1e-3.
 constexpr int cloud = 16384, fresh = 512;
-constexpr double torus_tolerance = 1e-7;  // the torus attracts, so that errors of steps do not add up
-// Of the width of a cell: states this far off a plane lie on another sheet, or where the torus bends too much for one
-// plane. V of states on V2 at Omega = 2.4 is then 6e-5 at most, with a fifth 2e-4.
+constexpr double torus_tolerance = 1e-7;  // the torus attracts, so errors of steps do not add up
+// Of a cell's width: states farther off a plane lie on another sheet, or the torus bends too much for one plane. V of
+// states on V2 at Omega = 2.4 is then at most 6e-5; with a fifth, 2e-4.
 constexpr double bent = 0.1;
-// Tries begin no farther than half of what counts as one; none is worth it where the torus fills the like of it.
+// Trials begin at a distance of one half at most. A floor above highest_torus_floor leaves no room for a level.
 constexpr double highest_torus_level = 0.25, highest_torus_floor = 1e-3;
 constexpr double come_close_to_torus = 1e-2;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 
-// Between two angles within a turn.
+// Difference of two angles within a turn, the shorter way.
 double shorter_way(double d) { return d > pi ? d - two_pi : d < -pi ? d + two_pi : d; }
 
 }  // namespace
@@ -50,7 +50,7 @@ void TorusRegion::around_angles(double first, double second, F&& f) const {
   };
   for (int a = rows > 1 ? -1 : 0; a <= (rows > 1 ? 1 : 0); ++a) {
     const int r = row + a < 0 ? rows - 1 : row + a == rows ? 0 : row + a, begin = r * cells_;
-    // Neighbours within a row lie side by side, but across the full turn.
+    // Neighbours within a row lie side by side, except across the full turn.
     all_in(begin + std::max(place - 1, 0), begin + std::min(place + 2, cells_));
     if (place == 0) all_in(begin + cells_ - 1, begin + cells_);
     if (place == cells_ - 1) all_in(begin, begin + 1);
@@ -76,7 +76,7 @@ void TorusRegion::sort_into_cells() {
   states_ = std::move(sorted);
 }
 
-// One tangent is the flow; the other is what is left of the ways to the neighbours, which lie on other windings.
+// One tangent is the flow. The other is the direction to neighbours on other windings, without its part along the flow.
 void TorusRegion::find_tangents(const model::System& system) {
   const auto size = static_cast<int>(states_.rows());
   tangents_ = Eigen::MatrixXd::Zero(2 * size, states_.cols());
@@ -119,7 +119,7 @@ void TorusRegion::find_tangents(const model::System& system) {
   }
 }
 
-// A torus that exchange of like balls maps onto itself needs no other place for them.
+// A torus that an exchange of alike balls maps onto itself needs no further place for them.
 void TorusRegion::find_images(const model::System& system) {
   const Eigen::Index size = inverse_scale_.size();
   BallOrder order{};
@@ -134,7 +134,7 @@ void TorusRegion::find_images(const model::System& system) {
   } while (std::next_permutation(order.begin(), order.begin() + balls_));
 }
 
-// Whether a state of the cloud lies on the plane that touches the torus at another, as far as one sheet bends.
+// Whether a state of the cloud lies on the tangent plane at another, up to the bend of one sheet.
 bool TorusRegion::lies_on(int chart, int other) const {
   const double bend = bent * two_pi / cells_;
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1> d = states_.col(other) - states_.col(chart);
@@ -158,7 +158,7 @@ void TorusRegion::make_charts() {
       order.emplace_back(std::max(std::fabs(a), std::fabs(b)), k);
     });
     std::sort(order.begin(), order.end());
-    // Those in the cell and half a cell around it have to lie on its planes; where there are none, what is near.
+    // States in the cell and half a cell around it must lie on its planes; if there are none, nearby ones.
     const auto near = std::partition_point(order.begin(), order.end(), [&](const auto& o) { return o.first < width; });
     if (near != order.begin()) order.erase(near, order.end());
     std::vector<int> chosen;
@@ -178,7 +178,7 @@ double TorusRegion::value_in_place(const double* state) const {
   std::array<float, max_dimension + 3> here{}, d{};
   for (Eigen::Index i = 0; i < size; ++i) here[i] = static_cast<float>(state[i] * inverse_scale_[i]);
   const int cell = cell_of(state[4] * inverse_scale_[4], balls_ > 1 ? state[5] * inverse_scale_[5] : 0.0);
-  // As those of the cloud are.
+  // As for the states of the cloud.
   for (int i = 4; i < 4 + balls_; ++i) here[i] = static_cast<float>(within_a_turn(state[i] * inverse_scale_[i]));
   using Four = Eigen::Map<const Eigen::Array4f>;
   float least = std::numeric_limits<float>::infinity();
@@ -194,7 +194,7 @@ double TorusRegion::value_in_place(const double* state) const {
       along += part * Four(chart + rows_ + i);
       across += part * Four(chart + 2 * rows_ + i);
     }
-    // Orthonormal; what lies along the torus is no distance from it, as far as the next of its states.
+    // Tangents are orthonormal. A part along the torus, up to its next state, adds no distance.
     const float a = along.sum(), b = across.sum();
     least = std::min(least, std::max(0.0f, squares.sum() - a * a - b * b));
   }
@@ -250,7 +250,7 @@ std::shared_ptr<TorusRegion> TorusRegion::around(const model::System& system, co
 
 std::shared_ptr<const TorusRegion> torus_region(const model::System& system, const Motion& motion, int attractor,
                                                 const TrialSettings& settings, double near) {
-  // Two exponents of 0 belong to the torus.
+  // A torus has two exponents of 0.
   const bool known = motion.kind == MotionKind::quasi_periodic && motion.stable && motion.exponents.size() > 2;
   if (!known || !system.autonomous() || !(motion.exponents[2] < -slowest_worth_it)) return nullptr;
   const auto region = TorusRegion::around(system, motion, attractor, settings.stop);

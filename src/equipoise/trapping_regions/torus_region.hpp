@@ -1,4 +1,4 @@
-// SharedRegions around attracting tori: how far a state is from a cloud of states on one.
+// Trapping regions around attracting tori: the distance of a state from a cloud of states on the torus.
 #pragma once
 
 #include <memory>
@@ -14,18 +14,17 @@
 namespace equipoise {
 
 /// States along one trajectory that winds densely around a torus, sorted into cells by the angles of the first two
-/// balls (of one ball: by its angle). Each cell is stood for by one of them, or by one of each sheet of the torus that
-/// passes over it. V of a state is the square of its distance, in System::scale(), from the nearest of the tangent
-/// planes there.
+/// balls (with one ball: by its angle). One of them stands for each cell, or one for each sheet of the torus above it.
+/// V of a state is the square of its distance, in System::scale(), from the nearest tangent plane there.
 class TorusRegion final : public WindowRegion {
  public:
-  /// Empty if the trajectory is lost, or if a fresh one does not lie on the cloud: what it winds around is no torus, or
-  /// the cloud is too thin for it.
+  /// Empty if the trajectory is lost, or a fresh one does not lie on the cloud: it winds around no torus, or the cloud
+  /// is too thin.
   static std::shared_ptr<TorusRegion> around(const model::System& system, const Motion& motion, int attractor,
                                              const StopFlag* stop);
 
   double value(const double* state, const OwnRotor* own = nullptr) const override;
-  /// Beside number `which` of the cloud.
+  /// Beside state `which` of the cloud.
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                  const OwnRotor* own = nullptr) const override;
   std::size_t size() const { return static_cast<std::size_t>(states_.cols()); }
@@ -45,17 +44,17 @@ class TorusRegion final : public WindowRegion {
 
   int cells_ = 1;
   Eigen::MatrixXd states_;          // columns, in units of the scale, angles within a turn
-  Eigen::MatrixXd tangents_;        // at each: along the flow, and then across it; orthonormal, in the same units
+  Eigen::MatrixXd tangents_;        // at each: along the flow, then across it; orthonormal, in the same units
   std::vector<int> first_in_cell_;  // and one more than there are cells
-  // What stands for the cells, cell after cell: a state and its two tangents, each padded to rows_ numbers. Lanes ask
-  // at states all over the torus, so that what they read has to be little.
+  // What stands for the cells, one after the other: a state and its two tangents, each padded to rows_ numbers. Kept
+  // small, as lanes read it all over the torus.
   std::vector<float> charts_;
   std::vector<int> first_chart_;  // of each cell, and one more than there are cells
   int rows_ = 0;
 };
 
-/// The trapping region around an attracting torus of a smooth system of section none, its level found by tries as those
-/// of other trapping regions are. Null if there is none. `near`: as of highest_good_level().
+/// The trapping region around an attracting torus of a smooth system with section `none`, its level found by trials.
+/// Null if there is none. `near`: as in highest_good_level().
 std::shared_ptr<const TorusRegion> torus_region(const model::System& system, const Motion& motion, int attractor,
                                                 const TrialSettings& settings, double near = 0.0);
 

@@ -1,4 +1,4 @@
-// Chunks of tries on all threads, and the search for a level by them.
+// Runs trials in chunks on all threads, and searches for a level by them.
 #include "equipoise/trapping_regions/trials.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::size_t chunk_of(const Trials& trials, const TrialSettings& settings) {
   return trials.alike && settings.threads == 1 ? trial_part : trial_chunk;
 }
 
-// Calls told(first, fates) for every chunk, from any thread, until it or the lanes say false.
+// Calls told(first, fates) for every chunk, from any thread, until it returns false or lanes are stopped.
 template <class Told>
 bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
@@ -53,7 +53,7 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   return good;
 }
 
-constexpr double never = 1e9;  // a window that ends after all
+constexpr double never = 1e9;  // a window that ends after all else
 
 bool is_attracted(const Fate& fate) { return fate.outcome == Outcome::attracted; }
 
@@ -63,8 +63,7 @@ ClassificationRule rule_of_regions(const model::System& system) {
   ClassificationRule rule;
   rule.balls = system.balls();
   rule.first_long_window = never;
-  // Where the rotor's angle matters, and beside continua off centre, trapping regions are asked as half a short window
-  // ends.
+  // If the rotor's angle matters, and for continua off centre, regions are tested where half a short window ends.
   if (system.autonomous() && (system.parameters().race_is_centred() || model::balanced_freedom(system) == 0))
     rule.window = never;
   return rule;
@@ -126,7 +125,7 @@ double level_at(const LevelLadder& ladder, int step) {
   return std::ldexp(ladder.highest * parts[step % steps_a_halving], -(step / steps_a_halving));
 }
 
-// The first step in (bad, end] that is good, if `end` is; steps beyond a good one are taken for good.
+// The first step in (bad, end] that is good, if `end` is. Steps beyond a good one are assumed good.
 int halved(int bad, int end, const std::function<bool(int)>& good) {
   while (end - bad > 1) {
     const int middle = (bad + end) / 2;
@@ -135,7 +134,7 @@ int halved(int bad, int end, const std::function<bool(int)>& good) {
   return end;
 }
 
-// The first step in (bad, end] that is good, `end` if none before; steps beyond a good one are taken for good.
+// The first step in (bad, end] that is good, or `end`. Steps beyond a good one are assumed good.
 int first_good(int bad, int end, const std::function<bool(int)>& good) {
   int far = bad + 1;
   for (int by = 1; far < end && !good(far); by *= 2) {
@@ -145,8 +144,8 @@ int first_good(int bad, int end, const std::function<bool(int)>& good) {
   return halved(bad, std::min(far, end), good);
 }
 
-// From a step that may be the first good one: that itself, or an earlier one if a few tries pass so far before it that
-// more of them would pass before it too (all of them pass some three steps later than a few).
+// The first good step near a guess: the guess, unless a few trials pass so far before it that all trials may pass
+// before it too. (All of them pass some three steps later than a few.)
 int first_good_near(int near, const std::function<bool(int)>& few_pass) {
   constexpr int before = 6;
   for (int by = before; near > 0; by *= 2) {
@@ -157,8 +156,8 @@ int first_good_near(int near, const std::function<bool(int)>& few_pass) {
   return near;
 }
 
-// The first good step if nothing is known of it. The highest comes before all others: many levels are bounded by how
-// far tries may begin, not by what becomes of them.
+// The first good step without a guess. The highest is tested first: many levels are bounded by how far trials may
+// begin, not by their outcome.
 int first_good_anywhere(int steps, const std::function<bool(int)>& few_pass) {
   return steps > 0 && few_pass(0) ? 0 : halved(0, steps, few_pass);
 }
@@ -181,7 +180,7 @@ double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
   std::size_t passed = 0;
   if (counts.first_goes_far && step < steps)
     step = first_good(step - 1, steps, [&](int k) { return good(level_at(ladder, k), {0, counts.few, counts.all}); });
-  // The first part is the dearest: it comes last.
+  // The first part costs most, so it comes last.
   for (std::size_t part = 1 % parts; step < steps && passed < parts; part = (part + 1) % parts) {
     const TryRange tries{part * size, std::min(size, counts.all - part * size), counts.all};
     const auto passes = [&](int k) { return good(level_at(ladder, k), tries); };

@@ -1,4 +1,4 @@
-// Tries: states followed by the lanes that decide, to see what catches them.
+// Trials: states followed by the lanes that decide, to see what catches them.
 #pragma once
 
 #include <cstddef>
@@ -22,52 +22,52 @@ namespace equipoise {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What all tries share.
+/// Shared by all trials.
 struct TrialSettings {
   const model::System* system = nullptr;  ///< any smooth one
   double tolerance = 1e-6;
   int threads = 1;
   const StopFlag* stop = nullptr;
   StageProgress* progress = nullptr;
-  NotePage* notes = nullptr;  ///< of what was tried, or null
-  /// Rotors that tries have, one after the other and round again; none: all have that of `system`.
+  NotePage* notes = nullptr;  ///< log of what was tried, or null
+  /// Rotors of trials, in turn and round again; none: all have that of `system`.
   std::span<const OwnRotor> rotors{};
 
   const OwnRotor* rotor(std::size_t number) const { return rotors.empty() ? nullptr : &rotors[number % rotors.size()]; }
 };
 
-/// Motions that are approached more slowly have no trapping region made by tries: to follow these would take longer
-/// than an ensemble.
+/// Motions that attract more slowly get no trapping region by trials: to follow those would take longer than an
+/// ensemble.
 inline constexpr double slowest_worth_it = 2e-3;
-/// All tries come to this share of the level that they begin on: a quarter of the level that will be used.
+/// All trials come to this share of the level that they begin on: a quarter of the level that will be used.
 inline constexpr double come_inside = 0.125;
 
-/// As many states are followed together, and share how they are.
+/// This many states are followed together and share a flight.
 inline constexpr std::size_t trial_chunk = 128;
-/// So many are asked at a time of all that a level must pass.
+/// This many of all trials that a level must pass are run at a time.
 inline constexpr std::size_t trial_part = 4 * trial_chunk;
 
 struct Trials {
   struct Flight {
-    double end = 0.0;  ///< how long
-    double psi = 0.0;  ///< the rotor's angle when it begins
+    double end = 0.0;  ///< duration
+    double psi = 0.0;  ///< the rotor's angle at the beginning
   };
   std::vector<double> states;  ///< one after the other
   ClassificationRule rule;
   std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
-  bool alike = false;                               ///< all fly alike: chunks may be larger
+  bool alike = false;                               ///< all have the same flight, so chunks may be larger
   std::size_t first = 0;                            ///< number of the first state's rotor
 };
 
-/// A rule without windows: trapping regions alone decide.
+/// A rule without windows, in which only trapping regions decide.
 ClassificationRule rule_of_regions(const model::System& system);
 
-/// What `rule` knows of trapping regions, and nothing of windows.
+/// The trapping regions of `rule`, without its windows.
 ClassificationRule regions_of(const ClassificationRule& rule);
 
-/// All of them are attracted; false if stopped.
+/// Whether all states are attracted; false if stopped.
 bool all_attracted(Trials trials, const TrialSettings& settings);
-/// Which of them come to this attractor; if stopped, not all that would.
+/// Which states come to this attractor; incomplete if stopped.
 std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings);
 
 /// Unit vectors, the same for every study.
@@ -81,7 +81,7 @@ class Directions {
   Eigen::VectorXd v_;
 };
 
-/// The same by number, for who asks again and again.
+/// The same by number, for repeated use.
 class DirectionTable {
  public:
   explicit DirectionTable(Eigen::Index size) : directions_(size) {}
@@ -92,28 +92,27 @@ class DirectionTable {
   std::deque<Eigen::VectorXd> made_;
 };
 
-/// Levels from `highest` down over so many halvings, in eighths of one: where a rounding sends a try elsewhere the
-/// level that is found changes by little.
+/// Levels from `highest` down over this many halvings, in eighths of one. The steps are small, so a trial that rounding
+/// sends elsewhere changes the level by little.
 struct LevelLadder {
   double highest = 0.0;
   int halvings = 24;
 };
 
-/// A few tries find where to begin, all of them where to stop.
+/// A few trials find where to begin, all of them where to stop.
 struct TrialCounts {
   std::size_t few = 128, all = 4096;
-  bool first_goes_far = false;  ///< the first part is followed farther: a few of it are asked before the others
+  bool first_goes_far = false;  ///< the first part is followed farther, and a few of it run before the others
 };
 
-/// Tries first .. first + count - 1 of `of`.
+/// Trials first .. first + count - 1 of `of`.
 struct TryRange {
   std::size_t first, count, of;
 };
 
-/// Half the highest level for which good(level, tries) holds of all tries, which are asked in parts, the first part
-/// last; 0 if there is none. What passes on a level is taken to pass on lower ones only to choose which level is tried
-/// next. `near`: what it may be, 0 if that is not known; the search then begins there, and goes up only where a few
-/// tries say so.
+/// Half the highest level at which good(level, tries) holds for all trials; 0 if there is none. Trials run in parts,
+/// the first part last. That a pass at one level implies a pass at lower ones is assumed only to choose the next level.
+/// `near`: a guess, or 0. The search then begins there, and goes up only if a few trials pass.
 double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
                           const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
 

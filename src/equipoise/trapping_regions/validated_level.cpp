@@ -1,4 +1,4 @@
-// States on a level set, and whether all of them come to what it surrounds.
+// States on a level set, and whether all of them come to the motion inside.
 #include "equipoise/trapping_regions/validated_level.hpp"
 
 #include <algorithm>
@@ -19,17 +19,16 @@ namespace equipoise {
 namespace {
 
 constexpr double widest_factor = 64.0;
-// A trajectory whose V falls to this share of what it was has come to the motion; the first part of all tries is
-// followed so far. The others come_inside: what is there came to the motion with the first ones.
+// A trajectory whose V falls to this share has come to the motion; the first part of all trials is followed that far.
+// The others stop at come_inside: from there the first ones came to the motion.
 constexpr double come_close = 1e-3;
-// Where motions of other rotors lie farther beside the trapping region's, V tells too little of what is near them:
-// other motions come as close.
+// If other rotors' motions lie farther off, V says too little about states near them: other motions come as close.
 constexpr double largest_floor = 0.01;
 constexpr TrialCounts orbit_tries{.first_goes_far = true};
-// Levels where the search begins. In Floquet coordinates, which have no common size, beyond any that was found good; V
-// of strobed motions is |d|^2 or more in natural sizes.
+// Levels where the search begins. In Floquet coordinates, which have no common size: above any that was found good.
+// With the rotor's angle as phase V is |d|^2 or more in natural sizes.
 constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
-// Slower motions than slowest_worth_it are decided by windows. Balance is not, so that more patience is worth it there.
+// Motions slower than slowest_worth_it are decided by windows. Balance is not, and deserves more patience.
 constexpr double slowest_balance = 2e-4;
 
 Trials follow_for(double end, ClassificationRule rule, std::vector<double> states) {
@@ -42,10 +41,10 @@ ClassificationRule rule_of(const std::vector<BalancedRegion>& balanced, const mo
   return rule;
 }
 
-// Ten times what the linear flow needs from a level `factor` times the trapping region's own, and time to settle on it.
+// Ten times what the linear flow takes from a level `factor` times the region's own, plus time to come close.
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
-// All states that are tried on the level enter one of the `balanced` trapping regions.
+// Whether all states tried on the level enter one of the `balanced` regions.
 bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>& balanced, DirectionTable& directions,
                  const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
   const model::System& system = *settings.system;
@@ -66,15 +65,15 @@ bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>
   return all_attracted(std::move(trials), settings);
 }
 
-// The row that try `i` begins in. With the rotor's angle as phase a chunk shares it: so it does the rotor's angle.
+// The row in which trial `i` begins. With the rotor's angle as phase a chunk shares the row, as it shares that angle.
 int row_of(const OrbitRegion& region, std::size_t i) {
   if (region.clock == OrbitRegion::rotor) return static_cast<int>(i / trial_chunk) * 7 % region.rows();
-  // In an order that spreads any first few tries over the whole orbit (golden section).
+  // In an order that spreads any first few trials over the whole orbit (golden section).
   const double share = 0.6180339887498949 * static_cast<double>(i);
   return static_cast<int>(region.rows() * (share - std::floor(share)));
 }
 
-// All states that are tried on the level come to the motion.
+// Whether all states tried on the level come to the motion.
 bool all_approach(const OrbitRegion& region, DirectionTable& random, const TrialSettings& settings, double slowest_rate,
                   double floor, double level, const TryRange& tries) {
   if (floor > std::min(come_inside * level, largest_floor)) return false;
@@ -90,13 +89,13 @@ bool all_approach(const OrbitRegion& region, DirectionTable& random, const Trial
   }
   auto close = std::make_shared<OrbitRegion>(region);
   const bool far = tries.first == 0 && tries.of == orbit_tries.all;
-  // A rotor of its own has its motion beside this one: V does not fall to nothing there.
+  // A rotor of its own has its motion beside this one, where V does not fall to zero.
   const double share = far ? std::max(come_close, floor / level) : come_inside;
   close->level = share * level;
   trials.rule = rule_of_regions(system);
   set_regions(trials.rule, system, {close}, {});
   const double end = 2.0 * std::log(1.0 / share) / (2.0 * -slowest_rate) + 200.0;
-  double cell_angle = 0.0;  // where the rotor's angle is no phase, it is of no account
+  double cell_angle = 0.0;  // unless it is the phase, the rotor's angle does not matter
   if (region.clock == OrbitRegion::rotor)
     cell_angle = system.section_angle() / region.cells * (system.speed() < 0.0 ? -1.0 : 1.0);
   trials.alike = region.clock != OrbitRegion::rotor;
@@ -125,7 +124,7 @@ double own_floor(const OrbitRegion& region, const TrialSettings& settings, const
     Eigen::VectorXd state = there->state;
     if (region.attractor == balanced_id && !system.autonomous())
       state -= balanced_shift(own, system, region.nodes.front().state);
-    OrbitRegion wide = region;  // whose V is finite wherever it is asked
+    OrbitRegion wide = region;  // its V is finite everywhere
     wide.level = none;
     largest = std::max(largest, value(system, wide, state.data(), 0.0));
   }
@@ -152,7 +151,7 @@ void widen(BalancedRegion& region, const std::vector<BalancedRegion>& balanced, 
   for (int i = 0; i < settings.system->balls(); ++i)
     factor = std::min(factor, 0.5 * std::pow(pi / region.reach[model::index::phi(i)], 2));
   factor = std::min(factor, 0.5 * nearest_foreign / region.level);
-  // At half the level and below, twice of it is where V decreases, and nothing is left to try.
+  // From half the level down, V decreases on twice the level anyway, and nothing is left to try.
   int halvings = 0;
   while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
   const LevelLadder ladder{2.0 * factor * region.level, halvings};

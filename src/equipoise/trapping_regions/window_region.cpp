@@ -1,4 +1,4 @@
-// Bounds within which lanes ask, and levels that tries passed.
+// Bounds within which lanes test, and levels that trials passed.
 #include "equipoise/trapping_regions/window_region.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace equipoise {
 
 namespace {
 
-constexpr double window = 4.0;  // of tries: they are asked twice a window
-// Of the time that the slowest approach would take: other directions sink faster.
+constexpr double window = 4.0;  // of trials, tested twice in it
+// Share of the time that the slowest approach takes: other directions fall faster.
 constexpr double approach = 0.5;
 constexpr double away_in_window = 2.0;
 
@@ -39,7 +39,7 @@ bool WindowRegion::may_hold(const double* state) const {
   return true;
 }
 
-// By as much as the states of a window that ends inside the trapping region may lie farther away.
+// By how much farther off the states of a window may lie that ends inside the region.
 void WindowRegion::widen(WindowRegions& bounds) const {
   const double far = between_ + away_in_window * std::sqrt(level_);
   const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);
@@ -57,7 +57,7 @@ bool all_approach(const std::shared_ptr<WindowRegion>& region, DirectionTable& d
                   const TrialSettings& settings, double level, const TryRange& tries) {
   Trials trials;
   for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
-    // Spread over the motion whatever the order of its states.
+    // Spread over the motion, whatever the order of its states.
     const Eigen::VectorXd z = region->state_on_level(i * 40503, level, directions[i], settings.rotor(i));
     trials.states.insert(trials.states.end(), z.begin(), z.end());
   }
@@ -70,7 +70,7 @@ bool all_approach(const std::shared_ptr<WindowRegion>& region, DirectionTable& d
   trials.rule = rule_of_regions(*settings.system);
   trials.rule.window = window;
   set_window_regions(trials.rule, {region});
-  // Twice what the slowest approach takes, and time to settle on it.
+  // Twice what the slowest approach takes, plus time to come close.
   const double end = 2.0 * region->time_to_level(level) + 200.0;
   trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
   return all_attracted(std::move(trials), settings);
