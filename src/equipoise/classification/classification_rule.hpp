@@ -1,4 +1,4 @@
-// How a trajectory's fate is decided at the final speed: data shared by all lanes. discovery makes it, lanes read it.
+// How a trajectory's fate is decided at the final speed: data made by the attractor search and shared by all lanes.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct OwnRotor;
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedRegion {
   std::array<double, model::max_balls> phi{};  ///< ball angles of the balanced state
-  /// Its other components: 0, except for a driven rotor's speed, and for all of them if the race is off centre.
+  /// Its other components: 0, except for a driven rotor's speed, and all of them under an off-centre race.
   std::array<double, max_dimension> centre{};
   int state = 0;  ///< its number among the rotor's balanced states (mechanics/balanced_state.hpp)
   /// Upper triangular F, row-major dimension x dimension of the system: the Lyapunov function of a deviation d is
@@ -33,11 +33,11 @@ struct BalancedRegion {
   }
 };
 
-/// A trapping region around a stable periodic orbit (trapping_regions/orbit_region.hpp), in the form that lanes
-/// evaluate at every step. Its phase is the angle of one ball, the clock. A table over that angle holds the orbit, with
-/// chords between its states, and one quadratic form a cell. Columns of a row, with D = dimension - 1 (all but the
-/// clock's angle, in the order of the state): D values where the cell begins, D changes across it, D (D + 1) / 2
-/// entries of the upper triangle of F.
+/// A trapping region around a stable periodic orbit (trapping_regions/orbit_region.hpp) in the form that lanes evaluate
+/// at every step. Its phase is the angle of one ball, the clock. A table over that angle holds the orbit, with chords
+/// between its states, and one quadratic form a cell. With D = dimension - 1 (all but the clock's angle, in the order
+/// of the state) a row has D values where the cell begins, D changes across it, and D (D + 1) / 2 entries of the upper
+/// triangle of F.
 struct OrbitRegionTable {
   int attractor = 0;
   int clock = 0;                                           ///< ball whose angle is the phase
@@ -50,8 +50,8 @@ struct OrbitRegionTable {
 };
 constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + (dimension - 1) * dimension / 2; }
 
-/// Features of a window: smallest, largest and root-mean-square r; then for each ball mean, smallest and largest rate
-/// phi'; then the same of psi', all 0 where it is prescribed. Interchangeable balls are sorted by mean rate.
+/// Features of a window: smallest, largest and root-mean-square r; then mean, smallest and largest rate phi' of each
+/// ball; then the same of psi', all 0 at a prescribed speed. Interchangeable balls are sorted by mean rate. Only
 /// feature_count(balls) of them are used.
 using Features = std::array<double, 6 + 3 * model::max_balls>;
 constexpr int feature_count(int balls) { return 6 + 3 * balls; }
@@ -64,7 +64,7 @@ constexpr int speed_feature(int balls) { return 3 + 3 * balls; }
 struct FeatureBox {
   Features low{}, high{};
   int attractor = 0;
-  int hits_needed = 3;  ///< successive short windows inside that decide
+  int hits_needed = 3;  ///< this many successive short windows inside decide
   int trend = -1;       ///< as KnownFeatures::trend
   int chaos = -1;       ///< as KnownFeatures::chaos, of the attractor: transient chaos looks like it
 };
@@ -75,9 +75,9 @@ struct KnownFeatures {
   Features features{};
   int attractor = 0;
   bool chaotic = false;  ///< no two windows are quite the same
-  /// If rotors differ: its index in OwnRotor::chaos_lasts; -1 if it ends for none of them.
+  /// Where rotors differ: its index in OwnRotor::chaos_lasts; -1 if it ends for none of them.
   int chaos = -1;
-  /// If rotors differ: the row of OwnRotor::shifts to subtract from a rotor's features; -1: none.
+  /// Where rotors differ: the row of OwnRotor::shifts to subtract from a rotor's features; -1: none.
   int trend = -1;
 };
 
@@ -87,12 +87,12 @@ struct ContinuumRegions {
   SharedRegions regions;
 };
 
-/// Of motions of a system whose rotor's angle does not matter, one state at a time: asked where half a short window
-/// ends that has stayed within these bounds of r^2 and of all q.
+/// For motions of a system that does not depend on the rotor's angle. One state at a time is tested, where a half short
+/// window ends that has stayed within these bounds of r^2 and of all q.
 struct WindowRegions {
   SharedRegions regions;
   double r2_low = 0.0, r2_high = 1e300, q_low = -1e300, q_high = 1e300;
-  /// Not asked again for this share of the time that a lane has been followed, if that is longer than half a window.
+  /// A lane is not tested again for this share of the time followed so far, if that is longer than half a window.
   double rest = 0.0;
   /// Audits (ClassificationRule::blind): half windows for which a caught trajectory is followed on, so that boxes see
   /// them.
@@ -100,7 +100,7 @@ struct WindowRegions {
 };
 
 /// A driven rotor that turns faster, in critical speeds, is given up: no machine does, and the integrator's steps
-/// shrink as it speeds up.
+/// shrink with the speed.
 inline constexpr double runaway_speed = 1e4;
 
 /// The most isolated balanced states: one ball has one, two balls have two, more have a continuum.
@@ -108,17 +108,17 @@ inline constexpr std::size_t most_balanced = 2;
 
 struct ClassificationRule {
   int balls = 2;
-  bool interchangeable = true;  ///< equal balls: features do not depend on their order
-  bool at_horizon = false;      ///< nothing ends early; what holds at the task's end decides
+  bool interchangeable = true;  ///< alike balls: features do not depend on their order
+  bool at_horizon = false;      ///< nothing ends early; the state at the task's end decides
   bool blind = false;           ///< audits: boxes are watched but decide nothing; V is recorded
-  /// If rotors differ: chaos that may end for a rotor, or that differs a little from what is known, is decided only
-  /// once it has lasted this long. 0: all have one rotor.
+  /// Where rotors differ: chaos that may end for a rotor, or that differs a little from known chaos, is decided only
+  /// after lasting this long. 0: all have one rotor.
   double chaos_lasts = 0.0;
   std::vector<BalancedRegion> balanced;  ///< at most most_balanced
   std::vector<OrbitRegionTable> cycles;
   ContinuumRegions continuum;
-  /// SharedRegions of a rotor with anisotropic supports or gravity, driven or not: asked at the end of each half short
-  /// window. May be null. Kernels of plain rotors do not ask them.
+  /// Trapping regions of a rotor with anisotropic supports or gravity, driven or not: tested at the end of each half
+  /// short window. May be null. Kernels of plain rotors do not test them.
   SharedRegions section_regions;
   WindowRegions windowed;
   double sag = 0.0;  ///< r is measured from Y = sag, X = 0 in fixed axes; not by kernels of plain rotors
@@ -132,12 +132,12 @@ struct ClassificationRule {
   std::vector<KnownFeatures> known;  ///< long-window features of attractors
 };
 
-/// What the pilot keeps of a trajectory: the features of its last long window, the range of that window's short ones,
-/// for every box of the rule the longest run of windows inside, and how near it came to balance.
+/// What the pilot keeps of a trajectory: features of its last long window, the range of that window's short ones, the
+/// longest run of windows inside each box, and how near it came to balance.
 struct PilotRecord {
   Features features{};
   FeatureBox range;
-  bool finished_window = false;  ///< features and range hold something
+  bool finished_window = false;  ///< features and range are set
   std::array<int, most_boxes> longest_run{};
   double least_value =
       1e300;  ///< smallest V of any balanced trapping region along the way; known in audits (ClassificationRule::blind)

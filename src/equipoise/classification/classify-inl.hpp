@@ -1,5 +1,5 @@
-// The observer of a lane block that decides fates: entry into a trapping region of a balanced state or of a periodic
-// orbit, or windows of time that show a known or a stationary motion. Included once per CPU target.
+// The observer of a lane block that decides fates: by entry into a trapping region, or by windows of time that show a
+// known or a stationary motion. Included once per CPU target.
 #if defined(EQUIPOISE_CLASSIFICATION_CLASSIFY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_CLASSIFICATION_CLASSIFY_INL
 #undef EQUIPOISE_CLASSIFICATION_CLASSIFY_INL
@@ -28,8 +28,8 @@ namespace HWY_NAMESPACE {
 
 // Hooks: see NoObserver in batch/batch_block-inl.hpp.
 //
-// Of all but plain ones the rotor's angle is known, r is measured from where gravity lets the rotor sag to, and
-// ClassificationRule::strobed is asked, if it has an answer. Plain rotors feel no operation of that.
+// Except for plain rotors the rotor's angle is known, r is measured from the sag, and
+// ClassificationRule::section_regions is tested if set. Plain rotors pay for none of this.
 template <int room, int groups, BatchKind kind = BatchKind::plain>
 class ClassifyFate {
  public:
@@ -82,7 +82,7 @@ class ClassifyFate {
     return done;
   }
 
-  // Of a lane that step() has just ended; 0: a stationary motion that the rule does not list.
+  // For a lane that step() has just ended; 0: a stationary motion that the rule does not list.
   int attractor_of(int slot) const { return verdict_[slot].attractor; }
 
   void end(int slot, std::size_t start, BatchEnd how, double t, const double* z) {
@@ -121,7 +121,7 @@ class ClassifyFate {
   }
 
  private:
-  // As a constant where nothing but balls is in the state.
+  // A constant if the state contains only the rotor's centre and the balls.
   HWY_INLINE auto size() const {
     if constexpr (smooth)
       return size_;
@@ -153,10 +153,10 @@ class ClassifyFate {
   struct Verdict {
     DecidedBy by = DecidedBy::nothing;
     int attractor = 0;
-    bool runs_away = false;  // of a driven rotor: given up
+    bool runs_away = false;  // a driven rotor that is given up
   };
 
-  // Lanes inside a trapping region. Box tests cost little and spare most of them the quadratic forms.
+  // Lanes inside a trapping region. Cheap tests of bounds spare most of them the quadratic forms.
   HWY_INLINE unsigned caught_by_regions(int g, Mask accepted, unsigned accepted_bits, const Pack* z) {
     unsigned caught = 0;
     for (std::size_t k = 0; k < rule_.balanced.size(); ++k) {
@@ -206,8 +206,8 @@ class ClassifyFate {
     return orbit_region_value(region, n, size(), z) < Pack(region.level);
   }
 
-  // Lanes caught by a continuum of balanced states: asked one by one, and after a refusal only again at half the
-  // distance, or when they come back from far away.
+  // Lanes caught by a continuum of balanced states. They are tested one by one. After a refusal a lane is tested again
+  // only at half the distance, or when it comes back from far away.
   HWY_NOINLINE unsigned caught_by_continuum(int g, unsigned accepted, const Pack* z) {
     unsigned caught = 0;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -238,7 +238,7 @@ class ClassifyFate {
     return bits;
   }
 
-  // Hands the finished half windows of the `full` lanes to their trackers and opens new ones.
+  // Hands finished half windows of the `full` lanes to their trackers, and opens new ones.
   HWY_NOINLINE unsigned close_windows(int g, unsigned full, Pack t, const Pack* z) {
     unsigned decided = 0;
     for (int lane = 0; lane < lanes; ++lane) {
@@ -280,8 +280,8 @@ class ClassifyFate {
     return like;
   }
 
-  // The trapping region that has caught a lane, once nothing more is to be learnt from it; `over`: its windows decide
-  // now.
+  // The trapping region that has caught a lane, once nothing more is to be learnt from the lane; `over`: its windows
+  // decide now.
   int kept_by_windowed(int slot, const WindowSums& sums, double now, const Pack* z, bool over) {
     WindowCatch& caught = window_catch_[slot];
     if (caught.attractor == 0 && within_bounds(sums))
@@ -315,7 +315,7 @@ class ClassifyFate {
   Pack least_value_[groups];
   // Of each lane's rotor.
   Pack places_[groups][most_balanced][dimension], factors_[groups][most_balanced][dimension * dimension];
-  std::vector<std::array<double, max_dimension>> centres_;  // of balanced trapping regions of the task's rotor
+  std::vector<std::array<double, max_dimension>> centres_;  // of the task's rotor: centres of balanced trapping regions
   std::size_t start_[groups * lanes] = {};
   Verdict verdict_[groups * lanes];
   std::vector<WindowTracker> trackers_;

@@ -1,5 +1,5 @@
-// Observer of a lane block that combines one that decides fates with an optional watch. A decided trajectory goes on
-// until the watch has seen its final motion. Included once per CPU target.
+// Observer of a lane block that combines an observer that decides fates with an optional watch. A decided trajectory
+// goes on until the watch has seen its final motion. Included once per CPU target.
 #if defined(EQUIPOISE_CLASSIFICATION_FOLLOW_ON_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_CLASSIFICATION_FOLLOW_ON_INL
 #undef EQUIPOISE_CLASSIFICATION_FOLLOW_ON_INL
@@ -15,9 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// `Fates` says by attractor_of(slot) what it has just decided; one without that function never decides. It sees nothing
-// of a lane after its decision, so that a watch changes no fate. `watch` may be null; most tasks have none, and
-// HWY_UNLIKELY keeps registers for those.
+// `Fates` says by attractor_of(slot) what it has just decided; without that function it never decides. It sees nothing
+// of a lane after its decision, so a watch changes no fate. `watch` may be null, as for most tasks; HWY_UNLIKELY keeps
+// registers for those.
 template <class Fates, int groups>
 class FollowOn {
  public:
@@ -64,8 +64,8 @@ class FollowOn {
     for (int i = 0; i < size_; ++i) kept[i] = z[i];
   }
 
-  // Of lanes decided earlier whose window has just ended (`full`), those that may leave. SearchLog the `fresh`
-  // decisions.
+  // Notes the `fresh` decisions. Returns the earlier decided lanes that may leave, of those whose window has just ended
+  // (`full`).
   HWY_INLINE unsigned leaving(int g, unsigned full, unsigned fresh, Pack t) {
     if constexpr (requires(Fates f) { f.attractor_of(0); }) {
       if (fresh) note(g, fresh, t);

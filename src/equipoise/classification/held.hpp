@@ -11,20 +11,20 @@ namespace equipoise {
 
 /// When held balls are released, or the trajectory is given up.
 struct HoldRule {
-  double release_speed = std::numeric_limits<double>::infinity();  ///< infinite: at no speed
-  std::vector<double> own_speeds{};  ///< of each trajectory, where rotors are their own; empty: the same of all
-  bool rising = true;                ///< they are let go from that speed on; else from that speed down
-  ClassificationRule windows;  ///< says by its windows, all else empty, when a rotor that did not come there is steady
+  double release_speed = std::numeric_limits<double>::infinity();  ///< infinite: never
+  std::vector<double> own_speeds{};  ///< each trajectory's, if they have rotors of their own; else empty
+  bool rising = true;                ///< released from that speed on; else from that speed down
+  ClassificationRule windows;  ///< only its windows are set: they decide when a rotor that never gets there is steady
 };
 
 struct HeldEnd {
-  /// Attracted if it is steady; undecided at the task's end, or before it if the rotor runs away.
+  /// Attracted if steady; undecided at the task's end, or earlier if the rotor runs away.
   Fate fate;
-  /// It reached release_speed in the step from `fate.time` to `crossed_by`, or seemed to. Its state is that at
+  /// Whether it reached release_speed, or seemed to, in the step from `fate.time` to `crossed_by`. Its state is that at
   /// `fate.time`.
   bool crossing = false;
   double crossed_by = 0.0;
-  double nearest = 0.0;  ///< the speed nearest to release_speed that it had
+  double nearest = 0.0;  ///< the speed that came nearest to release_speed
 };
 
 }  // namespace equipoise

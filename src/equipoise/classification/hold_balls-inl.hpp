@@ -1,4 +1,4 @@
-// The observer of a lane block of driven rotors whose balls are held. It ends trajectories just before they reach the
+// The observer of a lane block of driven rotors with held balls. It ends trajectories just before they reach the
 // release speed, and those that are steady without reaching it. Included once per CPU target.
 #if defined(EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL
@@ -19,9 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Hooks: see NoObserver in batch/batch_block-inl.hpp; one group of lanes. A rotor has reached the speed if it has at
-// one of two stages of a step or at its end; dense output locates the time elsewhere. `watch` may be null; it does not
-// see the step in which balls are released.
+// Hooks: see NoObserver in batch/batch_block-inl.hpp; one group of lanes. A rotor counts as having reached the speed if
+// it has at one of two stages of a step or at its end; dense output later locates the time. `watch` may be null; it
+// does not see the step in which balls are released.
 class HoldBalls {
  public:
   static constexpr int lanes = static_cast<int>(pack_lanes);

@@ -1,4 +1,4 @@
-// From a pilot's trajectories to groups of like motions and to boxes that recognise them early.
+// Takes a pilot's trajectories to groups of like motions, and to boxes that recognise them early.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-/// The members of a record, for notes.
+/// The members of a record, for search logs.
 template <class Bytes, Like<PilotRecord> T>
 void members(Bytes& b, T& r) {
   b(Trimmed{r.features}, Trimmed{r.range.low}, Trimmed{r.range.high}, r.range.attractor, r.range.hits_needed,
@@ -25,19 +25,19 @@ struct MotionGroup {
 };
 
 /// Groups the records named in `which`: each joins the first group whose features it shares to `tolerance`
-/// (same_motion). Order decides, so the same records make the same groups.
+/// (same_motion()). Order decides, so the same records make the same groups.
 std::vector<MotionGroup> group_records(const std::vector<PilotRecord>& records, const std::vector<std::size_t>& which,
                                        int balls, double tolerance);
 
-/// Bounds that recognise a group's short windows: its range, widened on both sides by `widths` times its width and by
-/// 2 % of the largest r, rate or psi'. The attractor is 0 if they would admit a centred rotor with balls at rest: such
+/// Bounds that recognise a group's short windows: its range, widened on both sides by `widths` times its width, and by
+/// 2 % of the largest r, rate or psi'. The attractor is 0 if they would admit a centred rotor with resting balls: such
 /// a box decides nothing.
 FeatureBox box_around(const FeatureBox& range, int balls, int attractor, double widths);
 
-/// Number of windows in a row inside box `b` that decide: more than twice the longest run of any trajectory of an audit
-/// that went elsewhere, and at least three. `fates` and `records` are those of the audit, run with the rule's boxes and
-/// `blind`. 0 if that is too many to be of use, or if fewer than a hundred trajectories stayed so long and came to
-/// `attractor`: so few prove little.
+/// How many windows in a row inside box `b` decide: more than twice the longest run of any audited trajectory that went
+/// elsewhere, and at least three. `fates` and `records` come from the audit, run with the rule's boxes and `blind`. 0
+/// if that is too many to be of use, or if fewer than a hundred trajectories stayed that long and came to `attractor`,
+/// which proves little.
 int hits_from_audit(const std::vector<Fate>& fates, const std::vector<PilotRecord>& records, std::size_t b,
                     int attractor, bool undecided_is_own);
 

@@ -23,12 +23,12 @@ HWY_INLINE T shortest_turn(T angle) {
   return angle - T(two_pi) * nearest_integer(angle * T(1.0 / two_pi));
 }
 
-// Room for a state of type `Size`: with a constant size balls are all there is; else any system with these balls.
+// Room for a state of type `Size`: a constant size is that of rotor and balls alone; otherwise any system fits.
 template <int room, class Size>
 inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 3 : 0);
 
-// V of a balanced trapping region at state z of n balls and `dimension` components; `place`: the trapping region's
-// centre; `factor`: F.
+// V of a balanced trapping region at state z of n balls and `dimension` components. `place`: the region's centre;
+// `factor`: F.
 template <int room, class T, class Number, class Size>
 HWY_INLINE T balanced_region_value(const Number* place, const Number* factor, model::BallCount<room> n, Size dimension,
                                    const T* z) {
@@ -45,7 +45,7 @@ HWY_INLINE T balanced_region_value(const Number* place, const Number* factor, mo
   return v;
 }
 
-// |F d|^2 of a cycle at state z: the least over the turns that the clock's angle may belong to.
+// F d|^2 of an orbit's region at state z: the least over the turns that the clock's angle may belong to.
 template <int room, class T, class Size>
 HWY_INLINE T orbit_region_value(const OrbitRegionTable& region, model::BallCount<room> n, Size dimension, const T* z) {
   const int others = dimension - 1;
@@ -54,7 +54,7 @@ HWY_INLINE T orbit_region_value(const OrbitRegionTable& region, model::BallCount
   for (int i = 0, k = 0; i < dimension; ++i)
     if (i != 4 + region.clock) place[k++] = z[i];
   const T turn = z[4 + region.clock] * T(1.0 / two_pi);
-  // In cells, from 0 to trapping region.cells. The last one also takes angles that round to a whole turn.
+  // In cells, from 0 to region.cells. The last cell also takes angles that round to a whole turn.
   const T along = (turn - nearest_integer(turn - T(0.5))) * T(double(region.cells));
   const T cell = minimum(maximum(nearest_integer(along - T(0.5)), T(0.0)), T(double(region.cells - 1)));
   const T fraction = along - cell;

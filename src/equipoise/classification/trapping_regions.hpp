@@ -1,5 +1,5 @@
-// The interface through which lanes ask trapping regions that no table of level sets describes. `trapping regions`
-// implements it.
+// The interface by which lanes test trapping regions that no table of level sets describes. Implemented in the room
+// trapping_regions and in attractor_search/coasting.cpp.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ struct OwnRotor;
 
 struct Caught {
   int attractor = 0;  ///< its identifier; 0: not caught
-  double wait = 0.0;  ///< if not caught: for how long asking again is useless
+  double wait = 0.0;  ///< if not caught: how long another test would be useless
 };
 
 /// Says which attractor has caught a state.

@@ -75,7 +75,7 @@ Features features(const WindowSums& sums, int balls, bool interchangeable) {
 }
 
 bool same_motion(const Features& a, const Features& b, int balls, double sameness) {
-  // Extremes of phi' over all balls together: on a torus each ball alone may take very long to show its own.
+  // Extremes of phi' over all balls together: on a torus a single ball may take very long to show its own.
   const auto slowest = [&](const Features& f) {
     double q = f[4];
     for (int i = 1; i < balls; ++i) q = std::min(q, f[4 + 3 * i]);
@@ -91,7 +91,7 @@ bool same_motion(const Features& a, const Features& b, int balls, double samenes
       std::max({rest_rate, std::fabs(slowest(a)), std::fabs(slowest(b)), std::fabs(fastest(a)), std::fabs(fastest(b))});
   const double radius = std::max(a[1], b[1]);
   bool same = close(slowest(a), slowest(b), rate) && close(fastest(a), fastest(b), rate);
-  // r passes its minimum like |t|, so samples a fraction of a step apart miss it by far more than they miss the
+  // r passes its minimum like |t|. Samples a fraction of a step apart therefore miss the minimum by far more than the
   // maximum.
   same = same && close(a[0], b[0], 2.0 * radius) && close(a[1], b[1], radius) && close(a[2], b[2], radius);
   for (int i = 0; i < balls; ++i) same = same && close(a[3 + 3 * i], b[3 + 3 * i], rate);
@@ -112,12 +112,12 @@ Features brought_back(const Features& f, int trend, const double* shifts, int ba
 const KnownFeatures* nearest_known(const Features& own, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts, double tolerance) {
   const KnownFeatures* nearest = nullptr;
-  int first = 0;  // the attractor of one that agrees
+  int first = 0;  // the attractor of the first one that agrees
   double least = std::numeric_limits<double>::infinity();
   for (const KnownFeatures& k : known) {
     const Features f = brought_back(own, k.trend, shifts, balls);
     if (!same_motion(k.features, f, balls, tolerance)) continue;
-    // If rotors differ, two motions that look alike may be one motion before and after a bifurcation.
+    // Where rotors differ, two motions that look alike may be one motion before and after a bifurcation.
     if (shifts && tolerance <= known_tolerance && first && first != k.attractor) return nullptr;
     first = k.attractor;
     double distance = 0.0;

@@ -24,8 +24,8 @@ struct WindowSums {
 
 Features features(const WindowSums& sums, int balls, bool interchangeable);
 
-/// Two windows agree in the largest and rms r, to `sameness` of the largest (the smallest: twice that), and in the
-/// balls' mean rates and the extremes of all rates together, to `sameness` of the largest rate; and in psi', to
+/// Whether two windows agree: in the largest and rms r to `sameness` of the largest (the smallest: twice that); in the
+/// balls' mean rates and the extremes of all rates together to `sameness` of the largest rate; and in psi' to
 /// `sameness` of its greatest size.
 bool same_motion(const Features& a, const Features& b, int balls, double sameness);
 
@@ -38,27 +38,27 @@ bool inside(const FeatureBox& box, const Features& f, int balls);
 
 /// A finite window of a torus or of chaos shows its extremes and means to a few percent.
 inline constexpr double known_tolerance = 0.05;
-/// The entry of `known` nearest to long-window features `f`; null if none is the same motion, to `tolerance`. `shifts`:
-/// of the rotor, or null; with shifts the result is null also if two attractors agree to known_tolerance.
+/// The entry of `known` nearest to long-window features `f`; null if none is the same motion to `tolerance`. `shifts`:
+/// of the rotor, or null; with shifts the result is also null if two attractors agree to known_tolerance.
 const KnownFeatures* nearest_known(const Features& f, const std::vector<KnownFeatures>& known, int balls,
                                    const double* shifts = nullptr, double tolerance = known_tolerance);
 
-/// The same among motions of the rotor itself that shows `f`. One that is not chaotic has to agree to `sameness`.
+/// The same among motions of the very rotor that shows `f`. Those that are not chaotic must agree to `sameness`.
 const KnownFeatures* nearest_met(const Features& f, const std::vector<KnownFeatures>& met, int balls, double sameness);
 
 /// What a trajectory's windows have decided.
 struct WindowConclusion {
   bool decided = false;
-  int attractor = 0;  ///< 0 and decided: a stationary motion that the rule does not list
+  int attractor = 0;  ///< 0 when decided: a stationary motion that the rule does not list
 };
 
-/// One trajectory's windows. Fed with half windows: short windows overlap by one half.
+/// One trajectory's windows, fed with half windows: short windows overlap by one half.
 class WindowTracker {
  public:
-  /// `own`: the rotor's own, or null; it outlives the windows.
+  /// `own`: the lane's own rotor, or null; it must outlive the windows.
   void begin(const ClassificationRule& rule, const OwnRotor* own = nullptr);
-  /// Adds a finished half window. Decides when hits_needed short windows in a row lie in one box, or repeats_needed
-  /// long ones repeat the one before (a chaotic transient matches once in 10^5) or show a known chaotic motion.
+  /// Adds a finished half window. Decides if hits_needed short windows in a row lie in one box, or repeats_needed long
+  /// ones repeat the one before (a chaotic transient matches once in 10^5) or show a known chaotic motion.
   WindowConclusion add(const WindowSums& half);
   /// So far: features of the last long window, range of its short ones, longest runs inside boxes.
   PilotRecord record() const;
@@ -66,13 +66,13 @@ class WindowTracker {
   double elapsed() const { return elapsed_; }
   /// The largest r over the last window, short or long; NaN before one has ended.
   double radius() const { return radius_; }
-  /// Mean psi' over the last long window; before one has ended, since the first began; NaN before half a short one has.
+  /// Mean psi' over the last long window. Before that since the first began; NaN before half a short one has ended.
   double mean_speed() const;
-  /// The attractor at the horizon, by the last short windows or else by the last long one; 0 if neither tells.
+  /// The attractor at the horizon, by the last short windows or else by the last long one; 0 if neither recognises one.
   int attractor_at_end() const;
 
  private:
-  // The attractor in whose box the last short windows lie, as many as it asks for; 0 if none.
+  // The attractor in whose box the last short windows lie, as many as the box needs; 0 if none.
   int attractor_now() const;
   WindowConclusion finish_long_window();
   // Whether this chaos (KnownFeatures::chaos) has yet to show that it lasts.

@@ -1,5 +1,5 @@
-// What the time loop gathers of a lane's windows of time: extremes and integrals of r^2, balls' rates, the rotor's
-// turning. Included once per CPU target.
+// Samples of a lane's windows of time: extremes and integrals of r^2, ball rates, the rotor's turning. Included once
+// per CPU target.
 #if defined(EQUIPOISE_CLASSIFICATION_WINDOW_SAMPLES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_CLASSIFICATION_WINDOW_SAMPLES_INL
 #undef EQUIPOISE_CLASSIFICATION_WINDOW_SAMPLES_INL
@@ -21,8 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// Windows are sampled at two stages inside each step and at its end (at 1/3, 0.6 and 1 of it, 0.4 apart at most), so
-// that no motion is seen fewer than eight times a period at the steps the tolerance allows;
+// Windows are sampled at two stages inside each step and at its end (at 1/3, 0.6 and 1 of it, at most 0.4 apart). So
+// every motion is seen at least eight times a period at the steps that the tolerance allows;
 // tests/equivalence/window_sampling_test.cpp measures it.
 template <int room, int groups, BatchKind kind>
 class WindowSamples {
@@ -97,10 +97,9 @@ class WindowSamples {
     }
   }
 
-  // Lanes whose half window has ended.
   HWY_INLINE unsigned ended(int g, Pack t) const { return ~lane_bits(t < window_end_[g]); }
 
-  // Of a half window that ends with the ball angles `phi`.
+  // Sums of a half window that ends with the ball angles `phi`.
   WindowSums sums(int g, int lane, double now, const double* phi) const {
     WindowSums result;
     result.duration = now - (element(window_end_[g], lane) - 0.5 * rule_.window);
@@ -147,7 +146,7 @@ class WindowSamples {
     for (int i = 0; i < n; ++i) sample.q[i] = z[4 + n + i];
   }
 
-  // r^2 of a sample taken at time t, from where the rotor would rest.
+  // r^2 of a sample taken at time t, from the sag.
   HWY_INLINE void measure(int g, Taken& sample, Pack t) const {
     Pack sine(0.0), cosine(1.0);
     Pack psi = multiply_add(segment_speed_[g], t - segment_begin_[g], segment_psi_[g]);
@@ -158,7 +157,7 @@ class WindowSamples {
     sample.r2 = x * x + y * y;
   }
 
-  // psi' like a ball's rate; psi by the quadrature of Radau, whose nodes are among the samples.
+  // psi' like a ball's rate; psi by Radau quadrature, whose nodes are among the samples.
   HWY_INLINE void gather_speed(int g, Mask accepted, Pack h, Pack last) {
     const Pack &first = first_[g].speed, &second = second_[g].speed;
     const Pack slow = minimum(minimum(first, second), last), fast = maximum(maximum(first, second), last);
@@ -175,7 +174,7 @@ class WindowSamples {
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];
   Pack rotor_turned_[groups], speed_min_[groups], speed_max_[groups];
-  Pack segment_speed_[groups], segment_begin_[groups], segment_psi_[groups], sag_[groups];  // of each lane's rotor
+  Pack segment_speed_[groups], segment_begin_[groups], segment_psi_[groups], sag_[groups];  // each lane's
 };
 
 }  // namespace HWY_NAMESPACE
