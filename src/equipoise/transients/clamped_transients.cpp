@@ -25,7 +25,7 @@ double points_in(const model::Parameters& p, const model::Segment& s) {
   return std::ceil((s.end - s.begin) * 64.0 * fastest / (2.0 * std::numbers::pi));
 }
 
-// Of every clamped segment, from its begin to just before its end.
+// The grid times of every clamped segment, from its beginning to just before its end.
 std::vector<double> grid_of(const model::Parameters& p, const std::vector<model::Segment>& segments) {
   std::vector<double> times;
   for (const model::Segment& s : segments) {
@@ -115,7 +115,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   force_peak_ = force_.largest(one);
 }
 
-// Trapezoidal rule: power oscillates with 32 grid times or more a period, so errors cancel but at a segment's ends.
+// Trapezoidal rule: power oscillates with at least 32 grid times a period, so errors cancel except at a segment's ends.
 void ClampedTransients::lose(const model::Parameters& p, double t, const model::Segment& segment,
                              const ClampedBasis& basis) {
   std::array<std::array<double, 2>, 3> rate;
@@ -171,7 +171,7 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);
   const double limit = settings_.displacement * settings_.displacement;
   if (!(result.clamped_peak > limit)) return result;
-  // r^2 linear between the times of the grid.
+  // r^2 is taken as linear between grid times.
   double from = radius_.at(m, 0) - limit;
   for (std::size_t k = 1; k < times_.size(); ++k) {
     const double to = radius_.at(m, k) - limit;

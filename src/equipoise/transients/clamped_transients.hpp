@@ -1,7 +1,7 @@
-// Peaks and times above a limit of the clamped spin-up: one grid in time serves every start.
+// Peaks and times above a limit during the clamped spin-up: one grid in time serves every start.
 //
 // With the balls held, state, displacement from the place of rest and bearing force are base + Ux per_x + Uy per_y
-// (integrate/clamped.hpp), so the squares of displacement and force at any time are quadratic polynomials in the
+// (integrate/clamped.hpp). So the squares of displacement and force at any time are quadratic polynomials in the
 // start's unbalance U.
 #pragma once
 
@@ -16,37 +16,37 @@
 
 namespace equipoise {
 
-/// How many times ClampedTransients looks at: each takes 104 bytes, and 12 sums of every start.
+/// Number of grid times of ClampedTransients: each takes 104 bytes, and 12 sums for every start.
 double clamped_grid_points(const model::Parameters& p, const std::vector<model::Segment>& segments);
 /// 0.44 GB, and 30 ms a start: about 27 000 turns of the rotor at a steadily rising speed.
 inline constexpr double most_clamped_grid_points = 1 << 22;
 
-/// Thread-safe once made.
+/// Thread-safe after construction.
 class ClampedTransients {
  public:
   /// Nothing is clamped: sums() are empty.
   ClampedTransients() = default;
-  /// Integrates the clamped ones of `segments` from (x, y, u, v) = `initial`; settings.release: where they end. The
-  /// grid has 64 points in a turn of the rotor at its fastest, or in a period of the supports where that is shorter:
-  /// between its points a peak stands out by less than 0.5 % of what oscillates. Where `stop` is set, sums() are empty.
-  /// Throws RunError if the integration fails.
+  /// Integrates the clamped `segments` from (x, y, u, v) = `initial`; settings.release must be where they end. The grid
+  /// has 64 points in a turn of the rotor at its fastest, or in a period of the supports if that is shorter. Between
+  /// grid points a peak rises by less than 0.5 % of the oscillation. Once `stop` is set, sums() are empty. Throws
+  /// RunError if the integration fails.
   ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
                     const std::array<double, 4>& initial, double tolerance, const TransientSettings& settings,
                     const StopFlag* stop = nullptr);
 
-  /// Of a start with balls held at `phi`.
+  /// The sums of a start with balls held at `phi`.
   TransientSums sums(const model::Parameters& p, const double* phi) const;
 
  private:
   /// 1, Ux, Uy, Ux^2, Ux Uy, Uy^2.
   using Monomials = std::array<double, 6>;
-  /// What the supports' dampers take over a clamped segment.
+  /// Energy that the supports' dampers take over a clamped segment.
   struct Losses {
     model::Segment segment;
-    double until = 0.0;  // the last time looked at
-    ClampedBasis end;    // then
-    Monomials power{};   // then
-    Monomials energy{};  // in all until then
+    double until = 0.0;  // the last grid time so far
+    ClampedBasis end;    // at that time
+    Monomials power{};   // at that time
+    Monomials energy{};  // in total up to then
   };
   struct Squares {
     std::array<std::vector<double>, 6> coefficient;  // by monomial, then by time
@@ -61,12 +61,12 @@ class ClampedTransients {
   DriveWork work(const model::Parameters& p, const double* phi, const Monomials& m) const;
 
   TransientSettings settings_;
-  bool proportional_ = false;  // all is proportional to |U|: isotropic supports, no gravity, from rest
+  bool proportional_ = false;  // everything is proportional to |U|: isotropic supports, no gravity, from rest
   std::vector<double> times_;
   Squares radius_, force_;
   ClampedBasis begin_;                           // where the first segment begins
-  std::vector<Losses> losses_;                   // a segment each, if work is asked
-  double radius_peak_ = 0.0, force_peak_ = 0.0;  // of U = 1, if proportional_
+  std::vector<Losses> losses_;                   // one each segment, if work is asked for
+  double radius_peak_ = 0.0, force_peak_ = 0.0;  // for U = 1, if proportional_
 };
 
 }  // namespace equipoise

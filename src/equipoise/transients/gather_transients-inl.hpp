@@ -1,5 +1,5 @@
-// The sums of transients, for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time
-// whose last one gives the figures at the end. Included once per CPU target.
+// The sums of transients, for SIMD lanes and for double: peaks, integrals, times above limits, and windows of time, the
+// last of which gives the figures at the end. Included once per CPU target.
 #if defined(EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
 #undef EQUIPOISE_TRANSIENTS_GATHER_TRANSIENTS_INL
@@ -31,16 +31,16 @@ HWY_INLINE double element(const double& a, int) { return a; }
 HWY_INLINE unsigned bits_of(Mask m) { return lane_bits(m); }
 HWY_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
 
-// The motion at one time. Frame invariant: rotating or fixed components give the same.
+// The motion at one time. Frame invariant: rotating and fixed components give the same.
 template <class T>
 struct Sample {
-  T r2, slope;          // squared distance of O from where the rotor rests under its weight, and its derivative
+  T r2, slope;          // squared distance of O from its place of rest under weight, and its derivative
   T force2, velocity2;  // |f|^2 of the bearing force, u^2 + v^2
-  T power;              // whose integral, with the change of `stored`, is the work of the drive
-  T stored;             // read at the ends of steps only
+  T power;              // its integral, with the change of `stored`, is the work of the drive
+  T stored;             // read only at the ends of steps
 };
 
-// `rest`: where the rotor would rest. The slope needs no derivative of the state: the frame's rotation drops out.
+// `rest`: the rotor's place of rest. The slope needs no derivative of the state: the frame's rotation drops out.
 template <class T>
 HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, const T* z) {
   using namespace model::index;
@@ -63,7 +63,7 @@ struct Limits {
         settled2(s.settled * s.settled),
         window(s.window) {}
 
-  // Lane `lane` gets those of `from`, which ask for the same.
+  // Lane `lane` gets the limits of `from`, which must have the same flags.
   void take_lane(const Limits& from, int lane) {
     take_lane_of(*this, from, lane, &Limits::displacement2, &Limits::settled2, &Limits::window);
   }
@@ -89,14 +89,14 @@ class GatherTransients {
     known_work_[lane].reset();
   }
 
-  // Between the sums loaded and `here`, where the motion is seen again at t, the power ran straight.
+  // From the loaded sums to `here`, the next sight of the motion at t, the power is taken as linear.
   void resume(int lane, const TransientSums& row, double t, const Sample<double>& here) {
     const DriveWork& work = work_before_[lane];
     element(work_, lane) =
         work.begun ? work.piece - work.stored + 0.5 * (work.power + here.power) * (t - row.end) : -here.stored;
   }
 
-  // The motion goes on from here, with no step that leads to it.
+  // The motion goes on from here, without a step that leads to it.
   void stand(int lane, const Sample<double>& here, double unbalance) {
     element(from_.r2, lane) = here.r2;
     element(from_.slope, lane) = here.slope;
@@ -109,7 +109,7 @@ class GatherTransients {
     element(force_peak_, lane) = std::fmax(element(force_peak_, lane), here.force2);
   }
 
-  // Begins the windows of a lane anew at its present time: what went before is not of its end.
+  // Restarts a lane's windows at its present time: nothing before it belongs to its end.
   void restart(int lane, double t) {
     open(lane, t, element(from_.r2, lane));
     closed_[lane] = {};
@@ -158,7 +158,7 @@ class GatherTransients {
     return full;
   }
 
-  // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 from release on.
+  // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 since release.
   bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
     const auto& [last, before, first] = closed_[lane];
     return equipoise::seen_enough(settings, end, {before, first}, last, count_[lane], free_peak);
@@ -174,10 +174,10 @@ class GatherTransients {
     row.time_above = element(time_above_, lane);
     row.last_above = element(last_above_, lane);
     row.work = known_work_[lane].value_or(work_of(lane));
-    // The window that has ended last is empty unless the open one follows on it.
+    // The last ended window is empty unless the open one follows it.
     row.window = last_windows(closed_[lane][0], open_window(lane, t));
     if (row.window.length > 0.0) return;
-    // Lost in its first step: the state there is all there is.
+    // Lost in its first step: only the state there is known.
     row.window = {1.0, element(from_.r2, lane), element(from_.force2, lane), element(from_.velocity2, lane),
                   element(from_unbalance_, lane)};
   }
@@ -244,14 +244,14 @@ class GatherTransients {
     element(window_unbalance_, lane) = 0.0;
   }
 
-  Sample<T> from_{};  // where the step begins
+  Sample<T> from_{};  // the step's beginning
   T from_unbalance_{};
   T peak_{}, force_peak_{}, time_above_{}, last_above_{};
   T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{}, window_unbalance_{};
-  T work_{};                                      // of the piece under way, but for what is stored
+  T work_{};                                      // of the current piece, without the stored energy
   DriveWork work_before_[lanes];                  // as loaded
-  std::optional<DriveWork> known_work_[lanes];    // where it has ended
-  std::array<TransientWindow, 3> closed_[lanes];  // the last ones, the latest first
+  std::optional<DriveWork> known_work_[lanes];    // once the work has ended
+  std::array<TransientWindow, 3> closed_[lanes];  // the last three, latest first
   int count_[lanes] = {};                         // since restart()
 };
 

@@ -28,7 +28,7 @@ HWY_INLINE bool both(bool a, bool b) { return a && b; }
 inline constexpr double node1 = 1.0 / 3, node2 = 0.6;
 inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
 
-// At the step's begin, at node1, node2 and at its end.
+// At the step's beginning, at node1, at node2 and at its end.
 template <class T>
 struct StepSamples {
   T r2[4], slope[4], force2[4], velocity2[4], power[4];
@@ -59,7 +59,7 @@ struct Cubic {
 
   HWY_INLINE T integral() const { return c0 + T(0.5) * c1 + T(1.0 / 3) * c2 + T(0.25) * c3; }
 
-  // Coefficients of Bernstein's form: the cubic lies between the least and the largest of them.
+  // Bernstein coefficients: the cubic lies between the least and the largest of them.
   HWY_INLINE T upper() const {
     const T b1 = c0 + T(1.0 / 3) * c1, b2 = c0 + T(1.0 / 3) * (T(2.0) * c1 + c2);
     return maximum(maximum(c0, to), maximum(b1, b2));
@@ -80,7 +80,7 @@ struct Cubic {
   }
 };
 
-// The fraction of a stretch above a limit, where the excess over it runs straight.
+// The fraction of a stretch above a limit, if the excess is linear.
 template <class T>
 HWY_INLINE T share_above(T from, T to) {
   const T size = absolute(from) + absolute(to) + T(1e-300);
@@ -105,7 +105,7 @@ class SquaredRadiusOfStep {
     return maximum(maximum(piece_[0].largest(), piece_[1].largest()), piece_[2].largest());
   }
 
-  // The fraction of the step with r^2 > limit, and the place up to which it held last (0: nowhere): r^2 linear between
+  // The fraction of the step with r^2 > limit, and the last place where it held (0: nowhere), with r^2 linear between
   // the ends and the middles of the pieces.
   HWY_INLINE void above(T limit, T& fraction, T& last) const {
     fraction = last = T(0.0);
@@ -132,8 +132,8 @@ class SquaredRadiusOfStep {
   T upper_, lower_;
 };
 
-// The larger of `peak` and what `curve` reaches. Lanes whose upper bound is not above `peak` keep it, so that no lane
-// feels whether another one made the work necessary.
+// The larger of `peak` and the largest value of `curve`. Lanes whose upper bound is not above `peak` keep it, so that
+// no lane depends on whether another one needed the work.
 template <class T, class Curve>
 HWY_INLINE T raised(T peak, const Curve& curve) {
   const auto higher = peak < curve.upper();
@@ -151,7 +151,7 @@ HWY_INLINE void raise(T& peak, T& other, const Curve& curve) {
   other = choose(other_higher, maximum(other, largest), other);
 }
 
-// Adds the time of a step with r^2 > limit, and moves `last` to the time when that held last, if it did.
+// Adds the time of a step with r^2 > limit, and moves `last` to the last time when that held, if it did.
 template <class T>
 HWY_INLINE void time_above(const SquaredRadiusOfStep<T>& r2, T limit, T t, T h, T& total, T& last) {
   const auto some = limit < r2.upper(), mixed = both(some, r2.lower() <= limit);

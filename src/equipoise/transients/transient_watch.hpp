@@ -17,7 +17,7 @@ struct TransientSample : HWY_NAMESPACE::transient::Sample<double> {
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
 };
 
-/// Of rotor and balls in state `z` at time `t`, with the rotor at angle `psi`; z: as many numbers as dimension(balls).
+/// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
 
 class TransientWatch {
@@ -27,9 +27,9 @@ class TransientWatch {
 
   explicit TransientWatch(const TransientSettings& settings, const TransientSums& sums = {});
 
-  /// The motion goes on from here, at first and wherever u, v or the force jumps; `free`: the balls have been released.
+  /// The motion goes on from here, at first and wherever u, v or the force jumps; `free`: balls have been released.
   void begin(const TransientSample& first, bool free = true);
-  /// A step from the last sample on.
+  /// A step from the last sample.
   void step(const std::array<TransientSample, 3>& samples);
   /// The same, to time `to`, sampled by `sample(t)`.
   template <class Sampled>
@@ -40,7 +40,7 @@ class TransientWatch {
       samples[k] = sample(k + 1 == nodes.size() ? to : from + nodes[k] * (to - from));
     step(samples);
   }
-  /// A piece of the drive ends at the end of the last step.
+  /// A piece of the drive ends with the last step.
   void end_piece();
   /// The outcome is known at the end of the last step: windows count from here.
   void decided(const KnownEnd& end);
@@ -53,7 +53,7 @@ class TransientWatch {
   TransientSettings settings_;
   HWY_NAMESPACE::transient::Limits<double> limits_;
   HWY_NAMESPACE::transient::GatherTransients<double> gathered_;
-  TransientSums sums_;  // of the other side of the release
+  TransientSums sums_;  // without the present side of the release
   KnownEnd end_;
   double t_;
   bool begun_ = false, free_ = true, decided_ = false, may_leave_ = false;

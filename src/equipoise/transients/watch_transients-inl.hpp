@@ -82,13 +82,13 @@ class WatchedRotor {
   transient::Limits<Pack> limits;
 
  private:
-  // With that of the balls' masses where they have the race's centre.
+  // Includes the unbalance of the balls' masses at the race's centre.
   static Vector2<Pack> of_rotor(const model::Parameters& p) {
     const double balls = p.total_mass();
     return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
   }
 
-  // sin and cos of psi only where forces or sag depend on them.
+  // sin and cos of psi only if forces or sag depend on them.
   HWY_INLINE RotorMotion<Pack> rotor_at(Pack t, const Pack* z) const {
     RotorMotion<Pack> rotor{};
     if (turns_ && psi_place_ < 0) return motion_.at(t);
@@ -98,7 +98,7 @@ class WatchedRotor {
   }
 
   int balls_;
-  // Asked for forces alone, in which balls do not appear.
+  // Used for forces alone, in which balls do not appear.
   BallBalancer<Pack, 1, paper_terms(false)> plain_;
   BallBalancer<Pack, 1, Terms{}> turning_;
   SegmentMotion<Pack, Terms{}> motion_;
@@ -112,8 +112,8 @@ class WatchedRotor {
   Pack sag_;
 };
 
-// Rows go on growing from one task to the next. One code for every rotor and number of balls: it runs once a step, the
-// equations twelve times.
+// Rows keep growing from one task to the next. One code serves every rotor and number of balls: it runs once a step,
+// the equations twelve times.
 class WatchTransients final : public BatchWatch {
  public:
   WatchTransients(const BatchTask& task, TransientTable& table)
@@ -195,7 +195,7 @@ class WatchTransients final : public BatchWatch {
   const BatchTask& task_;
   TransientTable& table_;
   const int size_;
-  WatchedRotor rotors_[most_batch_groups];  // of each group's lanes
+  WatchedRotor rotors_[most_batch_groups];  // a group of lanes each
   Group groups_[most_batch_groups];
   std::size_t start_[most_batch_groups * lanes] = {};
 };
