@@ -42,7 +42,7 @@ struct NoObserver {
   void end(int, std::size_t, BatchEnd, double, const double*) {}
 };
 
-// All lanes have one rotor: its flow is a constant of the loop, and steps are a little faster.
+// All lanes share one rotor: its flow is a constant of the loop, and steps are a little faster.
 struct OneRotor {
   static constexpr bool own = false;
 };
@@ -81,7 +81,7 @@ class BatchBlock {
     for (int g = 0; g < groups; ++g) {
       active_[g] = 0;
       for (int i = 0; i < dimension; ++i) y_[g][i] = Pack(0.0);
-      // Components beyond the state, where sums take an even number of them, stay 0.
+      // Sums may take one component more than the state, to be even. Those stay 0.
       for (auto& stage : k_[g])
         for (int i = 0; i < dimension; ++i) stage[i] = Pack(0.0);
       t_[g] = end(g);
@@ -97,7 +97,7 @@ class BatchBlock {
         advance([this](int g) HWY_ATTR -> const Flow& { return flow_[g]; });
       }
     } else {
-      const Flow flow = flow_[0];  // a local copy, which no store can change: its constants are computed once
+      const Flow flow = flow_[0];  // a local copy that no store can change: its constants are computed once
       while (working_ > 0) {
         if (is_set(task_.stop)) return false;
         advance([&flow](int) HWY_ATTR -> const Flow& { return flow; });
@@ -147,7 +147,7 @@ class BatchBlock {
       with_even_size<Flow::least_size>(f);
   }
 
-  // The size, rounded up to an even number: some odd ones leave sums only few components at a time.
+  // The size is rounded up to an even number: with some odd ones, compilers sum only a few components at a time.
   template <int size, class F>
   HWY_INLINE void with_even_size(F&& f) const {
     static_assert(size % 2 == 0 && dimension % 2 == 0);
@@ -159,7 +159,7 @@ class BatchBlock {
     }
   }
 
-  // One step tried in every lane.
+  // Tries one step in every lane.
   template <class FlowOf>
   HWY_INLINE void advance(const FlowOf& flow) {
     if constexpr (Events::happen) events_.begin_step();
@@ -270,8 +270,8 @@ class BatchBlock {
     if (filled) start_rates(g, filled);
   }
 
-  // Puts the next trajectory into an empty lane and returns the lane's bit, or parks the lane at the end with step
-  // zero.
+  // Puts the next trajectory into an empty lane and returns the lane's bit. Without one, parks the lane at the end with
+  // step zero.
   unsigned fill(int g, int lane) {
     if (next_ == task_.count) {
       for (int i = 0; i < size_; ++i) element(y_[g][i], lane) = 0.0;
@@ -308,7 +308,7 @@ class BatchBlock {
     return step < span ? step : span;
   }
 
-  // f at the states of the lanes just filled, or after an event. Lanes under way keep theirs: the compiler may round
+  // The rates at the states of lanes just filled, or after an event. Other lanes keep theirs: the compiler may round
   // this copy of the equations differently, and a trajectory must not depend on when its neighbours are replaced.
   HWY_NOINLINE void start_rates(int g, unsigned filled) {
     Pack k_start[dimension];

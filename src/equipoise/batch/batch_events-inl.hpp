@@ -40,8 +40,8 @@ struct TriedBatch {
   const Pack* end;
 };
 
-// For balls that collide or stick. A step is first tried as if there were no events. Bounds over the whole group say in
-// which lanes one may have occurred; there dense output in doubles locates it. That lane's step is rejected and
+// For balls that collide or stick. A step is first tried as if there were no events. Bounds over the whole group show
+// in which lanes one may have occurred; there dense output in doubles locates it. That lane's step is rejected and
 // repeated to end at the event, which is then carried out: observers see ordinary steps. No lane depends on another.
 template <int room>
 class BatchEvents<HybridFlow<Pack, room>> {
@@ -57,7 +57,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
         size_(flow.size()),
         pairs_(task.parameters->balls_collide() && n > 1 ? n : 0) {
     for (auto& one : ones_) one.emplace(*task.system, task.segment);
-    // In every lane: lanes that no trajectory enters check pairs too.
+    // In every lane: pairs are also checked in lanes that no trajectory enters.
     for (int k = 0; k < pairs_; ++k)
       for (int lane = 0; lane < lanes; ++lane) set_pair(k, lane, k, (k + 1) % n, far);
   }
@@ -72,7 +72,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
     ones_[lane].emplace(rotor.system, rotor.segment);
   }
 
-  // Sets the mode of a trajectory that enters a lane in state z; joined balls in z may be put together.
+  // Sets the mode of a trajectory that enters a lane in state z; joined balls in z may be moved together.
   void enter(int lane, double t, double* z) {
     ones_[lane]->balls.enter(t, z);
     keep(lane);
@@ -85,7 +85,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
   void begin_step() { margins_ = {Pack(far), Pack(far)}; }
   EventMargins<Pack>& margins() { return margins_; }
 
-  // Bits of accepted lanes whose step is rejected: it is to be repeated up to the event, or the event is at its start.
+  // Bits of accepted lanes whose step is rejected: it is repeated up to the event, or the event is at its beginning.
   unsigned look(unsigned accepted, const Tried& tried) {
     const unsigned due = waiting_ & accepted;
     waiting_ = 0;  // lanes whose step was not accepted are searched again
@@ -100,7 +100,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
     return rejected;
   }
 
-  // Length of the step that a rejected lane repeats; 0 if the event is at its start.
+  // Length of the step that a rejected lane repeats; 0 if the event is at its beginning.
   double step(int lane) const { return cut_[lane]; }
   // Bits of the lanes that have reached their event.
   unsigned ready() const { return ready_; }
@@ -120,7 +120,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
   }
   // Whether balls of a lane's trajectory have touched.
   bool met(int lane) const { return met_[lane]; }
-  // Number of events, in all lanes, that changed what balls do.
+  // Number of events in all lanes that changed a ball mode.
   std::uint64_t passed() const { return passed_; }
   // The step with which a lane goes on: the one that was interrupted.
   double step_after(int lane) const { return whole_[lane]; }
@@ -129,10 +129,10 @@ class BatchEvents<HybridFlow<Pack, room>> {
   static constexpr double far = 1e300;
   // Events are located to this share of a step; dense output errs by more.
   static constexpr double share = 0x1p-30;
-  // While a rotor slowly changes its speed, a ball stays at the limit of friction, and the errors of steps let it go
-  // and stop it thousands of times a turn without any effect. Each such event raises the share by which friction holds
-  // this trajectory's balls beyond its limit, so that a ball that is let go moves visibly: at 1e-5 balls creep at 1e-6,
-  // and rates err by 1e-7 within steps.
+  // While a rotor slowly changes its speed, a ball stays at the limit of friction. Errors of steps release and stop it
+  // thousands of times a turn, without any effect. Each such event raises the share by which friction holds this
+  // trajectory's balls beyond its limit, so that a released ball moves visibly. At 1e-5 balls creep at 1e-6, and rates
+  // err by 1e-7 within steps.
   static constexpr double least_hold_on = 1e-9, most_hold_on = 1e-4;
 
   void keep(int lane) {
@@ -157,8 +157,8 @@ class BatchEvents<HybridFlow<Pack, room>> {
     element(apart_[k], lane) = apart;
   }
 
-  // Below 0 where a pair may meet in the step. The cubic through gaps and rates at both ends stays above the least of
-  // its four control points. The gap itself differs from it by less than a tenth of the way that the rates give plus a
+  // Below 0 if a pair may meet in the step. The cubic through gaps and rates at both ends stays above the least of its
+  // four control points. The gap itself differs from it by less than a tenth of the way that the rates give, plus a
   // thousandth of what a force of 1 gives.
   HWY_NOINLINE Pack may_meet(const Tried& s) const {
     const auto between = [&](const Pack* state, int from, int k) {
@@ -239,7 +239,7 @@ class BatchEvents<HybridFlow<Pack, room>> {
   double cut_[lanes] = {}, whole_[lanes] = {};
   double k_[dop853::tableau::dense_stages][dimension] = {};
   std::uint64_t passed_ = 0;
-  unsigned waiting_ = 0, ready_ = 0;  // bits of lanes: the step will end at an event; it has
+  unsigned waiting_ = 0, ready_ = 0;  // bits of lanes whose step will end at an event; has ended there
 };
 
 }  // namespace HWY_NAMESPACE

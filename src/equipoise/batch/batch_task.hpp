@@ -22,18 +22,18 @@ struct TransientTable;
 struct BatchWork {
   std::uint64_t steps = 0;     ///< tried
   std::uint64_t accepted = 0;  ///< of these
-  std::uint64_t events = 0;    ///< impacts, starts and stops of balls, and partings
+  std::uint64_t events = 0;    ///< impacts, partings, and starts and stops of balls
 
-  /// Evaluations of the equations: 12 for every step tried, one where a trajectory begins.
+  /// Evaluations of the equations: 12 for every step tried, one at the beginning of a trajectory.
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
 };
 
 /// Which equations a task needs. Plain and turning: a prescribed speed and a centred race; turning adds anisotropic
-/// supports, gravity and balls that roll. Smooth: any smooth system. Hybrid: any with contact or dry friction, smooth
+/// supports, gravity and rolling balls. Smooth: any smooth system. Hybrid: any with contact or dry friction, smooth
 /// between events.
 enum class BatchKind { plain, turning, smooth, hybrid };
 
-/// Trajectories from segment.begin to `end`. The result of one depends neither on its place nor on its neighbours.
+/// Trajectories from segment.begin to `end`. Each result depends neither on its place nor on its neighbours.
 struct BatchTask {
   const model::Parameters* parameters = nullptr;
   model::Segment segment{};
@@ -43,18 +43,18 @@ struct BatchTask {
   double* states = nullptr;  ///< count rows of dimension() numbers: initial states in, final states out
   const StopFlag* stop = nullptr;
   BatchWork* work = nullptr;  ///< if given, the work done is added to it
-  /// Set unless the system is simple (model/system.hpp): gives equations and drive; `segment` repeats what is
-  /// prescribed of the drive. Null: `segment` alone says how the rotor turns.
+  /// Set unless the system is simple (model/system.hpp): gives equations and drive; `segment` repeats the prescribed
+  /// part of the drive. Null: `segment` alone says how the rotor turns.
   const model::System* system = nullptr;
   /// When each trajectory begins; null: all with the segment. After release under a motor they differ.
   const double* begins = nullptr;
-  /// The rotor of each of `count` trajectories; the task's says what they have in common. Null: all have the task's.
+  /// The rotor of each of `count` trajectories; the task's rotor has what they share. Null: all have the task's.
   const OwnRotor* const* own = nullptr;
   char* met = nullptr;  ///< if given, `count` flags: set to 1 for a trajectory on which balls touch
-  bool held = false;    ///< of a driven rotor: its balls are held; states are those of model/held_state.hpp
-  // What is gathered on the way, if given; one of the two at most.
-  TransientTable* transients = nullptr;  ///< one row a trajectory; what is decided is followed on until its end is seen
-  const RadiusWindows* radius = nullptr;  ///< how far the centre of the race was out
+  bool held = false;    ///< for a driven rotor: its balls are held; states are those of model/held_state.hpp
+  // Watches, if given; at most one of the two.
+  TransientTable* transients = nullptr;   ///< one row a trajectory; decided ones go on until their end is seen
+  const RadiusWindows* radius = nullptr;  ///< displacement of the race's centre
 
   bool watched() const { return transients || radius; }
   /// When trajectory `start` begins and ends.
@@ -67,7 +67,7 @@ struct BatchTask {
     if (system) return system->smooth() ? BatchKind::smooth : BatchKind::hybrid;
     return model::depends_on_rotor_angle(*parameters) || parameters->rolls ? BatchKind::turning : BatchKind::plain;
   }
-  /// Of the states.
+  /// Layout of `states`.
   model::StateLayout layout() const {
     if (!system) return model::StateLayout::of(parameters->balls, false, false, false);
     return held ? model::held_layout(*system) : system->layout();
@@ -75,8 +75,8 @@ struct BatchTask {
   int dimension() const { return layout().size; }
 };
 
-/// Trajectories of any system in the last piece of its drive, from time 0 on, where a prescribed angle is `psi`. The
-/// system must outlive the task.
+/// Trajectories of any system in the last piece of its drive, from time 0 on; a prescribed rotor angle begins at `psi`.
+/// The system must outlive the task.
 inline BatchTask batch_task(const model::System& system, double psi = 0.0) {
   BatchTask task;
   task.parameters = &system.parameters();
@@ -85,7 +85,7 @@ inline BatchTask batch_task(const model::System& system, double psi = 0.0) {
   return task;
 }
 
-/// How a trajectory left its lane.
+/// Why a trajectory left its lane.
 enum class BatchEnd {
   reached_end,
   decided,  ///< the observer ended it

@@ -1,4 +1,4 @@
-// A second observer of lanes, beside the one that decides fates. It is bound at run time and called once a step, so
+// A second observer of lanes, besides the one that decides fates. It is bound at run time and called once a step, so
 // that no kernel is compiled anew for it. Included once per CPU target.
 #if defined(EQUIPOISE_BATCH_BATCH_WATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_BATCH_BATCH_WATCH_INL
@@ -21,13 +21,13 @@ struct TriedStep {
   int group;
   unsigned active;  // bits of the lanes that hold a trajectory
   Mask accepted;
-  Pack t, h;           // t: at its end
+  Pack t, h;           // t: at the step's end
   const Pack* z;       // the state there
   const Pack* first;   // and at first_sampled_stage
   const Pack* second;  // and at second_sampled_stage
 };
 
-// Stages of DOP853 at 1/3 and 0.6 of a step: with its ends, samples 0.4 apart at most.
+// Stages of DOP853 at 1/3 and 0.6 of a step: with its ends, samples are at most 0.4 apart.
 inline constexpr int first_sampled_stage = 5, second_sampled_stage = 9;
 
 // Size of the largest state of any system (model/system.hpp).

@@ -11,19 +11,19 @@ namespace equipoise {
 
 struct KnownFeatures;
 
-/// Of the same kind as the task's: see ride_together().
+/// Must be of the same kind as the task's: see ride_together().
 struct OwnRotor {
-  model::System system;                                  ///< over the piece of the drive that the task is about
+  model::System system;                                  ///< over the task's piece of the drive
   model::Segment segment{};                              ///< as BatchTask::segment
   double end = std::numeric_limits<double>::infinity();  ///< as BatchTask::end
-  /// Its place in the part of a family that the rule is made for, a unit cube (rotor_family/study_family.hpp).
+  /// Its place in the rule's part of a family, a unit cube (rotor_family/study_family.hpp).
   std::vector<double> coordinates{};
   /// Centres of the balanced states' trapping regions (ClassificationRule::balanced), one state after the other;
-  /// not-a-number where this rotor has none. Empty if there are no such trapping regions.
+  /// not-a-number if this rotor lacks the state. Empty if there are no such regions.
   std::vector<double> places{};
-  std::vector<double> factors{};  ///< of these trapping regions, in place of BalancedRegion::factor
-  /// Differences between the features of its motions and those at the part's middle: feature_count(balls) numbers a
-  /// trend (attractor_search/feature_trends.hpp). Empty if there is none.
+  std::vector<double> factors{};  ///< of these regions, in place of BalancedRegion::factor
+  /// Features of its motions minus those at the part's middle: feature_count(balls) numbers for each trend
+  /// (attractor_search/feature_trends.hpp). Empty if there are none.
   std::vector<double> shifts{};
   /// For each chaos that ends for some rotors: whether it was seen to last for all the nearest rotors tried.
   std::vector<char> chaos_lasts{};
@@ -31,12 +31,11 @@ struct OwnRotor {
   const std::vector<KnownFeatures>* met = nullptr;
 };
 
-/// A rotor in the last piece of its drive, from time 0 on, where a prescribed angle is `psi`.
+/// A rotor in the last piece of its drive, from time 0 on; a prescribed rotor angle begins at `psi`.
 inline OwnRotor own_rotor(const model::System& system, double psi = 0.0) {
   return {system, {0.0, 1e300, psi, system.drive().speed, 0.0, false}};
 }
 
-/// In the form of BatchTask::own.
 inline std::vector<const OwnRotor*> pointers_to(const std::vector<OwnRotor>& rotors) {
   std::vector<const OwnRotor*> pointers;
   for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);

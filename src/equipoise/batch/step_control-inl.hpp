@@ -28,7 +28,7 @@ HWY_INLINE Pack coarse_exp2(Pack a) {
 }
 
 struct StepChange {
-  Pack factor;     // next step over this step
+  Pack factor;     // next step over this one
   Pack log_error;  // to keep if the step is accepted
 };
 

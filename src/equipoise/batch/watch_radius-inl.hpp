@@ -54,7 +54,7 @@ class WatchRadius final : public BatchWatch {
 
   void begin(int slot, std::size_t start, double t, const double* z) override {
     start_[slot] = start;
-    // A trajectory that enters on the edge of two windows belongs to the later.
+    // A trajectory that enters at the edge of two windows belongs to the later one.
     window_[slot] = static_cast<std::size_t>(t / record_.width);
     while (edge(slot) <= t) ++window_[slot];
     corner(slot, t, z);
@@ -112,7 +112,7 @@ class WatchRadius final : public BatchWatch {
     raise(slot, value);
   }
 
-  // An accepted step to time t, where r^2 and its slope are as given.
+  // Takes an accepted step to time t, with r^2 and its slope there.
   void take(int slot, double t, double value, double slope) {
     const double from = t_[slot], h = t - from;
     const SquaredRadius radius(value_[slot], slope_[slot], value, slope, h);
