@@ -27,8 +27,8 @@ void level_each(std::vector<BalancedRegion>& regions, const model::Parameters& p
   }
 }
 
-// The smallest V on pilot trajectories that ended elsewhere. Undecided ones may be on a slow way to balance, so they
-// are followed on, nearest first, until no other can be nearer than one that ended elsewhere.
+// The smallest V on pilot trajectories that ended elsewhere. Undecided ones may be on a slow way to balance. They are
+// followed on, nearest first, until no other can be nearer than one that ended elsewhere.
 double nearest_elsewhere(const ClassificationRule& rule, const TrialSettings& settings, double slowest_rate,
                          const PilotRun& pilot) {
   constexpr std::size_t together = 32;  // they fill the lanes

@@ -22,8 +22,8 @@ namespace {
 // time.
 constexpr double rest_of_drawn = 0.25;
 
-// A weak motor brings a balanced rotor to its speed so slowly that trials of wider levels, which wait for that, would
-// take longer than starts take to reach the narrow level.
+// A weak motor brings a balanced rotor to its speed slowly, and trials of wider levels wait for that. They would take
+// longer than starts take to reach the narrow level.
 constexpr double slowest_worth_widening = 1e-3;
 
 }  // namespace
@@ -41,8 +41,8 @@ void SearchRegions::find_balanced() {
   s_.result.rule.blind = true;
   if (s_.drawn) s_.result.rule.chaos_lasts = std::min(lasting_chaos, 0.25 * *s_.study.numerics.horizon);
   s_.balance_box = balance_box(s_.system, balanced, s_.result.rule.window, *s_.study.numerics.horizon);
-  // Where balls touch, the level sets of neighbouring members of a continuum catch late, and testing a state against
-  // them costs as much as following it for a hundred turns.
+  // Where balls touch, level sets of neighbouring members of a continuum catch late. Testing a state against them costs
+  // as much as following it for a hundred turns.
   if (!s_.balance_box || !s_.system.events().contact)
     continuum_ = continuum_region(balanced.continuum, balanced.survey, s_.trials);
   if (!s_.system.autonomous() && balanced.motions.empty() && (continuum_ || s_.balance_box)) list_member(part);

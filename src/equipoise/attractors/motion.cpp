@@ -260,7 +260,7 @@ bool Journey::creeps() const {
   return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
 }
 
-// Whether the trajectory came back: to half its farthest distance from where it is now, or closer. A creeping one
+// Whether the trajectory was here before: within half of the farthest distance that it has gone since. A creeping one
 // repeats its statistics and has no positive exponent, but never returns.
 bool Journey::comes_back() const {
   if (samples_.empty()) return false;

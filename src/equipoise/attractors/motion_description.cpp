@@ -76,8 +76,8 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
                              : 0.5 * std::fabs(statistics.turned[0] + statistics.turned[1]) / two_pi;
     motion.oppositions_per_turn = static_cast<double>(statistics.pair[0][1].passed_pi) / turns;
   }
-  // Balls spread around the whole race (three, a third of a turn apart) pass no opposite places either, but no arc of
-  // half a turn holds the angles between them.
+  // Balls spread around the whole race (three, a third of a turn apart) pass no opposite places either. But then no arc
+  // of half a turn holds the angles between them.
   bool one_side = clusters > 1 && !opposite && motion.kind != MotionKind::equilibrium;
   const auto ahead = [&](int i) {
     return wrapped(motion.state[model::index::phi(i)] - motion.state[model::index::phi(0)]);

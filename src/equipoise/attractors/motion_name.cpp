@@ -138,7 +138,7 @@ bool stalls(const Motion& motion) {
 }
 
 // Sommerfeld effect: the rotor hangs at the resonance of its supports, closer to it (in ratio) than to the motor's
-// no-load speed, and most of the motor's power goes into vibration of the supports.
+// no-load speed. Most of the motor's power goes into vibration of the supports.
 bool captured_at_resonance(const model::System& system, const Motion& motion) {
   const model::Parameters& p = system.parameters();
   const double meant = std::fabs(system.pace()), speed = std::fabs(motion.speed);

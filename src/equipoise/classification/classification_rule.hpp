@@ -35,8 +35,8 @@ struct BalancedRegion {
 
 /// A trapping region around a stable periodic orbit (trapping_regions/orbit_region.hpp) in the form that lanes evaluate
 /// at every step. Its phase is the angle of one ball, the clock. A table over that angle holds the orbit, with chords
-/// between its states, and one quadratic form a cell. With D = dimension - 1 (all but the clock's angle, in the order
-/// of the state) a row has D values where the cell begins, D changes across it, and D (D + 1) / 2 entries of the upper
+/// between its states, and one quadratic form a cell. Let D = dimension - 1: all but the clock's angle, in the order of
+/// the state. A row has D values where the cell begins, D changes across it, and D (D + 1) / 2 entries of the upper
 /// triangle of F.
 struct OrbitRegionTable {
   int attractor = 0;

@@ -18,7 +18,7 @@ double most_random_starts(double half_width);
 double random_starts_for(const std::vector<Share>& shares, double half_width);
 
 /// Chooses from a pilot's shares: every outcome met, and one not met. Sobol intervals are assumed to shrink only as 1 /
-/// sqrt(N), like random ones, and a change to random starts to lose the pilot. So the choice errs towards random.
+/// sqrt(N), as random ones do, so the choice errs towards random. The pilot counts as part of a Sobol sample.
 SamplingChoice choose_sampling(const std::vector<Share>& pilot, double half_width);
 
 }  // namespace equipoise

@@ -12,8 +12,8 @@ namespace equipoise {
 /// Throws InputError for a study with uncertain values.
 void check_takes_starts(const Study& study);
 
-/// Throws InputError, naming the start, for numbers that are not finite, values of balls that the study lacks, values
-/// that all starts must share (see BasinOptions::initial), and overlapping balls. `study` must have passed check().
+/// Throws InputError, naming the start, for overlapping balls and for numbers that are not finite. Also for values of
+/// balls that the study lacks, and values that all starts share (BasinOptions::initial). `study` has passed check().
 void check_given_starts(const Study& study, std::span<const InitialState> given);
 
 /// Bitwise checksum of the initial states.

@@ -138,7 +138,7 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
   return true;
 }
 
-// For starts whose fate is open at the horizon. A rotor that runs away turns ever faster.
+// Means are for starts left open at the horizon. One given up earlier runs away, so its last speed counts.
 bool StartRunner::note_last_speeds(Batch& batch) const {
   if (system_.prescribed()) return true;
   const std::size_t size = system_.dimension();

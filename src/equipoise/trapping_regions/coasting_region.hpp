@@ -27,9 +27,9 @@ class CoastingRegion {
     bool balanced = false;
     double wait = 0.0;  ///< how long another test would be useless
   };
-  /// Whether a state comes to balance. If balance is exact, the state must be near a balanced state that is stable at
-  /// its speed, and must be seen to approach it at half the linear rate or faster. Otherwise its lasting_motion() must
-  /// be balanced.
+  /// Whether a state comes to balance. Where balance is exact, the state must be near a balanced state that is stable
+  /// at its speed, and be seen to approach it at half the linear rate or faster. Elsewhere its lasting_motion() must be
+  /// balanced.
   Answer balances(const double* state, const StopFlag* stop = nullptr) const;
 
   /// The motion that the rotor comes to if its speed is held. Gravity, an off-centre race and stuck balls leave a small

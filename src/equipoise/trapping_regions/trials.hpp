@@ -30,7 +30,7 @@ struct TrialSettings {
   const StopFlag* stop = nullptr;
   StageProgress* progress = nullptr;
   NotePage* notes = nullptr;  ///< log of what was tried, or null
-  /// Rotors of trials, in turn and round again; none: all have that of `system`.
+  /// Rotors that trials use in turn, again and again; none: all have that of `system`.
   std::span<const OwnRotor> rotors{};
 
   const OwnRotor* rotor(std::size_t number) const { return rotors.empty() ? nullptr : &rotors[number % rotors.size()]; }
