@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
 
 // A start alone is decided with all that its ensemble was: trapping regions that a neighbour's search found are others,
 // and their starts enter them at other times.
-TEST(Basin, AReplayedStartKnowsTheTrapsThatItsEnsembleKnew) {
+TEST(Basin, AReplayedStartKnowsTheRegionsThatItsEnsembleKnew) {
   const auto at_speed = [](double speed) {
     Study study = paper_row("table-2-omega-2.4", 300);
     study.speed.speed = speed;

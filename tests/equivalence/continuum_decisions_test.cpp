@@ -60,14 +60,14 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
 // The state that stands for the continuum is one that attracts wherever any does.
 TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
   for (const int balls : {4, sized(6, 4)}) {
-    const AttractorSearch discovery = search_attractors(rotor(balls), {.threads = 2});
-    const Attractor* a = discovery.catalogue.find(balanced_id);
+    const AttractorSearch search = search_attractors(rotor(balls), {.threads = 2});
+    const Attractor* a = search.catalogue.find(balanced_id);
     ASSERT_TRUE(a) << balls;
     EXPECT_TRUE(a->motion.stable) << balls;
     ASSERT_TRUE(a->continuum) << balls;
     EXPECT_GT(a->continuum->share(), 0.0) << balls;
     EXPECT_LT(a->continuum->share(), 1.0) << balls;
-    EXPECT_TRUE(discovery.rule.continuum.regions) << balls;
+    EXPECT_TRUE(search.rule.continuum.regions) << balls;
   }
 }
 
@@ -77,9 +77,9 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
     Study study = rotor(2);
     study.parameters.gravity = gravity;
     study.parameters.stiffness = {1.0, 1.3};
-    const AttractorSearch discovery = search_attractors(study, {.threads = 2});
-    for (const FeatureBox& box : discovery.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
-    for (const KnownFeatures& known : discovery.rule.known) EXPECT_NE(known.attractor, balanced_id);
+    const AttractorSearch search = search_attractors(study, {.threads = 2});
+    for (const FeatureBox& box : search.rule.boxes) EXPECT_NE(box.attractor, balanced_id);
+    for (const KnownFeatures& known : search.rule.known) EXPECT_NE(known.attractor, balanced_id);
     int balanced = 0;
     for (const Fate& fate : fates_of(study, sized(100, 24))) {
       if (!is_balanced(fate)) continue;

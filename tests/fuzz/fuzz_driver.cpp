@@ -59,10 +59,10 @@ std::vector<std::string> read_seeds(const std::vector<std::string>& sources) {
       if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   }
   std::sort(paths.begin(), paths.end());  // the order of a folder differs between machines
-  std::vector<std::string> warm_start_states;
-  for (const auto& path : paths) warm_start_states.push_back(read_file(path));
-  if (warm_start_states.empty()) throw std::runtime_error("no seed files");
-  return warm_start_states;
+  std::vector<std::string> seeds;
+  for (const auto& path : paths) seeds.push_back(read_file(path));
+  if (seeds.empty()) throw std::runtime_error("no seed files");
+  return seeds;
 }
 
 // One token a line, quoted, with the escapes \\ \" \xHH; comments and blank lines are skipped.
@@ -90,8 +90,8 @@ std::vector<std::string> read_dictionary(const std::string& path) {
 
 class Mutator {
  public:
-  Mutator(std::vector<std::string> warm_start_states, std::vector<std::string> tokens)
-      : seeds_(std::move(warm_start_states)), tokens_(std::move(tokens)) {
+  Mutator(std::vector<std::string> seeds, std::vector<std::string> tokens)
+      : seeds_(std::move(seeds)), tokens_(std::move(tokens)) {
     for (const equipoise::study::KeyTable& table : equipoise::study::key_tables()) {
       keys_.push_back(table.name);
       for (const equipoise::study::Key& key : table.keys) {
@@ -222,9 +222,9 @@ void feed(const std::string& text) noexcept {
 }
 
 void run(const Options& options) {
-  auto warm_start_states = read_seeds(options.sources);
+  auto seeds = read_seeds(options.sources);
   auto tokens = options.dictionary.empty() ? std::vector<std::string>{"0"} : read_dictionary(options.dictionary);
-  Mutator mutator(warm_start_states, std::move(tokens));
+  Mutator mutator(seeds, std::move(tokens));
   current_seed = options.seed;
   if (options.only >= 0) {
     current_index = static_cast<std::uint64_t>(options.only);
@@ -234,11 +234,11 @@ void run(const Options& options) {
     return feed(text);
   }
   const auto begin = std::chrono::steady_clock::now();
-  for (const std::string& seed : warm_start_states) feed(seed);
+  for (const std::string& seed : seeds) feed(seed);
   for (; current_index < options.inputs; ++current_index) feed(mutator.input(options.seed, current_index));
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   std::printf("%llu inputs from %zu seed files in %.1f s\n", static_cast<unsigned long long>(options.inputs),
-              warm_start_states.size(), spent.count());
+              seeds.size(), spent.count());
 }
 
 }  // namespace

@@ -273,7 +273,7 @@ TEST(Certificate, OrderOfBoxesIsFree) {
   EXPECT_TRUE(check_certificate(certificate).proved);
 }
 
-TEST(Certificate, CoversTheTrapThatAProgramTestsInDoubles) {
+TEST(Certificate, CoversTheRegionThatAProgramTestsInDoubles) {
   // The program's V, from a rounded factor about rounded angles, against the exact form's: apart by far less than
   // level_slack.
   const Case c = case_of(balancer(0.01), 6.0);

@@ -103,18 +103,18 @@ TEST(ScrambledSobol, AStartIsAFunctionOfSeedAndIndexAlone) {
 
 // A point's first 53 bits, and those of two points, are independent over replicates and seeds if the scrambling is.
 TEST(ScrambledSobol, EachPointIsUniformAndReplicatesAreIndependent) {
-  constexpr int warm_start_states = 4000;
+  constexpr int seeds = 4000;
   double mean = 0.0, square = 0.0, between_replicates = 0.0, between_angles = 0.0, within = 0.0;
-  for (int seed = 0; seed < warm_start_states; ++seed) {
+  for (int seed = 0; seed < seeds; ++seed) {
     double a[2], b[2], next[2];
     sobol_fractions(static_cast<std::uint64_t>(seed), 16 * 9, 0, 2, a);
     sobol_fractions(static_cast<std::uint64_t>(seed), 16 * 9 + 1, 0, 2, b);
     sobol_fractions(static_cast<std::uint64_t>(seed), 16 * 8, 0, 2, next);  // differs from point 9 in its first bit
-    mean += a[0] / warm_start_states;
-    square += 12.0 * (a[0] - 0.5) * (a[0] - 0.5) / warm_start_states;
-    between_replicates += 12.0 * (a[0] - 0.5) * (b[0] - 0.5) / warm_start_states;
-    between_angles += 12.0 * (a[0] - 0.5) * (a[1] - 0.5) / warm_start_states;
-    within += 12.0 * (a[0] - 0.5) * (next[0] - 0.5) / warm_start_states;
+    mean += a[0] / seeds;
+    square += 12.0 * (a[0] - 0.5) * (a[0] - 0.5) / seeds;
+    between_replicates += 12.0 * (a[0] - 0.5) * (b[0] - 0.5) / seeds;
+    between_angles += 12.0 * (a[0] - 0.5) * (a[1] - 0.5) / seeds;
+    within += 12.0 * (a[0] - 0.5) * (next[0] - 0.5) / seeds;
   }
   // Five standard errors: 0.29 and 0.89 of one number, 1 of a product, over sqrt(seeds) = 63.
   EXPECT_NEAR(mean, 0.5, 5 * 0.29 / 63.2);

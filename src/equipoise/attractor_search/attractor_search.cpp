@@ -84,7 +84,7 @@ class Discoverer {
         std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.stationary; });
     std::vector<Candidate> later(wandering, candidates_.end());
     candidates_.erase(wandering, candidates_.end());
-    if (warm_start_states == WarmStartStates::new_ones) add_seeds();
+    if (warm_start_states == WarmStartStates::new_ones) add_warm_start_states();
     if (!refine_and_list()) return false;
     found_ = std::move(candidates_);
     candidates_.clear();
@@ -194,7 +194,7 @@ class Discoverer {
     return nullptr;
   }
 
-  void add_seeds() {
+  void add_warm_start_states() {
     for (const std::vector<double>& seed : s_.settings.warm_start_states)
       candidates_.push_back(
           {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
@@ -203,7 +203,7 @@ class Discoverer {
   // A neighbour's motions come first. Their trapping regions or looks then decide most of the pilot, and only the rest
   // need be followed.
   bool list_warm_start_states() {
-    add_seeds();
+    add_warm_start_states();
     if (!refine_and_list()) return false;
     seeds_ = std::move(candidates_);
     return true;
@@ -361,9 +361,9 @@ AttractorSearch search_attractors(const Study& study, const AttractorSearchSetti
   };
   if (!settings.cache) return make();
   if (const auto at = settings.cache->made.find(key); at != settings.cache->made.end()) return at->second;
-  AttractorSearch discovery = make();
-  if (!discovery.stopped) settings.cache->made.emplace(key, discovery);
-  return discovery;
+  AttractorSearch search = make();
+  if (!search.stopped) settings.cache->made.emplace(key, search);
+  return search;
 }
 
 }  // namespace equipoise

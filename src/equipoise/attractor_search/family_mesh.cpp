@@ -86,8 +86,8 @@ class MeshMaker {
     AttractorSearchSettings settings = settings_;
     if (parent) {
       settings.warm_start = true;
-      settings.warm_start_states = parent->discovery.warm_start_states;
-      settings.warm_start_levels = parent->discovery.warm_start_levels;
+      settings.warm_start_states = parent->search.warm_start_states;
+      settings.warm_start_levels = parent->search.warm_start_levels;
     }
     AttractorSearch found = search_attractors(family_, box, settings);
     if (found.stopped) return std::nullopt;
@@ -141,7 +141,7 @@ class MeshMaker {
     SpunUp starts;
     if (!source.make(judging_seed, 0, judged, starts)) return judgement;
     const double horizon = *source.middle().numerics.horizon;
-    for (OwnRotor& rotor : starts.rotors) cell.discovery.place(rotor);
+    for (OwnRotor& rotor : starts.rotors) cell.search.place(rotor);
     const std::vector<const OwnRotor*> own = pointers_to(starts.rotors);
     BatchTask task = source.last_task();
     task.end = source.settled() + horizon;
@@ -151,7 +151,7 @@ class MeshMaker {
     task.own = own.data();
     task.stop = settings_.stop;
     std::vector<Fate> fates(judged);
-    if (!classify_batch(task, cell.discovery.rule, fates, nullptr)) return judgement;
+    if (!classify_batch(task, cell.search.rule, fates, nullptr)) return judgement;
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < judged; ++i)
       if (fates[i].outcome == Outcome::undecided) open.push_back(i);
@@ -208,7 +208,7 @@ class MeshMaker {
     task.begins = begins.data();
     task.own = own.data();
     std::vector<Fate> later(count);
-    if (!classify_batch(task, cell.discovery.rule, later, nullptr)) return false;
+    if (!classify_batch(task, cell.search.rule, later, nullptr)) return false;
     // These fates stand for those of all open starts.
     for (std::size_t k = 0; k < open.size(); ++k) fates[open[k]] = later[k % count];
     return true;
@@ -227,7 +227,7 @@ class MeshMaker {
 
   // Gives the cell's attractors their identifiers in the mesh's catalogue.
   void list(FamilyCell& cell) {
-    for (const Attractor& a : cell.discovery.catalogue.attractors()) {
+    for (const Attractor& a : cell.search.catalogue.attractors()) {
       const MotionName name{a.name, a.alias, a.id < first_free_id ? a.id : 0};
       const int id = mesh_.catalogue.add(name, a.motion, a.continuum);
       cell.ids.resize(std::max(cell.ids.size(), static_cast<std::size_t>(a.id) + 1));
@@ -256,7 +256,7 @@ std::optional<double> FamilyMesh::largest_radius(const StudyFamily& family, int 
   const auto own = std::find(cell.ids.begin(), cell.ids.end(), attractor);
   if (attractor <= 0 || own == cell.ids.end()) return std::nullopt;
   const auto features =
-      cell.discovery.trends.features(static_cast<int>(own - cell.ids.begin()), family.coordinates(cell.box, fractions));
+      cell.search.trends.features(static_cast<int>(own - cell.ids.begin()), family.coordinates(cell.box, fractions));
   return features ? std::optional((*features)[radius_feature]) : std::nullopt;
 }
 

@@ -17,7 +17,7 @@ namespace equipoise {
 struct FamilyCell {
   FamilyBox box;
   model::System middle;
-  AttractorSearch discovery;
+  AttractorSearch search;
   /// Identifiers in the mesh's catalogue, by those in its own.
   std::vector<int> ids;
   /// Starts left open by the horizon mostly come to a motion soon if followed on.
@@ -37,7 +37,7 @@ struct FamilyMesh {
 
   /// For a neighbouring family's search.
   WarmStartLevels warm_start_levels() const {
-    return cells.empty() ? WarmStartLevels{} : cells.front().discovery.warm_start_levels;
+    return cells.empty() ? WarmStartLevels{} : cells.front().search.warm_start_levels;
   }
   /// The index of the cell that holds these fractions.
   std::size_t index(std::span<const double> fractions) const;

@@ -11,7 +11,9 @@ namespace equipoise {
 namespace {
 
 // Makes half a window hold whole periods of the section, so that motions in step with the rotor look the same in all.
-double whole_sections(double window, double strobe) { return 2.0 * strobe * std::ceil(0.5 * window / strobe - 1e-9); }
+double whole_sections(double window, double section_period) {
+  return 2.0 * section_period * std::ceil(0.5 * window / section_period - 1e-9);
+}
 
 }  // namespace
 

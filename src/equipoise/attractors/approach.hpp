@@ -30,9 +30,9 @@ class Stretches {
  public:
   Stretches(const model::System& system, double patience);
 
-  bool strobed() const { return section_period_ > 0.0; }
+  bool on_section() const { return section_period_ > 0.0; }
   /// Period of the stroboscopic section; 0: there is none.
-  double strobe() const { return section_period_; }
+  double section_period() const { return section_period_; }
   /// About that time, at least one period of the section.
   double whole(double time) const;
   double first() const { return first_; }

@@ -96,24 +96,25 @@ class EventJourney : Stretches {
 
  private:
   bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
-  double spacing() const { return strobed() ? strobe() : last_.spacing; }
+  double spacing() const { return on_section() ? section_period() : last_.spacing; }
 
   // A stroboscopic section is followed in whole periods, so that each begins with rotor angle 0.
   bool travel(Eigen::VectorXd& z, double duration, EventLog& log, MotionStatistics* statistics,
               std::vector<Eigen::VectorXd>* samples) {
-    if (!strobed()) {
+    if (!on_section()) {
       return follow_events(system_, z, duration, follow_tolerance, log, statistics, samples, stop_) ==
              IntegrationStatus::done;
     }
     if (samples) samples->assign(1, z);
     EventLog all;
-    for (long k = 0; k < std::lround(duration / strobe()); ++k) {
+    for (long k = 0; k < std::lround(duration / section_period()); ++k) {
       EventLog one;
-      const auto status = follow_events(system_, z, strobe(), follow_tolerance, one, statistics, nullptr, stop_);
+      const auto status =
+          follow_events(system_, z, section_period(), follow_tolerance, one, statistics, nullptr, stop_);
       if (status != IntegrationStatus::done) return false;
       if (k == 0) all.begin = one.begin;
       for (BallEvent e : one.events) {
-        e.time += static_cast<double>(k) * strobe();
+        e.time += static_cast<double>(k) * section_period();
         all.events.push_back(e);
       }
       all.count += one.count;
@@ -179,7 +180,7 @@ class EventJourney : Stretches {
   }
 
   std::optional<Motion> rest() {
-    if (strobed()) return std::nullopt;
+    if (on_section()) return std::nullopt;
     const auto at = refine_mode_equilibrium(system_, state_);
     if (!at || !(at->eigenvalues[0].real() < zero_eigenvalue)) return std::nullopt;
     const auto distance = [&](const Eigen::VectorXd& z) { return difference_.distance(z, at->state); };
@@ -230,7 +231,7 @@ class EventJourney : Stretches {
     MotionStatistics statistics;
     EventLog log;
     Eigen::VectorXd z = motion.state;
-    if (strobed())
+    if (on_section())
       travel(z, orbit.period, log, &statistics, nullptr);
     else
       follow_events(system_, z, orbit.period, 1e-12, log, &statistics);
@@ -238,7 +239,7 @@ class EventJourney : Stretches {
     const int turns = system_.layout().psi < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
     if (orbit.imposed || turns > 0) {
       motion.depends_on_angle = true;
-      motion.sections = orbit.imposed ? static_cast<int>(std::lround(orbit.period / strobe())) : turns;
+      motion.sections = orbit.imposed ? static_cast<int>(std::lround(orbit.period / section_period())) : turns;
     }
     const auto decays = orbit.decays();
     motion.set_valued = system_.events().stick && std::any_of(decays.begin(), decays.end(), [](const auto& m) {

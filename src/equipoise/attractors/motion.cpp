@@ -38,7 +38,7 @@ Stretches::Stretches(const model::System& system, double patience)
 }
 
 double Stretches::whole(double time) const {
-  return strobed() ? section_period_ * std::max(1.0, std::round(time / section_period_)) : time;
+  return on_section() ? section_period_ * std::max(1.0, std::round(time / section_period_)) : time;
 }
 
 namespace {
@@ -68,7 +68,7 @@ class Journey : Stretches {
  private:
   bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
   // Time between samples_.
-  double spacing() const { return strobed() ? strobe() : last_.spacing; }
+  double spacing() const { return on_section() ? section_period() : last_.spacing; }
 
   bool travel_stretch(double duration);
   bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
@@ -113,10 +113,10 @@ class Journey : Stretches {
 
 IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
                                         std::vector<Eigen::VectorXd>* samples) const {
-  if (!strobed()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
+  if (!on_section()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
   if (samples) samples->assign(1, z);
-  for (long k = std::lround(duration / strobe()); k > 0; --k) {
-    const auto status = follow(system_, z, strobe(), follow_tolerance, statistics, nullptr, stop_);
+  for (long k = std::lround(duration / section_period()); k > 0; --k) {
+    const auto status = follow(system_, z, section_period(), follow_tolerance, statistics, nullptr, stop_);
     if (status != IntegrationStatus::done) return status;
     if (samples) samples->push_back(z);
   }
@@ -153,7 +153,7 @@ bool Journey::approaches(double rate, const Distance& distance, double blur) {
   // Outside the linear regime the distance may grow for a while. A motion left far behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
-    if (duration <= 0.5 * strobe()) break;
+    if (duration <= 0.5 * section_period()) break;
     if (follow_whole(z, duration) != IntegrationStatus::done) return false;
     z = system_.with_angles_reduced(std::move(z));
     left -= duration;
@@ -180,7 +180,8 @@ std::optional<Motion> Journey::continuum() {
 
 // Near the rest of a continuum of balanced states under gravity, and creeping along it.
 std::optional<Motion> Journey::creep() {
-  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || !ContinuumOfEquilibria::is_of(system_)) return std::nullopt;
+  if (!on_section() || p_.gravity == 0.0 || p_.balls <= 2 || !ContinuumOfEquilibria::is_of(system_))
+    return std::nullopt;
   const ContinuumOfEquilibria continuum(system_);
   std::optional<ContinuumMember> end = continuum.destination(state_);
   if (!end || !(end->rate < 0.0)) return std::nullopt;
@@ -199,10 +200,10 @@ std::optional<Motion> Journey::rest() {
   // If it moves faster, no equilibrium is near: swings have rates of order one, so the equilibrium is as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
   if (system_.layout().psi >= 0) rate[system_.layout().psi] = 0.0;
-  if (!strobed() && difference_.length(rate) > in_reach) return std::nullopt;
+  if (!on_section() && difference_.length(rate) > in_reach) return std::nullopt;
   if (model::balanced_freedom(system_) > 0)
     if (auto motion = continuum()) return motion;
-  if (strobed()) return creep();  // all other rest shows as a return on the section
+  if (on_section()) return creep();  // all other rest shows as a return on the section
   if (system_.layout().psi >= 0 && std::fabs(system_.speed(state_)) > in_reach)
     return std::nullopt;  // it shows as a return after a turn
   const auto equilibrium = refine_equilibrium(system_, state_);
@@ -229,8 +230,8 @@ std::optional<Motion> Journey::recurrence() {
 }
 
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
-  if (!strobed()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
-  const long sections = std::lround(now.time / strobe());
+  if (!on_section()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
+  const long sections = std::lround(now.time / section_period());
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - sections, samples_.end() - 1),
                       now.time, in_reach, stop_);
 }
@@ -256,7 +257,7 @@ bool Journey::statistics_repeat(double share_of_extremes, double share_of_means)
 // Whether everything is so nearly at rest that the trajectory gets nowhere in the time left: neither by its rate of
 // change nor by growth of deviations.
 bool Journey::creeps() const {
-  if (strobed() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
+  if (on_section() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
   return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
 }
 
@@ -279,7 +280,7 @@ bool Journey::comes_back() const {
 
 // Under gravity a continuum of balanced states leaves a motion along it that never comes back.
 bool Journey::creeps_balanced(const Motion& motion) const {
-  if (!strobed() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
+  if (!on_section() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
   const auto creeps = [&](double drift) { return std::fabs(drift) * motion.duration < 0.5 * pi; };
   return std::all_of(motion.drift.begin(), motion.drift.begin() + p_.balls, creeps) &&
          relaxes_to_balance(system_, motion.state);
@@ -288,7 +289,7 @@ bool Journey::creeps_balanced(const Motion& motion) const {
 // Lyapunov exponents from here on, and the kind that they imply; empty if the motion does not last.
 std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
   // A shift in time has exponent 0; on a stroboscopic section there is no such shift.
-  const std::size_t next = strobed() ? 0 : 1;
+  const std::size_t next = on_section() ? 0 : 1;
   const int count = std::min<int>(4, system_.dimension());
   double duration = std::max(last_.duration, 4000.0);
   std::vector<double> exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
@@ -342,7 +343,7 @@ std::optional<Motion> Journey::persistence() {
   repeats_ = tight ? repeats_ + 1 : 0;
   ahead_ = 0.0;
   // A state that creeps along a continuum of balanced states under gravity does not come back either.
-  if (!strobed() && !comes_back()) return std::nullopt;
+  if (!on_section() && !comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
   if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
   MotionKind kind;

@@ -174,7 +174,7 @@ Advance BranchContinuation::advance_refined(const Motion& motion, double from, d
   return at;
 }
 
-// States of the motion, some time apart; at strobes where the rotor's angle matters.
+// States of the motion, some time apart; on the section where the rotor's angle matters.
 std::vector<Eigen::VectorXd> BranchContinuation::states_along(const Advance& at, int count) const {
   std::vector<Eigen::VectorXd> states{at.motion.state};
   if (count == 1) return states;

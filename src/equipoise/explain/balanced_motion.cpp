@@ -75,7 +75,7 @@ double farthest(const model::System& system, const PeriodicOrbit& orbit) {
   return most;
 }
 
-std::optional<Linear> strobed(const model::System& system, const Angles& phi, int freedom) {
+std::optional<Linear> linear_on_section(const model::System& system, const Angles& phi, int freedom) {
   // Errors of an integration over a turn; beside a multiple 1 their square root.
   constexpr double error = 1e-11, zero = 1e-5;
   const double turn = system.section_period();
@@ -103,7 +103,7 @@ std::optional<Linear> strobed(const model::System& system, const Angles& phi, in
 
 std::optional<Linear> linear_motion(const model::System& system, const Angles& phi, bool family) {
   const int freedom = family ? model::balanced_freedom(system) : 0;
-  if (!system.autonomous()) return strobed(system, phi, freedom);
+  if (!system.autonomous()) return linear_on_section(system, phi, freedom);
   const Eigen::VectorXd state = model::balanced_state(system, system.speed(), phi.data());
   return Linear{without_continuum(dense::eigenvalues(model::jacobian(system, state)), freedom, zero_rate), {}};
 }
@@ -153,7 +153,7 @@ void linearise(Explanation& e) {
                 (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : ""));
   }
   motion.less = rotor.less;
-  motion.strobe = rotor.system().autonomous() ? 0.0 : rotor.system().section_period();
+  motion.section_period = rotor.system().autonomous() ? 0.0 : rotor.system().section_period();
   motion.left = linear->left;
   motion.eigenvalues = linear->rates;
   motion.slowest_rate = motion.eigenvalues.front().real();

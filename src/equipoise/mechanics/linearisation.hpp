@@ -16,7 +16,7 @@ Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z);
 Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi = 0.0);
 
 /// dy/dt of a smooth system at state `y`, and its exact derivative with respect to y. `psi`: the rotor's angle on
-/// section strobe, where the state does not hold it.
+/// a stroboscopic section, where the state does not hold it.
 Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
 Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi = 0.0);
 

@@ -62,7 +62,7 @@ class System {
   const StateLayout& layout() const { return layout_; }
   int dimension() const { return layout_.size; }
 
-  /// The prescribed psi' (not 0 on section strobe), or that of state `y` if the rotor is driven.
+  /// The prescribed psi' (not 0 with a stroboscopic section), or that of state `y` if the rotor is driven.
   double speed() const { return drive_.speed; }
   double speed(const Eigen::VectorXd& y) const { return prescribed() ? drive_.speed : y[layout_.speed]; }
   /// The speed that steps in time and rates of change are measured by: the prescribed psi'; of a driven rotor that at
@@ -80,7 +80,7 @@ class System {
   /// The motor's torque in a state.
   double torque(const Eigen::VectorXd& y) const;
 
-  /// Section strobe: period of the equations, as an angle of the rotor and as a time.
+  /// Stroboscopic section: period of the equations, as an angle of the rotor and as a time.
   double section_angle() const;
   double section_period() const;
 

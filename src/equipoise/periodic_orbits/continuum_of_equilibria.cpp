@@ -46,15 +46,15 @@ model::System without_contact(const model::System& system) {
 }
 
 // The largest real part (of rates), or the rate of the largest multiplier, without the `zeros` closest to zero.
-double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double strobe) {
+double slowest_of(const Eigen::VectorXcd& eigenvalues, Index zeros, double section_period) {
   std::vector<std::complex<double>> values(eigenvalues.begin(), eigenvalues.end());
-  const double none = strobe > 0.0 ? 1.0 : 0.0;
+  const double none = section_period > 0.0 ? 1.0 : 0.0;
   std::sort(values.begin(), values.end(),
             [&](const auto& a, const auto& b) { return std::abs(a - none) < std::abs(b - none); });
   double largest = -1e300;
   for (std::size_t k = static_cast<std::size_t>(zeros); k < values.size(); ++k)
-    largest =
-        std::max(largest, strobe > 0.0 ? std::log(std::max(1e-300, std::abs(values[k]))) / strobe : values[k].real());
+    largest = std::max(largest, section_period > 0.0 ? std::log(std::max(1e-300, std::abs(values[k]))) / section_period
+                                                     : values[k].real());
   return largest;
 }
 

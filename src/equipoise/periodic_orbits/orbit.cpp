@@ -314,10 +314,10 @@ std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std
 }
 
 std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system, const std::vector<VectorXd>& guess,
-                                                  double strobe, double reach, const StopFlag* stop) {
+                                                  double section_period, double reach, const StopFlag* stop) {
   if (guess.empty()) return std::nullopt;
   Shooting s;
-  s.period = strobe * static_cast<double>(guess.size());
+  s.period = section_period * static_cast<double>(guess.size());
   s.nodes = guess;
   s.imposed = true;
   return refine(system, std::move(s), reach, stop);

@@ -35,9 +35,9 @@ std::optional<Equilibrium> refine_equilibrium(const model::System& system, const
 std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const std::vector<Eigen::VectorXd>& guess,
                                           double period, double reach = std::numeric_limits<double>::infinity(),
                                           const StopFlag* stop = nullptr);
-/// The same with nodes `strobe` apart, whatever the section: for systems about to get a stroboscopic section.
+/// The same with nodes `section_period` apart, whatever the section: for systems about to get a stroboscopic section.
 std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system,
-                                                  const std::vector<Eigen::VectorXd>& guess, double strobe,
+                                                  const std::vector<Eigen::VectorXd>& guess, double section_period,
                                                   double reach = std::numeric_limits<double>::infinity(),
                                                   const StopFlag* stop = nullptr);
 /// The same from one state near the orbit and the time after which it returns.

@@ -192,9 +192,10 @@ class Text {
     const auto paired = [&](const std::complex<double>& v) {
       return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
     };
-    const auto swings = [&](const std::complex<double>& v) { return m.strobe == 0.0 && paired(v); };
-    std::vector<std::array<std::string, 3>> rows{{m.strobe > 0.0 ? "rate, by multipliers" : "eigenvalue",
-                                                  "time constant", scales_ && m.strobe == 0.0 ? "oscillation" : ""}};
+    const auto swings = [&](const std::complex<double>& v) { return m.section_period == 0.0 && paired(v); };
+    std::vector<std::array<std::string, 3>> rows{{m.section_period > 0.0 ? "rate, by multipliers" : "eigenvalue",
+                                                  "time constant",
+                                                  scales_ && m.section_period == 0.0 ? "oscillation" : ""}};
     for (const auto& v : m.eigenvalues) {
       if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
       rows.push_back(
@@ -284,7 +285,8 @@ Json motion_json(const BalancedMotion& m, const Explanation& e) {
   json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
   json["drag_sensitivity"] = m.drag_sensitivity;
   json["left_out"] = m.less;
-  json["strobe"] = m.strobe > 0.0 ? value_json(m.strobe, Dimension::time, e.study.scales) : Json(nullptr);
+  json["strobe"] =
+      m.section_period > 0.0 ? value_json(m.section_period, Dimension::time, e.study.scales) : Json(nullptr);
   json["displacement_left"] = m.left ? value_json(*m.left, Dimension::length, e.study.scales) : Json(nullptr);
   if (m.slowest_if_sliding) json["slowest_rate_if_sliding"] = *m.slowest_if_sliding;
   json["eigenvalues"] = Json::array();

@@ -38,10 +38,10 @@ inline constexpr double least_rate = 1e-9;  ///< slower than any horizon shows
 /// The balls' way into balance, linearised at the final speed.
 struct BalancedMotion {
   std::array<double, model::max_balls> angles{};  ///< of a balanced state; of several, or of a continuum, one
-  std::string less;     ///< what linear theory had to leave out: "without gravity"; empty: nothing
-  double strobe = 0.0;  ///< time after which the equations repeat themselves; 0: they do not change
-  /// Slowest first; without the continuum's own zeros. Where the equations repeat themselves: ln(multiplier) / strobe,
-  /// whose imaginary parts are known but for whole strobes.
+  std::string less;             ///< what linear theory had to leave out: "without gravity"; empty: nothing
+  double section_period = 0.0;  ///< time after which the equations repeat themselves; 0: they do not change
+  /// Slowest first; without the continuum's own zeros. Where the equations repeat themselves: ln(multiplier) /
+  /// section_period, whose imaginary parts are known but for whole turns in a section period.
   std::vector<std::complex<double>> eigenvalues;
   /// Largest displacement that is left in balance, of the race's centre from where it rests; none: the rotor rests.
   std::optional<double> left;

@@ -44,7 +44,7 @@ bool StartRunner::decide(Batch& batch) const {
   }
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (cells[c].empty()) continue;
-    const ClassificationRule& rule = family_ ? mesh_.cells[c].discovery.rule : discovery_.rule;
+    const ClassificationRule& rule = family_ ? mesh_.cells[c].search.rule : search_.rule;
     if (!classify_some(batch, cells[c], rule)) return false;
     for (const std::size_t i : cells[c])
       if (family_) batch.fates[i].attractor = static_cast<short>(mesh_.cells[c].id(batch.fates[i].attractor));
@@ -69,7 +69,7 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
     if (!family_) continue;
     const FamilyCell& cell = mesh_.cells[batch.cell[i]];
     starts.rotors[i].coordinates = family_->coordinates(cell.box, batch.own[i].fractions);
-    cell.discovery.place(starts.rotors[i]);
+    cell.search.place(starts.rotors[i]);
     if (const MetMotions* met = batch.own[i].met) starts.rotors[i].met = &met->known;
     own.push_back(&starts.rotors[i]);
     if (batch.watched) rows.own.push_back(batch.table.own[i]);

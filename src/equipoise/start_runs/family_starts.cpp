@@ -136,7 +136,7 @@ bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size
 bool StartRunner::meet(const Batch& batch, std::size_t i, MetMotions& met) const {
   const PilotRecord& record = (*batch.records)[i];
   if (!record.finished_window) return false;
-  const double sameness = mesh_.cells[batch.cell[i]].discovery.rule.sameness;
+  const double sameness = mesh_.cells[batch.cell[i]].search.rule.sameness;
   if (nearest_met(record.features, met.known, study_.parameters.balls, sameness)) return true;
   const std::optional<UnlistedStart> start = unlisted_start(batch, i, batch.fates[i].time, lasting_chaos);
   if (!start || !start->motion || !start->motion->stable) return false;

@@ -25,8 +25,8 @@ StartRunner::StartRunner(const Study& study, const AttractorSearchSettings& sett
       source_(make_spin_up(with_medians(study_), settings.stop)),
       sampler_(sampler_of(study_)) {
   if (study_.uncertain.empty()) {
-    discovery_ = search_attractors(study_, settings);
-    catalogue_ = discovery_.catalogue;
+    search_ = search_attractors(study_, settings);
+    catalogue_ = search_.catalogue;
   } else {
     family_.emplace(study_);
     // Coasting rotors have no attractors to search for: each start is tested against its own balance.
@@ -81,11 +81,11 @@ KnownEnd StartRunner::end_of(int attractor) const {
 }
 
 BalanceNote StartRunner::balance() const {
-  if (!family_) return {discovery_.balanced.stable, discovery_.balanced.note};
+  if (!family_) return {search_.balanced.stable, search_.balanced.note};
   BalanceNote note;
   for (const FamilyCell& cell : mesh_.cells) {
-    note.stable = note.stable || cell.discovery.balanced.stable;
-    if (note.note.empty()) note.note = cell.discovery.balanced.note;
+    note.stable = note.stable || cell.search.balanced.stable;
+    if (note.note.empty()) note.note = cell.search.balanced.note;
   }
   if (note.stable) note.note.clear();
   return note;
@@ -149,7 +149,7 @@ Restlessness StartRunner::restlessness(double before, const Fate& fate, double b
   constexpr double steady = 0.02;
   constexpr int fewest_windows = 8;
   const double now = fate.mean_speed;
-  if (fate.time - begin < fewest_windows * discovery_.rule.window) return Restlessness::hardly_seen;
+  if (fate.time - begin < fewest_windows * search_.rule.window) return Restlessness::hardly_seen;
   if (!(std::fabs(now - before) > steady * std::fabs(now))) return Restlessness::regular;
   return std::fabs(now) > std::fabs(before) ? Restlessness::speeding_up : Restlessness::changing_speed;
 }
@@ -164,8 +164,8 @@ std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& stat
   }
   const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
   UnlistedStart start{0, state, {}, {}};
-  if (discovery_.coasting)
-    start.motion = discovery_.coasting->lasting_motion(z, stop_);
+  if (search_.coasting)
+    start.motion = search_.coasting->lasting_motion(z, stop_);
   else
     start.motion = motion_from(system_, z, followed_for(system_), stop_);
   if (is_set(stop_)) return std::nullopt;  // its motion may have been cut short

@@ -109,18 +109,16 @@ class StartRunner {
   const Catalogue& catalogue() const { return catalogue_; }
   BalanceNote balance() const;
   /// What the search found that a neighbour's search may start from.
-  WarmStartLevels warm_start_levels() const {
-    return family_ ? mesh_.warm_start_levels() : discovery_.warm_start_levels;
-  }
+  WarmStartLevels warm_start_levels() const { return family_ ? mesh_.warm_start_levels() : search_.warm_start_levels; }
   /// Study time from which decision times count.
   double settled() const { return source_->settled(); }
   /// Whether it was stopped before it could begin.
-  bool stopped() const { return discovery_.stopped || mesh_.stopped; }
+  bool stopped() const { return search_.stopped || mesh_.stopped; }
 
   const StudyFamily* family() const { return family_ ? &*family_ : nullptr; }
   const FamilyMesh& mesh() const { return mesh_; }
-  const BalancedAnalysis& balanced() const { return discovery_.balanced; }
-  const ClassificationRule& rule() const { return discovery_.rule; }
+  const BalancedAnalysis& balanced() const { return search_.balanced; }
+  const ClassificationRule& rule() const { return search_.rule; }
 
  private:
   bool run_drawn(std::span<const DrawnStart> drawn, Decided& decided, bool watched) const;
@@ -152,7 +150,7 @@ class StartRunner {
   TransientSettings transients_;
   std::unique_ptr<SpinUp> source_;  // with uncertain values that of the medians
   Sampler sampler_;
-  AttractorSearch discovery_;  // for one rotor
+  AttractorSearch search_;  // for one rotor
   std::optional<StudyFamily> family_;
   FamilyMesh mesh_;             // for many
   Catalogue catalogue_;         // grows by list(), while run() reads that of the search

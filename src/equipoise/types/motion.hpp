@@ -54,11 +54,12 @@ struct Motion {
   PeriodicOrbit orbit;            ///< periodic only
   /// Of a rotor with anisotropic supports or gravity, whose equations depend on its angle, while it turns. r is
   /// measured from where the rotor rests under gravity; `spectrum` of an equilibrium too are multipliers, over one
-  /// strobe. At a prescribed speed `state` holds where psi = 0, and every multiplier counts.
+  /// section period. At a prescribed speed `state` holds where psi = 0, and every multiplier counts.
   bool depends_on_angle = false;
-  int sections = 0;  ///< strobed and periodic only: turns of the rotor, by section_angle(), in `period`
-  /// Strobed: gravity and anisotropy taken away gradually lead to a balanced state. Stuck or with events: it shakes
-  /// less than half as much as the rotor would without balls (halves_the_shaking()).
+  int sections =
+      0;  ///< periodic and with a stroboscopic section only: turns of the rotor, by section_angle(), in `period`
+  /// With a stroboscopic section: gravity and anisotropy taken away gradually lead to a balanced state. Stuck or with
+  /// events: it shakes less than half as much as the rotor would without balls (halves_the_shaking()).
   bool balanced = false;
   double duration = 0.0;  ///< time over which the statistics were taken; 0 for an equilibrium
 

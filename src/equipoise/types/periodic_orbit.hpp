@@ -17,15 +17,16 @@ using Winding = std::array<int, model::max_balls + 1>;
 struct PeriodicOrbit {
   double period = 0.0;
   Winding winding{};
-  /// States at the times k period / nodes.size(), k = 0, 1, ...; angles unwrapped along the orbit. Of a strobed system
-  /// the states at successive strobes.
+  /// States at the times k period / nodes.size(), k = 0, 1, ...; angles unwrapped along the orbit. With a
+  /// stroboscopic section: the states at its successive instants.
   std::vector<Eigen::VectorXd> nodes;
   /// Floquet multipliers: eigenvalues of the monodromy matrix. Errors are about 1e-12 of the largest. Where the period
   /// is free, the first is the one that belongs to a shift in time (1 but for errors); the others follow with falling
   /// modulus.
   Eigen::VectorXcd multipliers;
   double residual = 0.0;  ///< largest mismatch of any component where one node's arc meets the next node
-  /// The period is a number of strobes: every multiplier counts, and an equilibrium is an orbit like any other.
+  /// The period is a whole number of section periods: every multiplier counts, and an equilibrium is an orbit like any
+  /// other.
   bool imposed = false;
 
   /// All multipliers but that of a shift in time.
