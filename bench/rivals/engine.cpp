@@ -17,7 +17,7 @@ class Engine : public Rival {
     name = "Equipoise";
     settings = fmt::format(
         "DOP853, one trajectory and step size a lane, lanes refilled, angles' errors absolute; tolerance {:g} in units "
-        "of lane_error_scale(): lambda + sum mu for x, y, u, v and 1 for angles and their rates",
+        "of batch_error_scale(): lambda + sum mu for x, y, u, v and 1 for angles and their rates",
         tolerance);
     least_starts = 256;
   }
