@@ -36,17 +36,17 @@ Job job_of_environment() {
 
 bool repeats_work(const CLI::App& command) {
   const Job job = job_of_environment();
+  const std::string name = command.get_name();
   const auto has = [&](const char* option) { return command.get_option_no_throw(option) != nullptr; };
   const bool computes_or_writes = has("--threads") || has("--output");
   if (job.size <= 1 || !computes_or_writes) return false;
-  const bool shares = command.get_name() == "sweep" || command.get_name() == "capacity", parts = has("--shard");
+  const bool shares = name == "sweep" || name == "capacity" || name == "design", parts = has("--shard");
   if (shares && (has_mpi() || (parts && command.count("--shard") > 0))) return false;
   if (job.rank > 0) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     return true;
   }
-  const std::string why = shares ? "this program is built without MPI"
-                                 : fmt::format("\"{}\" shares no work", command.get_name());
+  const std::string why = shares ? "this program is built without MPI" : fmt::format("\"{}\" shares no work", name);
   const std::string build =
       "Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or cmake), or ";
   throw InputError(

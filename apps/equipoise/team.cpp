@@ -21,7 +21,6 @@
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
-#include "equipoise/sweeps/sweep_cell.hpp"
 #include "job.hpp"
 #include "post.hpp"
 
@@ -150,7 +149,7 @@ class Member {
   void help(int whom) {
     for (Starts next = starts_of(whom, no_task); next.kind == Starts::Kind::get_ready && !is_set(stop_);
          next = starts_of(whom, no_task)) {
-      const EnsembleHelper ensemble = helper_for(survey_.plan, next.task.at, threads_, stop_);
+      const EnsembleHelper ensemble = survey_.helper_for(next.task.at, threads_, stop_);
       if (ensemble.stopped()) return;
       in_parallel(threads_, static_cast<std::size_t>(threads_),
                   [&](std::size_t) { decide_starts(whom, next.task.number, ensemble); });

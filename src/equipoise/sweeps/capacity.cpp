@@ -317,12 +317,13 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
 }
 
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {
-  return {plan, [&](std::size_t cell, const BlockWorkers& workers) {
+  return {[&](std::size_t cell, const BlockWorkers& workers) {
             std::vector<CapacityTrial> known;
             if (const CellRecord kept = workers.known(cell); !kept.empty())
               known = io::trials_from(kept).value_or(std::vector<CapacityTrial>{});
             return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
-          }};
+          },
+          sweep_survey(plan).helper_for};
 }
 
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {

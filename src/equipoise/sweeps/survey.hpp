@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {
 
 class CellDesk;
+class EnsembleHelper;
 class SearchLog;
+struct CellAtWork;
 
 /// What is kept of a cell and sent between processes (cell_files/sweep_cells.hpp). Empty: nothing.
 using CellRecord = std::vector<std::uint8_t>;
@@ -31,9 +32,11 @@ struct BlockWorkers {
 
 /// What any process of a job can compute of it. Refers to what it was made from.
 struct Survey {
-  const SweepPlan& plan;
   /// Computes what is not known of a block's cells. False if stopped.
   std::function<bool(std::size_t block, const BlockWorkers& workers)> run_block;
+  /// Decides starts of a cell that another process has at its desk: it searches as that one does, from where that
+  /// began, and so finds the same. Ask stopped() of it. Empty where no cell lies at a desk.
+  std::function<EnsembleHelper(const CellAtWork& at, int threads, const StopFlag* stop)> helper_for;
 };
 
 /// Work to share: gives out blocks and takes what is made of their cells. Callable from any thread.

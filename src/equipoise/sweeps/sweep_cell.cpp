@@ -133,14 +133,13 @@ bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& wor
 }  // namespace
 
 Survey sweep_survey(const SweepPlan& plan) {
-  return {plan, [&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); }};
-}
-
-EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop) {
-  BasinOptions options = cell_options(plan, at.start);
-  options.threads = threads;
-  options.stop = stop;
-  return EnsembleHelper(plan.study_of(at.cell, at.more), options, at.method);
+  return {[&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); },
+          [&plan](const CellAtWork& at, int threads, const StopFlag* stop) {
+            BasinOptions options = cell_options(plan, at.start);
+            options.threads = threads;
+            options.stop = stop;
+            return EnsembleHelper(plan.study_of(at.cell, at.more), options, at.method);
+          }};
 }
 
 }  // namespace equipoise

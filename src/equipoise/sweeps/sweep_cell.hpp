@@ -1,14 +1,13 @@
 // One cell of a sweep: an ensemble that begins its search where a neighbour's ended; ensembles of cells at the desk.
 #pragma once
 
-#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/sweeps/survey.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
 #include "equipoise/types/warm_start_levels.hpp"
 
 namespace equipoise {
 
 class Catalogue;
-class EnsembleHelper;
 struct AttractorSearchCache;
 struct BasinResult;
 struct CellAtWork;
@@ -20,9 +19,5 @@ Survey sweep_survey(const SweepPlan& plan);
 /// `at` say; `discoveries` and `found`: or null.
 BasinResult cell_ensemble(const SweepPlan& plan, const CellAtWork& at, const Study& study, const BlockWorkers& workers,
                           AttractorSearchCache* discoveries, Catalogue& catalogue, WarmStartLevels* found);
-
-/// Decides starts of a cell that another process works on (sweeps/cell_desk.hpp). It searches as that one does, from
-/// where that began, and so finds the same. Ask stopped() of it.
-EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop);
 
 }  // namespace equipoise
