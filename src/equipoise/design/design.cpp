@@ -58,7 +58,7 @@ class DesignRun {
     const double cpu_begin = cpu_seconds();
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
-    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, options_.helpers, file_.get());
+    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers);
     find();
     ensembles_->end();
     result_.trajectories = ensembles_->trajectories();

@@ -23,14 +23,14 @@ std::string name_of_sample(const WantedSample& w) {
 
 }  // namespace
 
-DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions& options, const SurveyHelpers& helpers,
-                                 DesignFile* file)
+DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
+                                 const SurveyHelpers& helpers)
     : options_(options),
       file_(file),
       threads_(thread_count(options.threads)),
       survey_(candidate_survey(std::make_shared<CandidateRunner>(problem, options))) {
   if (helpers)
-    helpers_ = std::async(std::launch::async, [this, &helpers] {
+    helpers_ = std::async(std::launch::async, [this, helpers] {
       try {
         helpers(survey_, *this);
       } catch (...) {

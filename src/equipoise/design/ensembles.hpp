@@ -29,8 +29,8 @@ namespace equipoise {
 class DesignEnsembles final : public SurveyWork {
  public:
   /// `file`: what an earlier run kept, or null.
-  DesignEnsembles(const DesignProblem& problem, const RunOptions& options, const SurveyHelpers& helpers,
-                  DesignFile* file);
+  DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
+                  const SurveyHelpers& helpers = {});
   ~DesignEnsembles() override { over_ = true; }
 
   /// In the order of `wanted`; candidates at once, threads shared among them. Throws SearchOver if stopped: what is
