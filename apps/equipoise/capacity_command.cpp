@@ -25,11 +25,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct CapacityArguments : ResultForms {
-  std::string study, of, between, cpu;
+struct CapacityArguments : ResultForms, ComputingArguments {
+  std::string study, of, between;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> at_least, precision, starts, seed, threads, within;
-  bool zip = false, quiet = false;
+  std::optional<std::string> at_least, precision, starts, seed;
+  bool zip = false;
 };
 
 StudySource capacity_source(const CapacityArguments& a) {
@@ -67,8 +67,7 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
 }
 
 int run_capacity(const CapacityArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   Team team;
   StudySource source;
   CapacityOptions options;

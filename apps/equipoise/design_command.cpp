@@ -23,11 +23,10 @@ namespace equipoise::app {
 
 namespace {
 
-struct DesignArguments : ResultForms {
-  std::string study, best, cpu;
+struct DesignArguments : ResultForms, ComputingArguments {
+  std::string study, best;
   std::vector<std::string> overrides;
-  std::optional<std::string> seed, threads, within, trajectories;
-  bool quiet = false;
+  std::optional<std::string> seed, trajectories;
 };
 
 StudySource design_source(const DesignArguments& a) {
@@ -42,8 +41,7 @@ StudySource design_source(const DesignArguments& a) {
 }
 
 int run_design(const DesignArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   Team team;
   StudySource source;
   DesignOptions options;

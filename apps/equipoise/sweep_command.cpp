@@ -33,11 +33,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct SweepArguments : ResultForms {
-  std::string study, cpu, shard;
+struct SweepArguments : ResultForms, ComputingArguments {
+  std::string study, shard;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> starts, seed, half_width, threads, within;
-  bool zip = false, quiet = false, transients = false;
+  std::optional<std::string> starts, seed, half_width;
+  bool zip = false, transients = false;
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
@@ -119,8 +119,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
 }
 
 int run_sweep(const SweepArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   Team team;
   const bool same = team.have_same(a.shard);
   if (!same && !team.leads()) return bad_input;
