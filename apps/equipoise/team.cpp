@@ -23,6 +23,7 @@
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "job.hpp"
 #include "post.hpp"
+#include "time_limit.hpp"
 
 #ifdef EQUIPOISE_MPI
 
@@ -331,6 +332,8 @@ void Team::lead(const Survey& survey, SurveyWork& work, int threads, const StopF
       bool stopped = false;
       in(target, stopped);
       require_whole(in);
+      // What it had at work would never come; of limited time the own end is near.
+      if (stopped && !time_is_limited()) stop_flag().store(true);
       return bytes_of(queue.work_for(from, std::move(target), stopped));
     }
     std::size_t index = 0;
