@@ -19,11 +19,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct AttractorsArguments {
-  std::string study, cpu, along, output, plot;
+struct AttractorsArguments : ComputingArguments {
+  std::string study, along, output, plot;
   std::vector<std::string> overrides, states;
-  std::optional<std::string> starts, seed, threads, within;
-  bool json = false, quiet = false;
+  std::optional<std::string> starts, seed;
+  bool json = false;
 };
 
 // "x,y,u,v,phi_1,..,phi_n,q_1,..,q_n" as --state takes it.
@@ -57,8 +57,7 @@ int follow_along(const AttractorsArguments& a) {
 }
 
 int run_attractors(const AttractorsArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   if (!a.along.empty()) return follow_along(a);
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
     if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");

@@ -23,12 +23,12 @@ namespace equipoise::app {
 
 namespace {
 
-struct BasinArguments {
+struct BasinArguments : ComputingArguments {
   std::string study;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, start_index, half_width, threads, within, decide, rows;
-  std::string output, report, cpu;
-  bool json = false, quiet = false, transients = false, sensitivity = false;
+  std::optional<std::string> starts, seed, start_index, half_width, decide, rows;
+  std::string output, report;
+  bool json = false, transients = false, sensitivity = false;
 };
 
 std::vector<std::string> overrides_from(const BasinArguments& a) {
@@ -92,8 +92,7 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
 }
 
 int run_basin(const BasinArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   require_ending("--report", a.report, ".html");
   require_writable("--report", a.report);
   if (a.start_index && !a.report.empty())

@@ -18,17 +18,18 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "team.hpp"
 #include "time_limit.hpp"
 
 namespace equipoise::app {
 
 namespace {
 
-struct CapacityArguments : ResultForms {
-  std::string study, of, between, cpu;
+struct CapacityArguments : ResultForms, ComputingArguments {
+  std::string study, of, between;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> at_least, precision, starts, seed, threads, within;
-  bool zip = false, quiet = false;
+  std::optional<std::string> at_least, precision, starts, seed;
+  bool zip = false;
 };
 
 StudySource capacity_source(const CapacityArguments& a) {
@@ -46,7 +47,7 @@ SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
   return SweepPlan(source, axes, request, "--over");
 }
 
-CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& plan) {
+CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& plan, const Team& team) {
   CapacityOptions options;
   options.key = capacity_key(plan.source(), a.of, "--of");
   const CapacityRange range = capacity_range(plan, options.key, a.between, "--between");
@@ -60,21 +61,28 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
     options.precision =
         option_number<double>("--precision", *a.precision, 1e-4, 0.1, "a part of the range from 0.0001 to 0.1");
   options.output = a.output;
-  options.threads = threads_option(a.threads);
+  options.threads = team.threads(a.threads);
   options.stop = &stop_flag();
   return options;
 }
 
 int run_capacity(const CapacityArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
-  const StudySource source = capacity_source(a);
-  const SweepPlan plan = capacity_plan(a, source);
-  CapacityOptions options = capacity_options(a, plan);
-  check_forms(a);
+  begin_computing(a);
+  Team team;
+  StudySource source;
+  CapacityOptions options;
+  const auto plan = team.prepared([&] {
+    source = capacity_source(a);
+    SweepPlan made = capacity_plan(a, source);
+    options = capacity_options(a, made, team);
+    if (team.leads()) check_forms(a);
+    return made;
+  });
+  if (!plan) return bad_input;
+  if (!team.leads()) return team.follow(capacity_survey(*plan, options), options.threads, options.stop);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const CapacityResult result = capacity(plan, options);
+  const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
   put_forms(a, {[&] { return capacity_text(result); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },

@@ -17,11 +17,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct CompareArguments {
-  std::string first, second, cpu;
+struct CompareArguments : ComputingArguments {
+  std::string first, second;
   std::vector<std::string> overrides, second_overrides;
-  std::optional<std::string> starts, seed, threads, within;
-  bool json = false, quiet = false;
+  std::optional<std::string> starts, seed;
+  bool json = false;
 };
 
 // Read and checked before any work starts.
@@ -48,8 +48,7 @@ Side side(const std::string& given, const CompareArguments& a, bool second) {
 }
 
 int run_compare(const CompareArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   RunOptions options;
   options.threads = threads_option(a.threads);
   Side first = side(a.first, a, false), second = side(a.second, a, true);

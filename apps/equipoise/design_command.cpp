@@ -16,17 +16,17 @@
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
+#include "team.hpp"
 #include "time_limit.hpp"
 
 namespace equipoise::app {
 
 namespace {
 
-struct DesignArguments : ResultForms {
-  std::string study, best, cpu;
+struct DesignArguments : ResultForms, ComputingArguments {
+  std::string study, best;
   std::vector<std::string> overrides;
-  std::optional<std::string> seed, threads, within, trajectories;
-  bool quiet = false;
+  std::optional<std::string> seed, trajectories;
 };
 
 StudySource design_source(const DesignArguments& a) {
@@ -41,20 +41,26 @@ StudySource design_source(const DesignArguments& a) {
 }
 
 int run_design(const DesignArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
-  const StudySource source = design_source(a);
-  const DesignProblem problem(source);
-  check_forms(a);
-  require_ending("--best", a.best, ".toml");
-  require_writable("--best", a.best);
+  begin_computing(a);
+  Team team;
+  StudySource source;
   DesignOptions options;
   options.output = a.output;
-  options.threads = threads_option(a.threads);
   options.stop = &stop_flag();
+  const auto problem = team.prepared([&] {
+    source = design_source(a);
+    DesignProblem made(source);
+    if (team.leads()) check_forms(a);
+    require_ending("--best", a.best, ".toml");
+    if (team.leads()) require_writable("--best", a.best);
+    options.threads = team.threads(a.threads);
+    return made;
+  });
+  if (!problem) return bad_input;
+  if (!team.leads()) return team.follow(design_survey(*problem, options), options.threads, options.stop);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const DesignResult result = design(problem, options);
+  const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
   put_forms(
       a, {[&] { return design_text(result); }, [&] { return design_json(result); }, [&] { return design_csv(result); },

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "team.hpp"
 
 namespace equipoise::app {
 
@@ -33,20 +34,26 @@ Job job_of_environment() {
   return {};
 }
 
-bool repeats_work() {
+bool repeats_work(const CLI::App& command) {
   const Job job = job_of_environment();
-  if (job.size <= 1) return false;
+  const std::string name = command.get_name();
+  const auto has = [&](const char* option) { return command.get_option_no_throw(option) != nullptr; };
+  const bool computes_or_writes = has("--threads") || has("--output");
+  if (job.size <= 1 || !computes_or_writes) return false;
+  const bool shares = name == "sweep" || name == "capacity" || name == "design", parts = has("--shard");
+  if (shares && (has_mpi() || (parts && command.count("--shard") > 0))) return false;
   if (job.rank > 0) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     return true;
   }
+  const std::string why = shares ? "this program is built without MPI" : fmt::format("\"{}\" shares no work", name);
+  const std::string build =
+      "Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or cmake), or ";
   throw InputError(
       job.variable, "", "",
-      fmt::format(
-          "says that {} processes were started, but this program is built without MPI: each would do the whole "
-          "work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or "
-          "cmake), or give each process a part with --shard I/N, or start one process",
-          job.size));
+      fmt::format("says that {} processes were started, but {}: each would do the whole work. {}{}{}", job.size, why,
+                  shares ? build : "", parts ? "give each process a part with --shard I/N, or " : "",
+                  shares ? "start one process" : "Start one process, which uses all cores"));
 }
 
 }  // namespace equipoise::app

@@ -1,6 +1,8 @@
 // What the starter of a job of several processes (mpirun, srun) tells each of them.
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 namespace equipoise::app {
 
 struct Job {
@@ -12,9 +14,10 @@ struct Job {
 /// By what Open MPI, MPICH and its kin, and Slurm with PMIx leave in the environment.
 Job job_of_environment();
 
-/// Whether this is one of several processes, each of which would do the whole work. For programs built without MPI. The
-/// first process says so for all: it throws InputError. The others are told true, a second later: starters of jobs end
-/// all processes as soon as one has failed, and the first must have spoken by then.
-bool repeats_work();
+/// Whether this is one of several processes each of which would do the whole work of this command, and write its files:
+/// because the command shares no work, or because the program is built without MPI. The first process says so for all:
+/// it throws InputError. The others are told true, a second later: starters of jobs end all processes as soon as one
+/// has failed, and the first must have spoken by then.
+bool repeats_work(const CLI::App& command);
 
 }  // namespace equipoise::app

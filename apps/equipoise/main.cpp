@@ -18,6 +18,7 @@
 #include "equipoise/design/search.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/toml/overrides.hpp"
+#include "job.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"
@@ -110,6 +111,7 @@ int run(int given, char** arguments) {
   for (auto& [sub, command] : commands) {
     if (!sub->parsed()) continue;
     refuse_empty_values(*sub);
+    if (repeats_work(*sub)) return bad_input;
     return command();
   }
   return bad_input;

@@ -25,11 +25,10 @@ namespace equipoise::app {
 
 namespace {
 
-struct MapArguments : ResultForms {
-  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", cpu, from;
+struct MapArguments : ResultForms, ComputingArguments {
+  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", from;
   std::vector<std::string> overrides, ties;
-  std::optional<std::string> threads, within, refine;
-  bool quiet = false;
+  std::optional<std::string> refine;
 };
 
 int block_option(const std::string& text) {
@@ -51,8 +50,7 @@ void put_map(const ResultForms& a, const BasinSlice& map, const std::function<Gi
 }
 
 int run_map(const MapArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = at_medians(parse_study(text, name, a.overrides));
   const SliceSize size = map_size(a.size, "--size");

@@ -12,12 +12,9 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/study/given_value.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace equipoise::app {
-
-void choose_cpu(const std::string& name) {
-  if (!name.empty()) require_cpu_target(name, "--cpu", "");
-}
 
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
                    const char* allowed) {
@@ -84,6 +81,18 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
+}
+
+void add_computing(CLI::App& app, ComputingArguments& a) {
+  app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
+  app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  add_within(app, a.within);
+  app.add_flag("--quiet", a.quiet, "no progress");
+}
+
+void begin_computing(const ComputingArguments& a) {
+  begin_time(a.within);
+  if (!a.cpu.empty()) require_cpu_target(a.cpu, "--cpu", "");
 }
 
 }  // namespace equipoise::app

@@ -15,7 +15,6 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
-#include "time_limit.hpp"
 
 namespace equipoise::app {
 
@@ -53,9 +52,6 @@ void override_starts(const std::optional<std::string>& starts, const std::option
 /// The study with its uncertain values at their medians, for commands that draw none; says so in a line.
 Study at_medians(Study study);
 
-/// --cpu NAME. Throws InputError if this machine does not have it.
-void choose_cpu(const std::string& name);
-
 /// Throws InputError unless a file can be written at `path`, so that work is not lost to a missing folder. Nothing is
 /// left behind. An empty path is none.
 void require_writable(const char* option, const std::string& path);
@@ -70,12 +66,13 @@ void write_file(const std::string& path, const std::string& text);
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
 /// --threads, --cpu, --within and --quiet, which all commands have that compute.
-template <class Arguments>
-void add_computing(CLI::App& app, Arguments& a) {
-  app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
-  add_within(app, a.within);
-  app.add_flag("--quiet", a.quiet, "no progress");
-}
+struct ComputingArguments {
+  std::optional<std::string> threads, within;
+  std::string cpu;
+  bool quiet = false;
+};
+void add_computing(CLI::App& app, ComputingArguments& a);
+/// The command's time begins, on the instruction set that was asked for.
+void begin_computing(const ComputingArguments& a);
 
 }  // namespace equipoise::app

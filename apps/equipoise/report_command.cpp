@@ -28,16 +28,14 @@ MachinePage write_machine_page(const std::string& study_text, const std::string&
 
 namespace {
 
-struct ReportArguments {
-  std::string study, output, cpu;
+struct ReportArguments : ComputingArguments {
+  std::string study, output;
   std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, threads, within;
-  bool quiet = false;
+  std::optional<std::string> starts, seed;
 };
 
 int run_report(const ReportArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   require_ending("--output", a.output, ".html");
   require_writable("--output", a.output);
   std::vector<std::string> overrides = a.overrides;

@@ -27,11 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ReproduceArguments {
+struct ReproduceArguments : ComputingArguments {
   std::vector<std::string> what;
-  std::optional<std::string> starts, threads, within, pixels;
-  std::string law = "both", output, report, explorer, cpu;
-  bool json = false, quiet = false;
+  std::optional<std::string> starts, pixels;
+  std::string law = "both", output, report, explorer;
+  bool json = false;
 };
 
 ReproduceOptions options_from(const ReproduceArguments& a) {
@@ -68,8 +68,7 @@ void check_paths(const ReproduceArguments& a) {
 }
 
 int run_reproduce(const ReproduceArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
+  begin_computing(a);
   ReproduceOptions options = options_from(a);
   check_paths(a);
   const PictureFolder folder(a.output, a.report);

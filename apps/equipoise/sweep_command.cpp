@@ -21,7 +21,7 @@
 #include "equipoise/sweeps/merge.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
-#include "job.hpp"
+#include "equipoise/sweeps/sweep_cell.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
@@ -33,11 +33,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct SweepArguments : ResultForms {
-  std::string study, cpu, shard;
+struct SweepArguments : ResultForms, ComputingArguments {
+  std::string study, shard;
   std::vector<std::string> over, overrides;
-  std::optional<std::string> starts, seed, half_width, threads, within;
-  bool zip = false, quiet = false, transients = false;
+  std::optional<std::string> starts, seed, half_width;
+  bool zip = false, transients = false;
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
@@ -101,13 +101,6 @@ void check_outputs(const SweepArguments& a, const SweepOptions& options) {
     throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
 }
 
-// One process of several that the first leads; what is wrong with the study, that one says.
-int follow(Team& team, const SweepArguments& a) {
-  if (!team.agree(true)) return bad_input;
-  team.follow(plan_of(a, source_of(a)), a.threads ? threads_option(a.threads) : 1, &stop_flag());
-  return done;
-}
-
 SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options,
                     ProgressLine& progress) {
   options.progress = progress.listener();
@@ -122,43 +115,32 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
-  if (!team.alone()) options.helpers = [&](SweepWork& work) { team.lead(plan, work, options.threads, options.stop); };
-  try {
-    return sweep(plan, options);
-  } catch (...) {
-    team.dismiss();
-    throw;
-  }
+  return team.lead(options, [&] { return sweep(plan, options); });
 }
 
 int run_sweep(const SweepArguments& a) {
-  begin_time(a.within);
-  choose_cpu(a.cpu);
-  if (!has_mpi() && a.shard.empty() && repeats_work()) return bad_input;
+  begin_computing(a);
   Team team;
   const bool same = team.have_same(a.shard);
-  if (!team.leads()) return same ? follow(team, a) : bad_input;
+  if (!same && !team.leads()) return bad_input;
   if (!same)
     throw InputError("--shard", "", a.shard,
                      "is not what the other processes of the job were given; must be the same for all, which share the "
                      "work of that part (start processes that have a part each without mpirun)");
   SweepOptions options;
   options.output = a.output;
-  // Of several processes on a machine each has a core of its own.
-  options.threads = a.threads || team.alone() ? threads_option(a.threads) : 1;
   options.stop = &stop_flag();
   StudySource source;
-  std::optional<SweepPlan> plan;
-  try {
+  const auto plan = team.prepared([&] {
+    options.threads = team.threads(a.threads);
     read_shard(a.shard, options);
     source = source_of(a);
-    plan = plan_of(a, source);
-    check_outputs(a, options);
-  } catch (...) {
-    team.agree(false);
-    throw;
-  }
-  team.agree(true);
+    SweepPlan made = plan_of(a, source);
+    if (team.leads()) check_outputs(a, options);
+    return made;
+  });
+  if (!plan) return bad_input;
+  if (!team.leads()) return team.follow(sweep_survey(*plan), options.threads, options.stop);
   ProgressLine progress(a.quiet);
   const SweepResult result = compute(team, *plan, a, options, progress);
   progress.finish();

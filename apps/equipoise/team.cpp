@@ -20,11 +20,10 @@
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
-#include "equipoise/sweeps/sweep_cell.hpp"
 #include "job.hpp"
 #include "post.hpp"
+#include "time_limit.hpp"
 
 #ifdef EQUIPOISE_MPI
 
@@ -32,7 +31,7 @@ namespace equipoise {
 
 template <class Bytes, Like<CellAtWork> T>
 void members(Bytes& b, T& t) {
-  b(t.cell, t.start.warm_start_states, t.start.warm_start, t.start.warm_start_levels.levels,
+  b(t.cell, t.more, t.start.warm_start_states, t.start.warm_start, t.start.warm_start_levels.levels,
     t.start.warm_start_levels.weights, t.method);
 }
 // The state it was left in: the process that lent the start follows it on.
@@ -64,7 +63,6 @@ constexpr std::chrono::seconds patience{3};     // with others that are to come 
 // starts.
 enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
 
-using CellBytes = std::vector<std::uint8_t>;
 struct Work {
   enum class Kind : std::uint8_t { none, later, block, help } kind = Kind::none;
   std::size_t which = 0;  // block, or process
@@ -80,13 +78,6 @@ constexpr std::uint64_t no_task = 0, no_loan = 0;
 template <class B, Like<Starts> T>
 void members(B& b, T& t) {
   b(t.kind, t.task.number, t.task.at, t.loan);
-}
-
-template <class... T>
-Bytes bytes_of(const T&... values) {
-  BytesOut out;
-  out(values...);
-  return out.take();
 }
 
 void require_whole(const BytesIn& in) {
@@ -110,24 +101,17 @@ T answer_from(const Bytes& bytes) {
   return answer;
 }
 
-SweepCell cell_in(const CellBytes& bytes) {
-  auto cell = io::cell_from(bytes);
-  if (!cell) throw RunError("a message between processes holds no cell");
-  return std::move(*cell);
-}
-
 // What any process does: blocks, one at a time, and starts of others' cells.
 class Member {
  public:
-  Member(Post& post, const SweepPlan& plan, CellDesk& desk, int threads, const StopFlag* stop)
-      : post_(post), plan_(plan), desk_(desk), threads_(threads), stop_(stop) {}
+  Member(Post& post, const Survey& survey, CellDesk& desk, int threads, const StopFlag* stop)
+      : post_(post), survey_(survey), desk_(desk), threads_(threads), stop_(stop) {}
 
   // Until there is nothing more for anybody.
   void work() {
     const std::string target = cpu_target();
     for (;;) {
-      const Work given = answer_from<Work>(
-          post_.ask(0, bytes_of(Asked::for_work, std::vector<char>(target.begin(), target.end()), is_set(stop_))));
+      const Work given = answer_from<Work>(post_.ask(0, bytes_of(Asked::for_work, target, is_set(stop_))));
       if (given.kind == Work::Kind::none) return;
       if (given.kind == Work::Kind::block)
         compute(given.which);
@@ -149,16 +133,13 @@ class Member {
 
  private:
   void compute(std::size_t block) {
-    std::optional<SweepCell> there;
-    const auto known = [&](std::size_t index) -> const SweepCell* {
-      const auto bytes = answer_from<CellBytes>(post_.ask(0, bytes_of(Asked::for_cell, index)));
-      there = bytes.empty() ? std::nullopt : std::optional(cell_in(bytes));
-      return there ? &*there : nullptr;
+    const auto known = [this](std::size_t cell) {
+      return answer_from<CellRecord>(post_.ask(0, bytes_of(Asked::for_cell, cell)));
     };
-    const auto deliver = [this](std::size_t index, const SweepCell& cell) {
-      post_.ask(0, bytes_of(Asked::to_take_cell, index, io::bytes_of(cell)));
+    const auto deliver = [this](std::size_t cell, const CellRecord& made) {
+      post_.ask(0, bytes_of(Asked::to_take_cell, cell, made));
     };
-    run_block(plan_, block, known, deliver, {.threads = threads_, .desk = &desk_, .stop = stop_});
+    survey_.run_block(block, {.threads = threads_, .desk = &desk_, .stop = stop_, .known = known, .deliver = deliver});
   }
 
   Starts starts_of(int whom, std::uint64_t ready, std::uint64_t loan = no_loan, const Chunk& made = {}) {
@@ -169,7 +150,7 @@ class Member {
   void help(int whom) {
     for (Starts next = starts_of(whom, no_task); next.kind == Starts::Kind::get_ready && !is_set(stop_);
          next = starts_of(whom, no_task)) {
-      const EnsembleHelper ensemble = helper_for(plan_, next.task.at, threads_, stop_);
+      const EnsembleHelper ensemble = survey_.helper_for(next.task.at, threads_, stop_);
       if (ensemble.stopped()) return;
       in_parallel(threads_, static_cast<std::size_t>(threads_),
                   [&](std::size_t) { decide_starts(whom, next.task.number, ensemble); });
@@ -195,7 +176,7 @@ class Member {
   }
 
   Post& post_;
-  const SweepPlan& plan_;
+  const Survey& survey_;
   CellDesk& desk_;
   const int threads_;
   const StopFlag* stop_;
@@ -205,7 +186,7 @@ class Member {
 class Queue {
  public:
   // `left`: of the others, those that may ask again.
-  Queue(int size, int& left, SweepWork& work, const StopFlag* stop)
+  Queue(int size, int& left, SurveyWork& work, const StopFlag* stop)
       : left_(left), work_(work), stop_(stop), all_(static_cast<std::size_t>(size)) {
     all_[0].target = cpu_target();
   }
@@ -255,7 +236,7 @@ class Queue {
   }
 
   int& left_;
-  SweepWork& work_;
+  SurveyWork& work_;
   const StopFlag* stop_;
   std::vector<Process> all_;  // by rank
 };
@@ -339,30 +320,29 @@ bool Team::agree(bool good) {
   return answer;
 }
 
-void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop) {
-  Member own(*post_, plan, work.desk(), threads, stop);
+void Team::lead(const Survey& survey, SurveyWork& work, int threads, const StopFlag* stop) {
+  Member own(*post_, survey, work.desk(), threads, stop);
   Queue queue(size_, left_, work, stop);
   const Post::Answer answer = [&](int from, const Bytes& question) {
     BytesIn in(question);
     const Asked what = asked_in(in);
     if (what == Asked::for_starts) return starts_answer(own, in);
     if (what == Asked::for_work) {
-      std::vector<char> target;
+      std::string target;
       bool stopped = false;
       in(target, stopped);
       require_whole(in);
-      return bytes_of(queue.work_for(from, {target.begin(), target.end()}, stopped));
+      // What it had at work would never come; of limited time the own end is near.
+      if (stopped && !time_is_limited()) stop_flag().store(true);
+      return bytes_of(queue.work_for(from, std::move(target), stopped));
     }
     std::size_t index = 0;
     in(index);
-    if (what == Asked::for_cell) {
-      const SweepCell* cell = work.known(index);
-      return bytes_of(cell ? io::bytes_of(*cell) : CellBytes{});
-    }
-    CellBytes cell;
-    in(cell);
+    if (what == Asked::for_cell) return bytes_of(work.known(index));
+    CellRecord made;
+    in(made);
     require_whole(in);
-    work.deliver(index, cell_in(cell));
+    work.deliver(index, made);
     return bytes_of(true);
   };
   Beside beside(*post_, [&] {
@@ -379,9 +359,9 @@ void Team::lead(const SweepPlan& plan, SweepWork& work, int threads, const StopF
   }
 }
 
-void Team::follow(const SweepPlan& plan, int threads, const StopFlag* stop) {
+int Team::follow(const Survey& survey, int threads, const StopFlag* stop) {
   CellDesk desk;
-  Member own(*post_, plan, desk, threads, stop);
+  Member own(*post_, survey, desk, threads, stop);
   const Post::Answer answer = [&](int, const Bytes& question) {
     BytesIn in(question);
     asked_in(in);  // for starts
@@ -391,6 +371,7 @@ void Team::follow(const SweepPlan& plan, int threads, const StopFlag* stop) {
   while (!beside.over())
     if (!post_->step(answer)) std::this_thread::sleep_for(rest);
   left_ = 0;
+  return done;
 }
 
 // Everybody gets the empty answer: there is nothing more.
@@ -416,8 +397,8 @@ Team::Team() = default;
 Team::~Team() = default;
 bool Team::have_same(const std::string&) { return true; }
 bool Team::agree(bool good) { return good; }
-void Team::lead(const SweepPlan&, SweepWork&, int, const StopFlag*) {}
-void Team::follow(const SweepPlan&, int, const StopFlag*) {}
+void Team::lead(const Survey&, SurveyWork&, int, const StopFlag*) {}
+int Team::follow(const Survey&, int, const StopFlag*) { return done; }
 void Team::dismiss() {}
 
 #endif

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/sweeps/sweep.hpp"
+#include "equipoise/sweeps/survey.hpp"
+#include "options.hpp"
 
 namespace equipoise::app {
 
@@ -29,19 +31,49 @@ class Team {
   bool leads() const { return rank_ == 0; }
   int size() const { return size_; }
 
+  /// Of several processes on a machine each has a core of its own.
+  int threads(const std::optional<std::string>& option) const { return option || alone() ? threads_option(option) : 1; }
+
   /// Whether all were given the same words. If not there is no work for anybody.
   bool have_same(const std::string& words);
-  /// What the first found of what was asked, known to all: whether there is work.
-  bool agree(bool good);
-  /// Of the first: gives blocks to the others and takes their cells until none of them has any left. Whom no block is
-  /// left for decides starts of others' cells, this process too: `threads` chunks at a time.
-  void lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop);
-  /// Of the first, if the work cannot go on: sends the others home.
-  void dismiss();
-  /// Of the others: works until the first has nothing more.
-  void follow(const SweepPlan& plan, int threads, const StopFlag* stop);
+  /// What `prepare` makes in the first process, then in the others. What is wrong with the input the first one says,
+  /// and none of the others prepares anything.
+  template <class Prepare>
+  auto prepared(const Prepare& prepare) {
+    std::optional<decltype(prepare())> made;
+    try {
+      if (leads()) made = prepare();
+    } catch (...) {
+      agree(false);
+      throw;
+    }
+    if (agree(leads()) && !leads()) made = prepare();
+    return made;
+  }
+  /// Of the first: what `compute` makes with these options of a survey. Gives blocks to the others and takes their
+  /// cells until none of them has any left; whom no block is left for decides starts of others' cells, this process
+  /// too. If the work cannot go on the others are sent home.
+  template <class Options, class Compute>
+  auto lead(Options& options, const Compute& compute) {
+    if (!alone())
+      options.helpers = [this, threads = options.threads, stop = options.stop](const Survey& survey, SurveyWork& work) {
+        lead(survey, work, threads, stop);
+      };
+    try {
+      return compute();
+    } catch (...) {
+      dismiss();
+      throw;
+    }
+  }
+  /// Of the others: works until the first has nothing more. Returns the exit code.
+  int follow(const Survey& survey, int threads, const StopFlag* stop);
 
  private:
+  bool agree(bool good);  // what the first found, known to all
+  void lead(const Survey& survey, SurveyWork& work, int threads, const StopFlag* stop);
+  void dismiss();
+
   int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
   bool joined_ = false;
   std::unique_ptr<Post> post_;

@@ -3,6 +3,7 @@
 
     sweep_test.py PROGRAM STUDIES
 """
+import json
 import os
 import shutil
 import subprocess
@@ -142,22 +143,45 @@ with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
 class Job(Case):
     """Processes of one job share one part."""
 
-    def started(self, shard, folder):
-        command = f'exec "$0" sweep "$1" --over speed.final=2.6,2.8 --starts 60 --quiet --shard {shard} -o "$2/$OMPI_COMM_WORLD_RANK.nc"'
+    def started(self, words):
+        command = f'exec "$0" {words} --quiet -o "$1/$OMPI_COMM_WORLD_RANK.nc"'
         allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        return subprocess.run(["mpirun", "--oversubscribe", "-n", "2", "sh", "-c", command, PROGRAM, ROW, folder],
+        return subprocess.run(["mpirun", "--oversubscribe", "-n", "2", "sh", "-c", command, PROGRAM, self.folder],
                               capture_output=True, text=True, timeout=120, check=False, env={**os.environ, **allowed})
 
+    def of_shard(self, shard):
+        return self.started(f'sweep "{ROW}" --over speed.final=2.6,2.8 --starts 60 --shard {shard}')
+
     def test_of_different_parts_none_is_left_out_silently(self):
-        done = self.started("$((OMPI_COMM_WORLD_RANK + 1))/2", self.folder)
+        done = self.of_shard("$((OMPI_COMM_WORLD_RANK + 1))/2")
         self.assertNotEqual(done.returncode, 0)
         self.assertEqual(done.stderr.count("must be the same for all"), 1, done.stderr)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_of_the_same_part_the_first_writes_it(self):
-        done = self.started("1/2", self.folder)
+        done = self.of_shard("1/2")
         self.assertEqual(done.returncode, 0, done)
         self.assertEqual(os.listdir(self.folder), ["0.nc"])
+
+    def test_of_a_capacity_the_first_tells_what_one_process_finds(self):
+        words = f'capacity "{ROW}" --set speed.speed=5 --set balancer.drag=0.2 --between 0.08:0.14 --precision 0.1 --starts 200 --json'
+        done = self.started(words)
+        self.assertEqual((done.returncode, os.listdir(self.folder)), (0, ["0.nc"]), done)
+        alone = answer(*[word.strip('"') for word in words.split()[:-1]], "-o", self.path("alone.nc"))
+        self.assertEqual(json.loads(done.stdout)["cells"], alone["cells"])
+        self.assertEqual(content(self.path("0.nc")), content(self.path("alone.nc")))
+
+    def test_what_is_wrong_is_said_once(self):
+        done = self.started(f'capacity "{ROW}" --between 2:1')
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.count("must be LOW:HIGH"), 1, done.stderr)
+
+    def test_commands_that_share_no_work_refuse_to_do_it_twice(self):
+        for words in (f'basin "{ROW}" --starts 60', f'map "{ROW}" --size 8x8'):
+            done = self.started(words)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertEqual(done.stderr.count("each would do the whole work"), 1, done.stderr)
+            self.assertEqual((done.stdout, os.listdir(self.folder)), ("", []))
 
 
 class Inspect(Case):

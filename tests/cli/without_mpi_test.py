@@ -37,6 +37,9 @@ class WithoutMpi(unittest.TestCase):
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
             for words in (starter, "2 processes", "built without MPI", "libopenmpi-dev", "--shard"):
                 self.assertIn(words, done.stderr)
+            done = started(starter, 2, 0, "basin", ROW)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done)
+            self.assertNotIn("libopenmpi-dev", done.stderr)  # would not help
             # The first says it for all.
             done = started(starter, 2, 1, *SWEEP)
             self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", ""), done)

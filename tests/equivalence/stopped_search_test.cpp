@@ -15,13 +15,6 @@
 namespace equipoise {
 namespace {
 
-template <class T>
-std::vector<char> bytes_of(const T& value) {
-  BytesOut out;
-  out(value);
-  return out.take();
-}
-
 // Everything that a search finds, as far as the lanes and the catalogue show it.
 void expect_same(const AttractorSearch& a, const AttractorSearch& b) {
   EXPECT_EQ(a.warm_start_states, b.warm_start_states);

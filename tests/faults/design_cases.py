@@ -1,6 +1,6 @@
-"""Designs under kills, requests to stop and full disks: ensembles that were made stay made, and the file ends up as if
-nothing had happened."""
-from harness import Undisturbed, kept_through_kills_and_full_disks
+"""Designs under kills, requests to stop, full disks and dead processes of a job: ensembles that were made stay made, and the
+file ends up as if nothing had happened."""
+from harness import Undisturbed, kept_through_kills_and_full_disks, same_for_any_number_of_processes
 
 # Spin-ups to one speed: an ensemble costs its starts alone, so that many are made between two kills.
 DESIGN = """
@@ -27,4 +27,10 @@ def design_faults(bench):
     return kept_through_kills_and_full_disks(bench, undisturbed(bench), 2 if bench.quick else 30, moments=(0.65, 0.9))
 
 
-CASES = [design_faults]
+def design_processes(bench):
+    """Processes of one job share a search's candidates; one of them killed."""
+    design = undisturbed(bench)
+    return same_for_any_number_of_processes(bench, ((2, design, ()), (4, design, ())), 1 if bench.quick else 6)
+
+
+CASES = [design_faults, design_processes]

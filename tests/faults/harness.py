@@ -2,6 +2,7 @@
 import os
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -184,3 +185,47 @@ def adds_up(path):
     total = sum(int.from_bytes(variables["kind_count"][i:i + 4], "big")
                 for i in range(0, len(variables["kind_count"]), 4))
     expect(total == dimensions["start"], f"{path}: {dimensions['start']} starts, and counts for {total}")
+
+
+MPI = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def same_for_any_number_of_processes(bench, jobs, kills):
+    """Jobs of (processes, command, more options) leave the file of an undisturbed command; then a process of one of them
+    is killed, again and again, and another number of processes goes on."""
+    if not shutil.which("mpirun") or b"MPI: not built in" in bench.run("--version").out:
+        return "left out: needs MPI"
+    path = bench.path("job.nc")
+
+    def job(processes, what, *more):
+        command = ["mpirun", "--oversubscribe", "-n", str(processes), bench.program, *map(str, what.arguments), *more, "-o", path]
+        return bench.start_command(command, env=MPI)
+
+    def over(started):
+        """Waits for the processes themselves: mpirun (Open MPI 4.1 with PMIx 4.2) sometimes hangs when they are gone."""
+        wait_until(lambda: bench.children(started.pid), started)
+        wait_until(lambda: not bench.children(started.pid), started)
+        try:
+            started.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            started.kill()
+        return ended(started)
+
+    for processes, what, more in jobs:
+        done = over(job(processes, what, *more))
+        expect(content(path) == what.content, f"{done}: other bytes with {processes} processes {more}")
+        expect(not os.path.exists(path + ".part"), f"{done}: the unfinished part is still there")
+        os.remove(path)
+    first = jobs[0][1]
+    for _ in range(kills):
+        running = job(3, first)
+        time.sleep(bench.random.uniform(0.3, 1.0) * first.seconds)
+        victims = bench.children(running.pid)
+        if victims:
+            os.kill(bench.random.choice(victims), signal.SIGKILL)
+        over(running)
+        if os.path.exists(path + ".part") or os.path.exists(path):
+            expect(bench.run("inspect", path if os.path.exists(path) else path + ".part").code == 0, "damage")
+    done = over(job(2, first))
+    expect(content(path) == first.content, f"{done}: other bytes after {kills} dead processes")
+    return f"{kills} processes killed"

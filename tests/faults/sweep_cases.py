@@ -1,14 +1,11 @@
 """Sweeps under kills, a full disk, a second writer, damage, shards and dead processes of a job: cells that were done stay
 done, and the file ends up as if nothing had happened."""
 import os
-import shutil
 import signal
-import subprocess
 import time
 
-from harness import Undisturbed, content, ended, expect, limited, refused, wait_until
-
-MPI = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+from harness import (Undisturbed, content, ended, expect, limited, refused, same_for_any_number_of_processes,
+                     wait_until)
 
 
 def undisturbed(bench, starts=None, speeds=None):
@@ -98,44 +95,11 @@ def sweep_shards(bench):
 
 def sweep_processes(bench):
     """Processes of one job, one of them killed: what is done is kept, any number goes on from it."""
-    if not shutil.which("mpirun") or b"MPI: not built in" in bench.run("--version").out:
-        return "left out: needs MPI"
     sweep = undisturbed(bench)
     # Fewer blocks than processes: one cell each, whose starts are shared out.
     few = undisturbed(bench, starts=40000, speeds="speed.final=2.8")
-    path = bench.path("job.nc")
-
-    def job(processes, what=sweep, *more):
-        command = ["mpirun", "--oversubscribe", "-n", str(processes), bench.program, *map(str, what.arguments), *more, "-o", path]
-        return bench.start_command(command, env=MPI)
-
-    def over(started):
-        """Waits for the processes themselves: mpirun (Open MPI 4.1 with PMIx 4.2) sometimes hangs when they are gone."""
-        wait_until(lambda: bench.children(started.pid), started)
-        wait_until(lambda: not bench.children(started.pid), started)
-        try:
-            started.wait(timeout=5)
-        except subprocess.TimeoutExpired:
-            started.kill()
-        return ended(started)
-
-    for processes, what, more in ((2, sweep, ()), (4, sweep, ()), (2, few, ("--threads", "2")), (4, few, ())):
-        done = over(job(processes, what, *more))
-        expect(content(path) == what.content, f"{done}: other bytes with {processes} processes {more}")
-        os.remove(path)
-    kills = 1 if bench.quick else 6
-    for _ in range(kills):
-        running = job(3)
-        time.sleep(bench.random.uniform(0.3, 1.0) * sweep.seconds)
-        victims = bench.children(running.pid)
-        if victims:
-            os.kill(bench.random.choice(victims), signal.SIGKILL)
-        over(running)
-        if os.path.exists(path + ".part") or os.path.exists(path):
-            expect(bench.run("inspect", path if os.path.exists(path) else path + ".part").code == 0, "damage")
-    done = over(job(2))
-    expect(content(path) == sweep.content, f"{done}: other bytes after {kills} dead processes")
-    return f"{kills} processes killed"
+    return same_for_any_number_of_processes(bench, ((2, sweep, ()), (4, sweep, ()), (2, few, ("--threads", "2")), (4, few, ())),
+                                            1 if bench.quick else 6)
 
 
 CASES = [sweep_kills, sweep_disks_and_writers, sweep_shards, sweep_processes]

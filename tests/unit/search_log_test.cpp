@@ -21,13 +21,6 @@
 namespace equipoise {
 namespace {
 
-template <class T>
-std::vector<char> bytes_of(const T& value) {
-  BytesOut out;
-  out(value);
-  return out.take();
-}
-
 // As bytes read back and written again; empty if that is not whole.
 template <class T>
 std::vector<char> again(const std::vector<char>& bytes) {

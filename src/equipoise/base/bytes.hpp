@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,6 +33,8 @@ template <class T>
 inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
+template <>
+inline constexpr bool is_list<std::string> = true;
 template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
@@ -154,5 +157,12 @@ class BytesIn {
   std::size_t at_ = 0;
   bool good_ = true;
 };
+
+template <class... T>
+std::vector<char> bytes_of(const T&... values) {
+  BytesOut out;
+  out(values...);
+  return out.take();
+}
 
 }  // namespace equipoise

@@ -83,10 +83,6 @@ inline constexpr bool is_list<std::vector<T>> = true;
 template <class T, std::size_t n>
 inline constexpr bool is_list<std::array<T, n>> = true;
 template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
-template <class T>
 inline constexpr bool is_shared = false;
 template <class T>
 inline constexpr bool is_shared<std::shared_ptr<T>> = true;
@@ -112,7 +108,7 @@ class RecordOut {
 
   template <class T>
   static Json encode(const T& value) {
-    if constexpr (is_optional<T> || is_shared<T>) {
+    if constexpr (bytes_detail::is_optional<T> || is_shared<T>) {
       return value ? encode(*value) : Json(nullptr);
     } else if constexpr (is_list<T>) {
       Json list = Json::array();
@@ -150,7 +146,7 @@ class RecordIn {
       auto content = json.is_null() ? nullptr : std::make_shared<std::remove_const_t<typename T::element_type>>();
       if (content) decode(json, *content);
       value = std::move(content);
-    } else if constexpr (is_optional<T>) {
+    } else if constexpr (bytes_detail::is_optional<T>) {
       value.reset();
       if (!json.is_null()) decode(json, value.emplace());
     } else if constexpr (is_list<T>) {

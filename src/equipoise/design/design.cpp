@@ -58,8 +58,9 @@ class DesignRun {
     const double cpu_begin = cpu_seconds();
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
-    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get());
+    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers);
     find();
+    ensembles_->end();
     result_.trajectories = ensembles_->trajectories();
     result_.resumed = ensembles_->resumed();
     if (result_.chosen) {
@@ -259,6 +260,10 @@ class DesignRun {
 };
 
 }  // namespace
+
+Survey design_survey(const DesignProblem& problem, const DesignOptions& options) {
+  return candidate_survey(std::make_shared<CandidateRunner>(problem, options));
+}
 
 DesignResult design(const DesignProblem& problem, const DesignOptions& options) {
   const ChosenCpuTarget chosen(options.cpu_target);

@@ -6,13 +6,18 @@
 #include "equipoise/design/problem.hpp"
 #include "equipoise/results/design_result.hpp"
 #include "equipoise/running/run_options.hpp"
+#include "equipoise/sweeps/survey.hpp"
 
 namespace equipoise {
 
 /// Progress is in trajectories.
 struct DesignOptions : RunOptions {
   std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
+  SurveyHelpers helpers;
 };
+
+/// For other processes of a job: a block is a candidate.
+Survey design_survey(const DesignProblem& problem, const DesignOptions& options);
 
 /// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
 /// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The

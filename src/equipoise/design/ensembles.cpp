@@ -1,28 +1,21 @@
-// Candidates side by side, each an ensemble from the same starts.
+// Candidates side by side, on threads and helping processes.
 #include "equipoise/design/ensembles.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <optional>
+#include <chrono>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/running/parallel.hpp"
-#include "equipoise/start_runs/checks.hpp"
 
 namespace equipoise {
 
 namespace {
-
-// Discoveries that a thread keeps: spin-ups to one speed share one, other candidates come back to theirs soon or never.
-constexpr std::size_t most_attractor_searches = 16;
 
 std::string name_of_sample(const WantedSample& w) {
   return fmt::format("{} starts, seed {}: {}", w.starts, w.seed, text_of(w.settings));
@@ -30,103 +23,69 @@ std::string name_of_sample(const WantedSample& w) {
 
 }  // namespace
 
-DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file)
-    : problem_(problem),
-      options_(options),
+DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
+                                 const SurveyHelpers& helpers)
+    : options_(options),
       file_(file),
       threads_(thread_count(options.threads)),
-      met_(static_cast<std::size_t>(threads_)) {
-  begin_with_study();
+      survey_(candidate_survey(std::make_shared<CandidateRunner>(problem, options))) {
+  if (helpers)
+    helpers_ = std::async(std::launch::async, [this, helpers] {
+      try {
+        helpers(survey_, *this);
+      } catch (...) {
+        const std::lock_guard guard(taking_);
+        failure_ = std::current_exception();
+      }
+    });
 }
 
-// Its search is made anew by every run: what a file keeps are answers. Rotors that each start draws have searches of
-// their own.
-void DesignEnsembles::begin_with_study() {
-  const Study study = problem_.study_of({}, problem_.first_look(), problem_.study().sampling.seed);
-  if (!study.uncertain.empty()) return;
-  BasinOptions run;
-  run.threads = threads_;
-  run.stop = options_.stop;
-  run.transients = false;
-  Catalogue catalogue;
-  basin(study, run, &catalogue, &hints_);
-  for (const Attractor& a : catalogue.attractors())
-    if (const auto& state = a.motion.state; state.size() > 0)
-      seeds_.emplace_back(state.data(), state.data() + state.size());
+void DesignEnsembles::end() {
+  over_ = true;
+  if (helpers_.valid()) helpers_.get();
+  if (failure_) std::rethrow_exception(failure_);
 }
 
-bool DesignEnsembles::balances(const Study& study, Met& met) const {
-  const std::string subject = attractor_search_subject(study);
-  if (const auto at = met.balances.find(subject); at != met.balances.end()) return at->second;
-  const bool stable = analyse_balanced(study.system(), options_.stop).stable;
-  if (!stopped()) met.balances.emplace(subject, stable);
-  return stable;
+std::optional<std::size_t> DesignEnsembles::next_block() {
+  const std::lock_guard guard(taking_);
+  while (next_ < batch_.size() && answers_[next_]) ++next_;
+  if (next_ >= batch_.size() || stopped() || failure_) return std::nullopt;
+  return asked_ + next_++;
 }
 
-DesignSample DesignEnsembles::one(const WantedSample& wanted, int threads, Met& met, bool& complete) const {
-  complete = true;
-  std::optional<Study> study;
-  try {
-    study = problem_.study_of(wanted.settings, wanted.starts, wanted.seed);
-    check_runnable(*study, problem_.transients());
-  } catch (const InputError& e) {  // values that make a study each by itself, but not together
-    DesignSample none;
-    none.note = e.what();
-    return none;
-  }
-  if (!problem_.by_outcome() && study->uncertain.empty() && !balances(*study, met)) {
-    complete = !stopped();
-    return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
-  }
-  if (met.discoveries.made.size() > most_attractor_searches) met.discoveries.made.clear();
-  if (met.balances.size() > most_attractor_searches) met.balances.clear();
-  BasinOptions run;
-  run.threads = threads;
-  run.stop = options_.stop;
-  run.transients = problem_.transients();
-  run.keep_starts = true;
-  run.discoveries = &met.discoveries;
-  const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
-  for (const std::vector<double>& seed : seeds_)
-    if (seed.size() == dimension) run.warm_start_states.push_back(seed);
-  run.warm_start = !run.warm_start_states.empty();
-  if (run.warm_start) run.warm_start_levels = &hints_;
-  const BasinResult result = basin(*study, run);
-  complete = !result.partial;
-  return sample_of(problem_.figures(), result, *study, wanted.settings);
+CellRecord DesignEnsembles::known(std::size_t number) const {
+  const std::lock_guard guard(taking_);
+  const std::size_t k = number - asked_;
+  return k < batch_.size() ? record_of(batch_[k]) : CellRecord{};
 }
 
-void DesignEnsembles::work_off(const std::vector<WantedSample>& wanted, std::vector<std::size_t>& missing,
-                               std::vector<DesignSample>& samples) {
-  if (missing.empty()) return;
-  const int at_once = std::min(static_cast<int>(missing.size()), threads_);
-  std::mutex taking;
-  std::vector<Met*> free;
-  for (Met& met : met_) free.push_back(&met);
-  std::atomic<bool> lost{false};
-  std::vector<char> done(missing.size(), 0);
-  in_parallel(at_once, missing.size(), [&](std::size_t k) {
-    if (lost || stopped()) lost = true;
-    if (lost) return;
-    const WantedSample& w = wanted[missing[k]];
-    std::unique_lock lock(taking);
-    Met& met = *free.back();
-    free.pop_back();
-    lock.unlock();
-    bool complete = false;
-    DesignSample sample = one(w, threads_ / at_once, met, complete);
-    lock.lock();
-    free.push_back(&met);
-    if (!complete) lost = true;
-    if (!complete) return;
-    if (file_) file_->append(asked_ + missing[k], name_of_sample(w), sample);
-    samples[missing[k]] = std::move(sample);
-    done[k] = 1;
+void DesignEnsembles::deliver(std::size_t number, const CellRecord& made) {
+  auto kept = io::sample_from(made);
+  if (!kept) throw RunError("a message between processes holds no ensemble");
+  const std::lock_guard guard(taking_);
+  const std::size_t k = number - asked_;
+  if (k >= batch_.size() || answers_[k]) return;
+  if (file_) file_->append(number, name_of_sample(batch_[k]), kept->sample);
+  answers_[k] = std::move(kept->sample);
+  answered_.notify_all();
+}
+
+void DesignEnsembles::work_off(std::size_t missing) {
+  if (missing == 0) return;
+  const int at_once = std::min(static_cast<int>(missing), threads_);
+  const BlockWorkers workers{.threads = threads_ / at_once,
+                             .stop = options_.stop,
+                             .known = [this](std::size_t number) { return known(number); },
+                             .deliver = [this](std::size_t number, const CellRecord& made) { deliver(number, made); }};
+  in_parallel(at_once, static_cast<std::size_t>(at_once), [&](std::size_t) {
+    while (const auto number = next_block())
+      if (!survey_.run_block(*number, workers)) return;
   });
-  std::vector<std::size_t> left;
-  for (std::size_t k = 0; k < missing.size(); ++k)
-    if (!done[k]) left.push_back(missing[k]);
-  missing = std::move(left);
+  constexpr std::chrono::milliseconds until_a_look{10};
+  std::unique_lock lock(taking_);
+  while (!stopped() && !failure_ && std::find(answers_.begin(), answers_.end(), std::nullopt) != answers_.end())
+    answered_.wait_for(lock, until_a_look);
+  if (failure_) std::rethrow_exception(failure_);
 }
 
 const DesignSample* DesignEnsembles::known(const WantedSample& wanted) const {
@@ -135,25 +94,32 @@ const DesignSample* DesignEnsembles::known(const WantedSample& wanted) const {
 }
 
 std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& wanted) {
-  std::vector<DesignSample> samples(wanted.size());
-  std::vector<std::size_t> missing;
+  std::vector<std::optional<DesignSample>> there(wanted.size());
+  std::size_t missing = 0;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    const std::string name = name_of_sample(wanted[k]);
-    const std::uint64_t number = asked_ + k;
-    if (const auto at = known_.find(name); at != known_.end())
-      samples[k] = at->second;
-    else if (auto kept = file_ ? file_->sample(number, name) : std::nullopt)
-      samples[k] = std::move(*kept), ++resumed_;
+    if (const DesignSample* before = known(wanted[k]))
+      there[k] = *before;
+    else if (auto kept = file_ ? file_->sample(asked_ + k, name_of_sample(wanted[k])) : std::nullopt)
+      there[k] = std::move(*kept), ++resumed_;
     else
-      missing.push_back(k);
+      ++missing;
   }
-  work_off(wanted, missing, samples);
+  std::unique_lock lock(taking_);
+  batch_ = wanted;
+  answers_ = std::move(there);
+  next_ = 0;
+  lock.unlock();
+  work_off(missing);
+  lock.lock();
   asked_ += wanted.size();
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (std::find(missing.begin(), missing.end(), k) == missing.end() &&
-        known_.emplace(name_of_sample(wanted[k]), samples[k]).second)
-      trajectories_ += wanted[k].starts;
-  if (!missing.empty()) throw SearchOver();
+  batch_.clear();
+  std::vector<DesignSample> samples;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    if (!answers_[k]) continue;
+    if (known_.emplace(name_of_sample(wanted[k]), *answers_[k]).second) trajectories_ += wanted[k].starts;
+    samples.push_back(std::move(*answers_[k]));
+  }
+  if (samples.size() < wanted.size()) throw SearchOver();
   return samples;
 }
 

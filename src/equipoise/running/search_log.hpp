@@ -84,9 +84,7 @@ class NotePage {
     }
     Answer result = work();
     if (is_set(stop)) return result;  // it may have been cut short
-    BytesOut out;
-    out(asked, result);
-    keep(number, out.take());
+    keep(number, bytes_of(asked, result));
     return result;
   }
 

@@ -2,10 +2,10 @@
 #include "equipoise/sweeps/capacity.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <functional>
+#include <cstdlib>
+#include <exception>
 #include <limits>
 #include <map>
 #include <memory>
@@ -23,10 +23,12 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/running/cpu_time.hpp"
-#include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/sweeps/cell_desk.hpp"
+#include "equipoise/sweeps/survey_run.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/sweeps/sweep_cell.hpp"
 
 namespace equipoise {
 
@@ -37,26 +39,18 @@ constexpr int scan = 8;  // values of the range tried first
 // Values are set with few digits, so that they read back to what is told.
 double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
-Study study_at(const SweepPlan& plan, std::size_t cell, const CapacityOptions& options, double value) {
-  const std::string space = options.unit.empty() ? "" : " ";
-  return plan.study_of(cell, {fmt::format("{}={}{}{}", options.key, value, space, options.unit)});
+std::string setting(const CapacityOptions& options, double value) {
+  return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);
 }
 
-// What is left to do of one cell.
-struct CellWork {
-  std::size_t cell = 0;
-  const std::vector<CapacityTrial>& known;  ///< made by an earlier run
-  std::function<void(const CapacityTrial&)> keep;
-  std::function<bool()> stopped;
-  SearchLog* notes;  // of searches, or null
-};
-
-// One cell's trials, each search beginning with what the nearest earlier one found. Those of an earlier run are taken
-// when their turn comes, so that all others come out as if there had been one run.
+// One cell's trials, each search beginning with what the nearest earlier one found. Those that are known are taken when
+// their turn comes, so that all others come out as if there had been one run.
 class Boundary {
  public:
-  Boundary(const SweepPlan& plan, const CapacityOptions& options, int threads, CellWork work)
-      : plan_(plan), options_(options), threads_(threads), work_(std::move(work)) {}
+  /// `workers`: who makes trials that are not known; null: nobody, it stops there.
+  Boundary(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, std::vector<CapacityTrial> known,
+           const BlockWorkers* workers)
+      : plan_(plan), options_(options), cell_(cell), known_(std::move(known)), workers_(workers) {}
 
   // Of one stopped.
   OpenCapacity open() const {
@@ -98,34 +92,30 @@ class Boundary {
   const CapacityTrial* trial(double at) {
     const double value = few_digits(at);
     if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
-    for (const CapacityTrial& t : work_.known)
+    for (const CapacityTrial& t : known_)
       if (t.value == value) return &trials_.emplace(value, t).first->second;
     const auto made = stopped_ ? std::nullopt : run(value);
     stopped_ = !made;
     if (!made) return nullptr;
-    work_.keep(*made);
+    workers_->deliver(cell_, io::bytes_of(std::vector{*made}));
     return &trials_.emplace(value, *made).first->second;
   }
 
   std::optional<CapacityTrial> run(double value) const {
-    if (work_.stopped()) return std::nullopt;
-    const Study study = study_at(plan_, work_.cell, options_, value);
+    if (!workers_ || is_set(workers_->stop)) return std::nullopt;
+    CellAtWork at{cell_, {setting(options_, value)}};
+    const Study study = plan_.study_of(cell_, at.more);
     CapacityTrial made;
     made.value = value;
     // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
-    if (study.uncertain.empty() && !analyse_balanced(study.system(), options_.stop).stable) {
+    if (study.uncertain.empty() && !analyse_balanced(study.system(), workers_->stop).stable) {
       made.unstable = true;
-      return is_set(options_.stop) ? std::nullopt : std::optional(made);
+      return is_set(workers_->stop) ? std::nullopt : std::optional(made);
     }
-    BasinOptions run;
-    run.threads = threads_;
-    run.stop = options_.stop;
-    run.transients = false;
-    run.notes = work_.notes;
-    if (const auto* near = nearest(value)) run.warm_start_states = near->states;
-    run.warm_start = !run.warm_start_states.empty();
+    if (const auto* near = nearest(value)) at.start.warm_start_states = near->states;
+    at.start.warm_start = !at.start.warm_start_states.empty();
     Catalogue catalogue;
-    const BasinResult result = basin(study, run, &catalogue);
+    const BasinResult result = cell_ensemble(plan_, at, study, *workers_, nullptr, catalogue, nullptr);
     if (result.partial) return std::nullopt;
     made.balanced = result.attractors.front().share;
     made.undecided = result.undecided;
@@ -170,8 +160,9 @@ class Boundary {
 
   const SweepPlan& plan_;
   const CapacityOptions& options_;
-  int threads_;
-  CellWork work_;
+  const std::size_t cell_;
+  const std::vector<CapacityTrial> known_;
+  const BlockWorkers* const workers_;
   std::map<double, CapacityTrial> trials_;  // by value
   bool stopped_ = false;
 };
@@ -183,9 +174,10 @@ std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
                      o.unit.empty() ? "none" : o.unit, o.from, o.to, o.at_least, o.precision);
 }
 
-class CapacityRun {
+class CapacityRun final : public SurveyRun {
  public:
-  CapacityRun(const SweepPlan& plan, const CapacityOptions& options) : plan_(plan), options_(options) {
+  CapacityRun(const SweepPlan& plan, const CapacityOptions& options)
+      : SurveyRun(options), plan_(plan), options_(options), known_(plan.cells()) {
     result_.study = plan.study();
     result_.key = options.key;
     result_.unit = options.unit;
@@ -199,7 +191,7 @@ class CapacityRun {
     result_.open.resize(plan.cells());
     const double halvings = std::ceil(std::log2(1.0 / (scan * options.precision)));
     result_.most_trials = plan.cells() * (scan + 1 + 3 * static_cast<std::uint64_t>(std::max(halvings, 0.0)));
-    result_.threads = thread_count(options.threads);
+    result_.threads = threads_;
     result_.cpu_target = cpu_target();
   }
 
@@ -207,50 +199,57 @@ class CapacityRun {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_seconds();
     check();
-    known_.resize(plan_.cells());
     if (!options_.output.empty()) {
       file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
       for (const auto& trials : known_) result_.resumed_trials += trials.size();
     }
-    const std::size_t at_once = std::min<std::size_t>(plan_.cells(), static_cast<std::size_t>(result_.threads));
-    in_parallel(static_cast<int>(at_once), at_once,
-                [&](std::size_t) { work_along(result_.threads / static_cast<int>(at_once)); });
+    std::vector<std::size_t> missing;
+    for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
+      if (!find(cell)) missing.push_back(cell);
+    const std::exception_ptr failure =
+        work(capacity_survey(plan_, options_), missing, file_ ? &file_->notes() : nullptr, options_.helpers);
+    if (failure) std::rethrow_exception(failure);  // what is done is kept beside the output
+    for (const std::size_t cell : begun())
+      if (!result_.cells[cell]) {
+        Boundary boundary(plan_, options_, cell, known_[cell], nullptr);
+        boundary.find();
+        result_.open[cell] = boundary.open();
+      }
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
     if (file_) io::finish_capacity_file(*file_, result_);
     return std::move(result_);
   }
 
+  CellRecord known(std::size_t cell) const override {
+    const std::lock_guard guard(taking_);
+    return known_[cell].empty() ? CellRecord{} : io::bytes_of(known_[cell]);
+  }
+
+  void deliver(std::size_t cell, const CellRecord& made) override {
+    const auto trials = io::trials_from(made);
+    if (!trials) throw RunError("a message between processes holds no trials");
+    const std::lock_guard guard(taking_);
+    result_.trials += trials->size();
+    if (file_) file_->append(cell, made);
+    known_[cell].insert(known_[cell].end(), trials->begin(), trials->end());
+    find(cell);
+  }
+
  private:
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       for (const double value : {few_digits(options_.from), few_digits(options_.to)})
-        check_runnable(study_at(plan_, cell, options_, value), plan_.transients());
+        check_runnable(plan_.study_of(cell, {setting(options_, value)}), plan_.transients());
   }
 
-  void work_along(int threads) {
-    try {
-      for (std::size_t cell = next_++; cell < plan_.cells() && !failed_; cell = next_++) {
-        const auto keep = [this, cell](const CapacityTrial& trial) {
-          const std::lock_guard guard(taking_);
-          ++result_.trials;
-          if (file_) file_->append(cell, io::bytes_of(std::vector{trial}));
-        };
-        const auto stopped = [this] { return failed_ || is_set(options_.stop); };
-        Boundary boundary(plan_, options_, threads,
-                          {cell, known_[cell], keep, stopped, file_ ? &file_->notes() : nullptr});
-        auto found = boundary.find();
-        const std::lock_guard guard(taking_);
-        if (!found) result_.open[cell] = boundary.open();
-        if (!found) return;
-        result_.cells[cell] = std::move(found);
-        ++done_;
-        if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
-      }
-    } catch (...) {
-      failed_ = true;  // what is done is kept beside the output
-      throw;
-    }
+  // Whether its trials say where the boundary lies.
+  bool find(std::size_t cell) {
+    result_.cells[cell] = Boundary(plan_, options_, cell, known_[cell], nullptr).find();
+    if (!result_.cells[cell]) return false;
+    ++done_;
+    if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
+    return true;
   }
 
   const SweepPlan& plan_;
@@ -258,10 +257,8 @@ class CapacityRun {
   CapacityResult result_;
   std::unique_ptr<io::CellFile> file_;
   std::vector<std::vector<CapacityTrial>> known_;
-  std::atomic<std::size_t> next_{0};
-  std::atomic<bool> failed_{false};
   std::uint64_t done_ = 0;
-  std::mutex taking_;
+  mutable std::mutex taking_;
 };
 
 }  // namespace
@@ -317,6 +314,16 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
   const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
   if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
   return {ends.values[0], ends.values[1], ends.unit};
+}
+
+Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {
+  return {[&](std::size_t cell, const BlockWorkers& workers) {
+            std::vector<CapacityTrial> known;
+            if (const CellRecord kept = workers.known(cell); !kept.empty())
+              known = io::trials_from(kept).value_or(std::vector<CapacityTrial>{});
+            return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
+          },
+          sweep_survey(plan).helper_for};
 }
 
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "equipoise/results/capacity_result.hpp"
 #include "equipoise/running/run_options.hpp"
+#include "equipoise/sweeps/survey.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {
@@ -18,6 +19,7 @@ struct CapacityOptions : RunOptions {
   double at_least = 0.95;       ///< share of starts that end balanced, in (0, 1)
   double precision = 0.005;     ///< of the boundary and its ends, as a part of to - from
   std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
+  SurveyHelpers helpers;
 };
 
 /// What is to be as large as possible, as people name it; empty: rotor.unbalance where the study states it, else
@@ -34,6 +36,9 @@ struct CapacityRange {
 /// for, over all cells. `option` names it in errors. Throws InputError.
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option);
+
+/// For other processes of a job, which make trials: a block is a cell, a record a trial or more.
+Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
 /// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "equipoise/ensembles/chunks.hpp"
@@ -27,7 +28,8 @@ struct CellStart {
 /// What who decides starts of a cell elsewhere must know to give them the same bits.
 struct CellAtWork {
   std::size_t cell = 0;
-  CellStart start;
+  std::vector<std::string> more = {};  ///< set on top of the cell's study
+  CellStart start = {};
   SamplingMethod method = SamplingMethod::random;
   bool operator==(const CellAtWork&) const = default;
 };

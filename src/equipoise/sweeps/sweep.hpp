@@ -3,32 +3,14 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "equipoise/results/sweep_result.hpp"
 #include "equipoise/running/run_options.hpp"
+#include "equipoise/sweeps/survey.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {
-
-class CellDesk;
-
-/// Work to share: gives out blocks of cells and takes finished cells. Callable from any thread.
-class SweepWork {
- public:
-  virtual ~SweepWork() = default;
-  /// A block that nobody works on yet; none once all are given out or the work is to stop.
-  virtual std::optional<std::size_t> next_block() = 0;
-  /// A cell that is done already, or null.
-  virtual const SweepCell* known(std::size_t cell) const = 0;
-  /// Takes a cell in: it is in the file, if there is one, when this returns.
-  virtual void deliver(std::size_t cell, SweepCell result) = 0;
-  /// Nothing more is to come from this process' own threads.
-  virtual bool idle() const = 0;
-  /// Where the cells lie that they work on.
-  virtual CellDesk& desk() = 0;
-};
 
 /// Progress is in cells.
 struct SweepOptions : RunOptions {
@@ -37,8 +19,7 @@ struct SweepOptions : RunOptions {
   std::size_t shard = 0, shards = 1;
   /// Told of every cell that is done, with its place; never from two threads at once.
   std::function<void(std::size_t, const SweepCell&)> cell;
-  /// Runs beside the own threads until all is done: hands work to other processes.
-  std::function<void(SweepWork&)> helpers;
+  SurveyHelpers helpers;
 };
 
 /// Runs the ensembles. The result depends on the plan alone. Throws InputError for unusable output files, RunError if

@@ -9,6 +9,7 @@
 
 #include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
@@ -82,50 +83,63 @@ class Chain {
 
 }  // namespace
 
-bool run_block(const SweepPlan& plan, std::size_t block, const std::function<const SweepCell*(std::size_t)>& known,
-               const std::function<void(std::size_t, SweepCell)>& deliver, const BlockWorkers& workers) {
+BasinResult cell_ensemble(const SweepPlan& plan, const CellAtWork& at, const Study& study, const BlockWorkers& workers,
+                          AttractorSearchCache* discoveries, Catalogue& catalogue, WarmStartLevels* found) {
+  BasinOptions options = cell_options(plan, at.start);
+  options.threads = workers.threads;
+  if (workers.idle) options.search_threads = workers.threads + workers.idle();
+  options.stop = workers.stop;
+  options.discoveries = discoveries;
+  options.notes = workers.notes;
+  std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
+  const auto place_for = [&](SamplingMethod method) {
+    for (const auto& place : places)
+      if (place->at().method == method) return place.get();
+    CellAtWork here = at;
+    here.method = method;
+    return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, std::move(here))).get();
+  };
+  if (workers.desk) options.help = place_for;
+  // While the search goes on, which others then make too.
+  if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
+  return basin(study, options, &catalogue, found);
+}
+
+namespace {
+
+bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& workers) {
   Chain chain;
   AttractorSearchCache discoveries;
   std::optional<SweepCell> before;
   for (const std::size_t index : plan.cells_of(block)) {
     const Study study = plan.study_of(index);
     chain.step(study, before ? &*before : nullptr);
-    if (const SweepCell* done = known(index)) {
-      before = *done;
+    if (const CellRecord done = workers.known(index); !done.empty()) {
+      before = io::cell_from(done);
       continue;
     }
-    BasinOptions options = cell_options(plan, chain.start());
-    options.threads = workers.threads;
-    if (workers.idle) options.search_threads = workers.threads + workers.idle();
-    options.stop = workers.stop;
-    options.discoveries = &discoveries;
-    options.notes = workers.notes;
-    std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
-    const auto place_for = [&](SamplingMethod method) {
-      for (const auto& place : places)
-        if (place->at().method == method) return place.get();
-      const CellAtWork at{index, chain.start(), method};
-      return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, at)).get();
-    };
-    if (workers.desk) options.help = place_for;
-    // While the search goes on, which others then make too.
-    if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
     Catalogue catalogue;
-    WarmStartLevels warm_start_levels;
-    const BasinResult result = basin(study, options, &catalogue, &warm_start_levels);
+    WarmStartLevels found;
+    const BasinResult result =
+        cell_ensemble(plan, {index, {}, chain.start()}, study, workers, &discoveries, catalogue, &found);
     if (result.partial) return false;
     before = cell_of(result, catalogue);
-    before->warm_start_levels = std::move(warm_start_levels);
-    deliver(index, *before);
+    before->warm_start_levels = std::move(found);
+    workers.deliver(index, io::bytes_of(*before));
   }
   return true;
 }
 
-EnsembleHelper helper_for(const SweepPlan& plan, const CellAtWork& at, int threads, const StopFlag* stop) {
-  BasinOptions options = cell_options(plan, at.start);
-  options.threads = threads;
-  options.stop = stop;
-  return EnsembleHelper(plan.study_of(at.cell), options, at.method);
+}  // namespace
+
+Survey sweep_survey(const SweepPlan& plan) {
+  return {[&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); },
+          [&plan](const CellAtWork& at, int threads, const StopFlag* stop) {
+            BasinOptions options = cell_options(plan, at.start);
+            options.threads = threads;
+            options.stop = stop;
+            return EnsembleHelper(plan.study_of(at.cell, at.more), options, at.method);
+          }};
 }
 
 }  // namespace equipoise
