@@ -74,8 +74,8 @@ ROOMS = {
     "shown":
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
     "drawing": "types study",
-    "text": "model types mechanics statistics sampling units study results",
-    "reports": "model mechanics proof results text",
+    "text": "model types mechanics statistics sampling units study results drawing",
+    "reports": "model mechanics proof results drawing text",
     "plots": "units study results drawing text reports",
     "explain":
         "math model mechanics study periodic_orbits attractors results spin_up rotor_family attractor_search "

@@ -50,7 +50,7 @@ def commands(name, study, values, folder):
         yield "capacity-json", [
             "capacity", *given, "--of", limit, "--between", between, "--precision", "0.05", *starts, *runs, "--json"], []
     if name == "washer":
-        small = ["design", *given, "--set", "design.starts=20", "--set", "design.trajectories=600", *runs]
-        yield "design", [*small, "-o", file("design.nc"), "--csv", file("design.csv"), "--report", file("design.html"), "--best",
-                         file("best.toml")], ["design.nc", "design.csv", "design.html", "best.toml"]
+        small = ["design", *given, "--set", "design.starts=50", "--set", "design.trajectories=10000", *runs, "-o", file("design.nc")]
+        yield "design", [*small, "--csv", file("design.csv"), "--report", file("design.html"), "--best", file("best.toml")], [
+            "design.nc", "design.csv", "design.html", "best.toml"]
         yield "design-json", [*small, "--json"], []

@@ -1,6 +1,7 @@
 // A report as blocks, independent of the form it takes: HTML page or Markdown.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,6 +20,14 @@ struct DocumentCell {
   bool label = false;   ///< kept on one line where there is room
   std::string link{};   ///< where the text leads; may be empty
 };
+inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
+/// A row of plain cells, a letter each: text, number or label.
+inline std::vector<DocumentCell> row_of(const std::string& letters, const std::vector<std::string>& texts) {
+  std::vector<DocumentCell> row;
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    row.push_back({texts[k], Tone::plain, letters[k] == 'n', letters[k] == 'l'});
+  return row;
+}
 
 struct Heading {
   int level = 2;

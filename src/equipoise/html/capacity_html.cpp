@@ -1,21 +1,20 @@
 // Words and tables around the boundary.
 #include "equipoise/html/capacity_html.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/html/answer.hpp"
 #include "equipoise/html/cell_table.hpp"
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/capacity_charts.hpp"
 #include "equipoise/plots/quantities.hpp"
-#include "equipoise/reports/capacity_report.hpp"
+#include "equipoise/reports/result_tables.hpp"
 #include "equipoise/text/cell_text.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -45,46 +44,18 @@ class CapacityDocument {
 
   void picture() {
     add(Heading{2, r_.axes.empty() ? "How often it balances" : "What it balances", ""});
-    DrawingRow row;
-    const std::vector<Chart> charts = capacity_charts(r_);
-    row.wide = charts.size() == 1;
-    row.large = !row.wide;
-    for (const Chart& chart : charts)
-      row.drawings.push_back({chart.title, chart_svg(chart, capacity_title(r_)), "", ""});
-    row.caption = r_.axes.empty()
-                      ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
-                      : fmt::format(
-                            "The largest {} at which {:.4g} % of starts end balanced; strokes: up to their lower "
-                            "end that is sure, from their upper end on it surely fails.",
-                            key_words(r_.key), 100.0 * r_.at_least);
-    add(std::move(row));
+    const std::string caption =
+        r_.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
+                        : fmt::format(
+                              "The largest {} at which {:.4g} % of starts end balanced; strokes: up to their lower end "
+                              "that is sure, from their upper end on it surely fails.",
+                              key_words(r_.key), 100.0 * r_.at_least);
+    add(drawn(capacity_charts(r_), capacity_title(r_), caption, true));
   }
 
-  void table() { r_.axes.empty() ? table_of_trials() : table_of_cells(); }
-
-  void table_of_cells() {
-    DocumentTable table;
-    table.header = parameter_titles(r_.axes);
-    table.header.insert(table.header.end(),
-                        {column_title(key_words(r_.key), r_.unit), "surely between", "undecided at most", "trials"});
-    table.spare = {table.header.size() - 1};
-    table.caption =
-        "Surely between: up to the first value the share is as large with 95 % confidence, whatever undecided "
-        "starts would come to; at the second it is smaller.";
-    for (std::size_t k = 0; k < r_.cells.size(); ++k) {
-      if (!r_.cells[k]) continue;
-      const CapacityCell& cell = *r_.cells[k];
-      std::vector<DocumentCell> row = parameter_values(r_.axes, k);
-      const CapacityTrial& open = *std::max_element(
-          cell.trials.begin(), cell.trials.end(),
-          [](const CapacityTrial& a, const CapacityTrial& b) { return a.undecided.share < b.undecided.share; });
-      row.push_back(number_cell(capacity_value_text(r_, cell)));
-      row.push_back(number_cell(fmt::format("{:.4g} and {:.4g}", cell.low, cell.high)));
-      row.push_back(share_cell(open.undecided));
-      row.push_back(number_cell(fmt::format("{}", cell.trials.size())));
-      table.rows.push_back(std::move(row));
-    }
-    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
+  void table() {
+    if (r_.axes.empty()) return table_of_trials();
+    add_cell_table(document_, capacity_table(r_, key_words), "the CSV file holds all of them");
   }
 
   void table_of_trials() {

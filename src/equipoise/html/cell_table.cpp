@@ -6,26 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/quantities.hpp"
-#include "equipoise/text/cell_text.hpp"
 
 namespace equipoise {
-
-std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes) {
-  std::vector<std::string> titles;
-  visit_parameters(
-      axes, 0, [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(key_words(p.key), p.unit)); });
-  return titles;
-}
-
-std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
-  std::vector<DocumentCell> cells;
-  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
-    cells.push_back(number_cell(fmt::format("{:.6g}", p.values[k])));
-  });
-  return cells;
-}
 
 void add_cell_table(Document& document, DocumentTable table, const std::string& all) {
   constexpr std::size_t short_enough = 40, most = 5000;

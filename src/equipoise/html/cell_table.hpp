@@ -10,10 +10,6 @@
 
 namespace equipoise {
 
-/// Columns for the parameters of all axes: their titles, and a cell's values.
-std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes);
-std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
-
 /// Puts a table with a row a cell where it belongs: open where it is short, else folded, and cut where it is endless.
 /// `all`: where all cells are to be had.
 void add_cell_table(Document& document, DocumentTable table, const std::string& all);

@@ -12,6 +12,7 @@
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/map_drawing.hpp"
 #include "equipoise/plots/map_words.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {

@@ -11,6 +11,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"
@@ -117,7 +118,14 @@ class Derived {
 
 }  // namespace
 
-DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
+DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide) {
+  DrawingRow row;
+  row.wide = wide && charts.size() == 1;
+  row.large = !row.wide;
+  for (const Chart& chart : charts) row.drawings.push_back({chart.title, chart_svg(chart, title), "", ""});
+  row.caption = caption;
+  return row;
+}
 
 Document page_with(const Study& study, const std::string& answer) {
   Document document;

@@ -8,14 +8,12 @@
 
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/results/machine_page.hpp"
-#include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
-inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
-/// "60.40 %", without digits that its interval does not support.
-DocumentCell share_cell(const Share& share);
+/// Charts beside each other; a single one may be `wide`.
+DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide);
 
 /// A page with its title, "Ball balancer: angle-grinder", and, first of all, the answer.
 Document page_with(const Study& study, const std::string& answer);

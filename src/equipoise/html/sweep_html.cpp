@@ -14,6 +14,7 @@
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/plots/sweep_drawings.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -112,7 +113,7 @@ class SweepDocument {
 
   void table() {
     DocumentTable table;
-    table.header = parameter_titles(r_.axes);
+    table.header = parameter_titles(r_.axes, key_words);
     table.header.insert(table.header.end(), {"balanced", "95 % interval"});
     if (open_) {
       table.spare.push_back(table.header.size());

@@ -2,21 +2,19 @@
 #include "equipoise/reports/attractors_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/motion_words.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -54,25 +52,6 @@ const OutcomeShare& share_of(const AttractorsResult& r, int id) {
                        [&](const OutcomeShare& s) { return s.id == id; });
 }
 
-using Row = std::vector<std::string>;
-enum Alignment { left, right };
-
-// Columns as wide as their widest entry, two spaces apart.
-std::string aligned(const std::vector<Row>& rows, const std::vector<Alignment>& alignment) {
-  std::vector<std::size_t> width(alignment.size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k)
-      line += (k ? "  " : "") + (alignment[k] == right ? fmt::format("{:>{}}", row[k], width[k])
-                                                       : fmt::format("{:<{}}", row[k], width[k]));
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 // How rare an attractor may be and still be missed: only decided starts tell.
 std::string search_text(const AttractorsResult& r) {
   const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
@@ -87,12 +66,9 @@ std::string search_text(const AttractorsResult& r) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
 // What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
-Row motor_cells(const Motion& m, const TableUnits& units) {
+std::vector<std::string> motor_texts(const Motion& m, const TableUnits& units) {
+  if (!m.motor) return std::vector<std::string>(4, "-");
   const MotorLoad& load = *m.motor;
   const double waver = 0.5 * (load.speed_max - load.speed_min);
   return {fmt::format("{:.5f}", m.speed * units.speed + 0.0), fmt::format("{:.5f}", waver * units.speed),
@@ -136,18 +112,23 @@ std::string attractors_text(const AttractorsResult& r) {
   const int balls = r.basin.study.parameters.balls;
   std::string text = study_heading(r.basin.study);
   const TableUnits units(r.basin.study.scales);
-  std::vector<Row> rows{{"id", "attractor", "kind", "share", "copies", "period" + units.period, "r min" + units.r,
-                         "mean", "max", "drift of the balls" + units.drift, "stability"}};
-  std::vector<Alignment> alignment{right, left, left, right, right, right, right, right, right, left, left};
+  DocumentTable table;
+  table.header = {"id",
+                  "attractor",
+                  "kind",
+                  "share",
+                  "copies",
+                  "period" + units.period,
+                  "r min" + units.r,
+                  "mean",
+                  "max",
+                  "drift of the balls" + units.drift,
+                  "stability"};
   const bool driven = r.basin.study.speed.driven();
-  constexpr int motor_column = 9;  // behind r
-  const auto insert = [](Row& row, const Row& cells) {
-    row.insert(row.begin() + motor_column, cells.begin(), cells.end());
+  const auto put_motor = [&](std::vector<std::string>& row, const std::vector<std::string>& texts) {
+    if (driven) row.insert(row.end() - 2, texts.begin(), texts.end());
   };
-  if (driven) {
-    insert(rows.front(), {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
-    alignment.insert(alignment.begin() + motor_column, 4, right);
-  }
+  put_motor(table.header, {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
   for (const Attractor& a : r.attractors) {
     const Motion& m = a.motion;
     const Share& share = share_of(r, a.id).share;
@@ -155,15 +136,21 @@ std::string attractors_text(const AttractorsResult& r) {
     for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
     const bool measured = m.kind == MotionKind::measured;  // of which no state is known
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
-    rows.push_back({fmt::format("{}", a.id), title_of(a), name_of(m.kind),
-                    share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",
-                    a.continuum || measured ? "-" : fmt::format("{}", m.copies),
-                    m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
-                    r_text(m.r_min), r_text(m.r_mean), r_text(m.r_max), measured ? "-" : drift,
-                    stability_text(a, units)});
-    if (driven) insert(rows.back(), m.motor ? motor_cells(m, units) : Row(4, "-"));
+    std::vector<std::string> row{fmt::format("{}", a.id),
+                                 title_of(a),
+                                 name_of(m.kind),
+                                 share.total ? share_cell(share).text : "-",
+                                 a.continuum || measured ? "-" : fmt::format("{}", m.copies),
+                                 m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
+                                 r_text(m.r_min),
+                                 r_text(m.r_mean),
+                                 r_text(m.r_max),
+                                 measured ? "-" : drift,
+                                 stability_text(a, units)};
+    put_motor(row, motor_texts(m, units));
+    table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
   }
-  text += aligned(rows, alignment) + "\n";
+  text += table_text(table) + "\n";
   text += section_text(r.basin.study, units);
   for (const Attractor& a : r.attractors) text += events_text(a, balls);
   text += left_unbalance_text(r.basin.attractors, r.basin.study);

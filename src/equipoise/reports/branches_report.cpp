@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/results/motion_table.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/csv.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -100,17 +102,16 @@ std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ran
   return text.empty() ? "nowhere" : text;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
+// What is no number is written as null.
 Json point_json(const BranchPoint& point, int balls) {
   const Motion& m = point.motion;
   Json json = {{"value", point.value},
                {"kind", name_of(m.kind)},
                {"stable", m.stable},
-               {"period", m.kind == MotionKind::periodic ? Json(m.period) : Json(nullptr)},
+               {"period", m.kind == MotionKind::periodic ? m.period : no_figure},
                {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
-               {"multiplier", number(largest_multiplier(m))},
-               {"growth_rate", number(growth_rate(m))},
+               {"multiplier", largest_multiplier(m)},
+               {"growth_rate", growth_rate(m)},
                {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
                {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
   if (!m.motor) return json;
@@ -126,24 +127,20 @@ std::string branches_text(const ContinuationResult& r) {
   std::string text = study_heading(r.study);
   text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
                       r.values.front(), r.values.back(), r.values.size());
-  std::size_t width = 22;
-  for (const Branch& b : r.branches) width = std::max(width, existence_text(r, b).size());
-  const auto add_row = [&](const auto& id, const std::string& name, const std::string& exists,
-                           const std::string& attracts) {
-    text += fmt::format("{:>3}  {:<44}{:<{}}{}\n", id, name, exists, width + 2, attracts);
-  };
-  add_row("id", "attractor", "exists", "attracts");
-  for (const Branch& b : r.branches) add_row(b.id, title_of(b), existence_text(r, b), stable_text(b, ranges_of(b)));
-  constexpr const char* line = "{:>12}  {:<26}{:>3}  {:<44}{:<18}{}\n";
-  text += "\n" + fmt::format(line, "at", "between", "id", "attractor", "event", "type");
+  DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
+  for (const Branch& b : r.branches)
+    branches.rows.push_back(
+        row_of("nttt", {fmt::format("{}", b.id), title_of(b), existence_text(r, b), stable_text(b, ranges_of(b))}));
   std::vector<std::pair<const BranchEvent*, const Branch*>> events;
   for (const Branch& b : r.branches)
     for (const BranchEvent& e : b.events) events.emplace_back(&e, &b);
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
+  DocumentTable table{{"at", "between", "id", "attractor", "event", "type"}, {}, "", false, {}};
   for (const auto& [e, b] : events)
-    text +=
-        fmt::format(line, event_text(*e), bracket_text(*e), e->id, title_of(*b), name_of(e->change), name_of(e->cause));
+    table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id), title_of(*b),
+                                           name_of(e->change), name_of(e->cause)}));
+  text += table_text(branches) + "\n" + table_text(table);
   if (events.empty()) text += "  none\n";
   text += fmt::format(
       "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
@@ -197,22 +194,22 @@ std::string branches_csv(const ContinuationResult& r) {
     for (const BranchEvent& e : b.events)
       text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
                           e.low, e.high);
-  text += r.key + ",id,name,alias,kind,stable,period,r_min,r_mean,r_max,multiplier,growth_rate";
+  text += r.key + ",id,name,alias,kind,stable";
+  for (const MotionFigure& f : motion_figures) text += std::string(",") + f.name;
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
-  if (r.study.speed.driven()) text += ",speed,speed_min,speed_max,torque,power";
+  if (r.study.speed.driven())
+    for (const MotionFigure& f : motor_figures) text += std::string(",") + f.name;
   text += "\n";
   for (std::size_t k = 0; k < r.values.size(); ++k) {
     for (const Branch& b : r.branches) {
       const auto at = std::find_if(b.points.begin(), b.points.end(), [&](const BranchPoint& p) { return p.at == k; });
       if (at == b.points.end()) continue;
       const Motion& m = at->motion;
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", at->value, b.id, csv_text(b.name), b.alias,
-                          name_of(m.kind), m.stable ? 1 : 0, m.kind == MotionKind::periodic ? csv_number(m.period) : "",
-                          m.r_min, m.r_mean, m.r_max, csv_number(largest_multiplier(m)), csv_number(growth_rate(m)));
+      text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), b.alias, name_of(m.kind), m.stable);
+      for (const MotionFigure& f : motion_figures) text += "," + csv_number(f.value(m));
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
       if (m.motor)
-        text += fmt::format(",{},{},{},{},{}", m.speed, m.motor->speed_min, m.motor->speed_max, m.motor->torque,
-                            m.motor->power);
+        for (const MotionFigure& f : motor_figures) text += "," + csv_number(f.value(m));
       text += "\n";
     }
   }

@@ -2,6 +2,9 @@
 #include "equipoise/reports/capacity_report.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,10 +12,12 @@
 
 #include "equipoise/base/plain_number.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/reports/result_tables.hpp"
 #include "equipoise/text/cell_text.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/csv.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -32,47 +37,58 @@ std::string sought_text(const CapacityResult& r) {
   return in_unit(r, fmt::format("{} to {}", four_digits(r.from), four_digits(r.to)));
 }
 
-// Of a cell that was begun and not done.
-std::string open_row(const OpenCapacity& open, std::size_t width) {
-  const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
-  return fmt::format("{:>{}}  {:<24}{:>7}\n", "open", width, fmt::format("{} and {}", end(open.low), end(open.high)),
-                     open.trials);
-}
-
-}  // namespace
-
+// "213", "above 400", "below 20".
 std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cell) {
   if (cell.never) return "below " + four_digits(r.from);
   if (cell.always) return "above " + four_digits(r.to);
   return four_digits(*cell.value);
 }
 
+}  // namespace
+
+DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
+  DocumentTable table;
+  table.header = parameter_titles(r.axes, words);
+  table.header.insert(table.header.end(),
+                      {column_title(words(r.key), r.unit), "surely between", "undecided at most", "trials"});
+  table.spare = {table.header.size() - 1};
+  table.caption =
+      "Surely between: up to the first value the share is as large with 95 % confidence, whatever undecided starts "
+      "would come to; at the second it is smaller with 95 % confidence.";
+  const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    const auto add_row = [&](const std::string& value, const auto& of, const std::string& undecided,
+                             std::size_t trials) {
+      std::vector<DocumentCell> row = parameter_values(r.axes, index);
+      for (const std::string& text :
+           {value, fmt::format("{} and {}", end(of.low), end(of.high)), undecided, fmt::format("{}", trials)})
+        row.push_back(number_cell(text));
+      table.rows.push_back(std::move(row));
+    };
+    if (const auto& open = r.open[index]) add_row("open", *open, "-", open->trials);
+    if (!r.cells[index]) continue;
+    const std::vector<CapacityTrial>& trials = r.cells[index]->trials;
+    Share open;
+    for (const CapacityTrial& t : trials)
+      if (t.undecided.share >= open.share) open = t.undecided;
+    add_row(capacity_value_text(r, *r.cells[index]), *r.cells[index], share_cell(open).text, trials.size());
+  }
+  if (!r.complete())
+    table.caption += " Of an open one the capacity is not known between the two values; ?: no value tried says so.";
+  return table;
+}
+
 std::string capacity_text(const CapacityResult& r) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   std::string text = study_heading(r.study) + uncertain_text(r.study, set);
-  const std::string asked = column_title(r.key, r.unit);
-  const std::size_t width = std::max<std::size_t>(asked.size(), 12);
   text += fmt::format("The largest {} at which {:.4g} % of starts end balanced, looked for from {}.\n\n", r.key,
                       100.0 * r.at_least, sought_text(r));
-  text += column_titles(r.axes) + fmt::format("{:>{}}  {:<24}{:>7}\n", asked, width, "surely between", "trials");
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (r.open[index]) text += column_values(r.axes, index) + open_row(*r.open[index], width);
-    if (!r.cells[index]) continue;
-    const CapacityCell& cell = *r.cells[index];
-    text += column_values(r.axes, index);
-    text += fmt::format("{:>{}}  {:<24}{:>7}\n", capacity_value_text(r, cell), width,
-                        fmt::format("{} and {}", four_digits(cell.low), four_digits(cell.high)), cell.trials.size());
-  }
-  text += fmt::format(
-      "\nSurely between: up to the first value the share is as large with 95 % confidence, whatever undecided starts "
-      "would come to; at the second it is smaller with 95 % confidence. Located to {}; a share that falls short "
-      "between two of the values tried and recovers is not seen.\n",
-      in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete())
-    text +=
-        "PARTIAL: stopped before all cells were done. Of an open one the capacity is not known between the two "
-        "values; ?: no value tried says so.\n";
+  text += table_text(capacity_table(r, key_itself));
+  text +=
+      fmt::format("Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n",
+                  in_unit(r, four_digits(r.precision * (r.to - r.from))));
+  if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
   if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
   return text + fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
                             r.study.sampling.seed, computed_text(r), version_string);
@@ -95,7 +111,7 @@ std::string capacity_json(const CapacityResult& r) {
       trials.push_back(one);
     }
     json["cells"].push_back({{"at", at_json(r.axes, index)},
-                             {"value", cell.value ? Json(*cell.value) : Json(nullptr)},
+                             {"value", cell.value.value_or(NAN)},
                              {"low", cell.low},
                              {"high", cell.high},
                              {"always", cell.always},
@@ -103,12 +119,11 @@ std::string capacity_json(const CapacityResult& r) {
                              {"trials", trials}});
   }
   json["open"] = Json::array();
-  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
   for (std::size_t index = 0; index < r.open.size(); ++index)
     if (const auto& open = r.open[index])
       json["open"].push_back({{"at", at_json(r.axes, index)},
-                              {"low", or_null(open->low)},
-                              {"high", or_null(open->high)},
+                              {"low", open->low.value_or(NAN)},
+                              {"high", open->high.value_or(NAN)},
                               {"trials", open->trials}});
   json["confidence"] = 0.95;
   json["starts"] = r.starts;
@@ -126,8 +141,8 @@ std::string capacity_csv(const CapacityResult& r) {
     if (!r.cells[index]) continue;
     const CapacityCell& cell = *r.cells[index];
     text += csv_values(r.axes, index);
-    text += fmt::format("{},{},{},{},{},{}\n", cell.value ? fmt::format("{}", *cell.value) : "", cell.low, cell.high,
-                        cell.always ? 1 : 0, cell.never ? 1 : 0, cell.trials.size());
+    text += fmt::format("{},{},{},{:d},{:d},{}\n", csv_number(cell.value.value_or(NAN)), cell.low, cell.high,
+                        cell.always, cell.never, cell.trials.size());
   }
   return text;
 }

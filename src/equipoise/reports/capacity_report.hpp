@@ -7,9 +7,6 @@
 
 namespace equipoise {
 
-/// "213", "above 400", "below 20".
-std::string capacity_value_text(const CapacityResult& result, const CapacityCell& cell);
-
 /// A line a cell for the terminal.
 std::string capacity_text(const CapacityResult& result);
 

@@ -1,17 +1,20 @@
 // Fronts, choices and margins in words and numbers.
 #include "equipoise/reports/design_report.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/reports/result_tables.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/csv.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -20,14 +23,15 @@ namespace {
 
 using DesignOut = nlohmann::ordered_json;
 
-DesignOut number_out(double v) { return std::isfinite(v) ? DesignOut(v) : DesignOut(nullptr); }
-
-DesignOut estimate_out(const DesignEstimate& e) {
-  return {{"value", number_out(e.value)}, {"low", number_out(e.low)}, {"high", number_out(e.high)}};
-}
+// What is no number, or has no end, is written as null.
+DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
 
 bool keeps(const DesignLimit& limit, double value) {
   return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
+}
+
+bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {
+  return keeps(limit, e.low) && keeps(limit, e.high);
 }
 
 DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
@@ -38,7 +42,7 @@ DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
   if (!sample.figures.empty()) {
     for (const std::size_t k : r.objectives) {
       out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
-      if (c.held_out) out["objectives"][r.figures[k].name]["on_search_starts"] = number_out(c.search.figures[k].value);
+      if (c.held_out) out["objectives"][r.figures[k].name]["on_search_starts"] = c.search.figures[k].value;
     }
     for (const DesignLimit& limit : r.limits) {
       const DesignEstimate& e = sample.figures[limit.figure];
@@ -46,7 +50,7 @@ DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
       if (limit.below) one["below"] = *limit.below;
       if (limit.above) one["above"] = *limit.above;
       one["kept"] = keeps(limit, e.value);
-      one["surely"] = keeps(limit, e.low) && keeps(limit, e.high);
+      one["surely"] = surely_keeps(limit, e);
       out["constraints"][r.figures[limit.figure].name] = one;
     }
   }
@@ -74,68 +78,36 @@ DesignOut margin_out(const DesignResult& r, const DesignMargin& m) {
           {"points", points}};
 }
 
-std::string front_table(const DesignResult& r) {
-  std::string text = "  ";
-  for (const std::size_t k : r.objectives) text += fmt::format("{:<34}", r.figures[k].name);
-  text += "variables\n";
-  for (std::size_t m = 0; m < r.front.size(); ++m) {
-    const DesignSample& sample = r.front[m].best_known();
-    text += r.chosen == m ? "* " : "  ";
-    for (const std::size_t k : r.objectives)
-      text +=
-          fmt::format("{:<34}", sample.figures.empty() ? "-" : estimate_with_interval(r.figures[k], sample.figures[k]));
-    std::string values;
-    for (const DesignSetting& s : r.front[m].settings)
-      values += fmt::format("{}{} = {}", values.empty() ? "" : "; ", s.key, setting_text(s.value));
-    text += values + "\n";
-  }
+std::string estimate_or_dash(const DesignResult& r, const DesignSample* s, std::size_t k) {
+  return s && !s->figures.empty() ? estimate_with_interval(r.figures[k], s->figures[k]) : "-";
+}
+
+// "below 0.3 mm".
+std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
+  std::string text;
+  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
+  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
   return text;
 }
 
-// The chosen design beside the study as it is, on the same starts.
-std::string comparison_table(const DesignResult& r, const DesignCandidate& best) {
-  std::size_t width = 10;
-  for (const DesignFigure& f : r.figures) width = std::max(width, f.name.size());
-  std::string text = fmt::format("{:<{}}  {:<34}{:<34}\n", "", width, r.before ? "as it is" : "", "chosen");
-  const DesignSample& now = best.best_known();
-  const auto line = [&](const DesignFigure& f, const DesignEstimate* before, const DesignEstimate& after,
-                        const std::string& note) {
-    text += fmt::format("{:<{}}  {:<34}{:<34}{}\n", f.name, width, before ? estimate_with_interval(f, *before) : "",
-                        estimate_with_interval(f, after), note);
-  };
-  for (std::size_t k = 0; k < now.figures.size(); ++k) {
-    std::string note;
-    for (const DesignLimit& limit : r.limits)
-      if (limit.figure == k) note = "must be " + limit_text(r.figures[k], limit);
-    line(r.figures[k], r.before && !r.before->figures.empty() ? &r.before->figures[k] : nullptr, now.figures[k], note);
-  }
-  const DesignFigure undecided{"undecided", "", false, true};
-  line(undecided, r.before ? &r.before->undecided : nullptr, now.undecided, "");
-  text +=
-      fmt::format("{} starts{}, seed {}", now.starts, best.held_out ? " that the search did not see" : " of the search",
-                  best.held_out ? r.held_out_seed : r.search_seed);
-  const std::string optimism = optimism_text(r);
-  return text + (optimism.empty() ? "" : "; " + optimism) + ".\n";
+// What fails where a margin ends; what was tried, if nothing does.
+std::string fails_text(const DesignMargin& m) {
+  std::string text;
+  if (!m.fails_below.empty()) text = "below: " + m.fails_below;
+  if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
+  return text.empty() ? "nothing that was tried" : text;
 }
 
-std::string margin_table(const DesignResult& r) {
-  const auto unit_of = [](const DesignMargin& m) { return m.unit.empty() ? "" : " " + m.unit; };
-  const auto chosen_of = [&](const DesignMargin& m) { return fmt::format("{:.4g}{}", m.value, unit_of(m)); };
-  const auto range_of = [&](const DesignMargin& m) {
-    return has_order(m) ? fmt::format("{:.4g} .. {:.4g}{}", m.keeps_from, m.keeps_to, unit_of(m)) : "-";
-  };
-  std::size_t chosen = 12, range = 24;
-  for (const DesignMargin& m : r.margins) {
-    chosen = std::max(chosen, chosen_of(m).size());
-    range = std::max(range, range_of(m).size());
-  }
-  std::string text = fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", "varied alone", "chosen", chosen,
-                                 "may go from .. to", range, "near it", "beyond that fails");
-  for (const DesignMargin& m : r.margins) {
-    text += fmt::format("{:<24}{:>{}}  {:<{}}  {:<14}{}\n", m.key, chosen_of(m), chosen, range_of(m), range,
-                        estimate_text(r.figures[r.objectives.front()], m.effect), fails_text(m));
-  }
-  return text;
+// By how much the search thought the chosen design better than the held-out starts say; empty if no different.
+std::string optimism_text(const DesignResult& r) {
+  const DesignCandidate& best = r.front[*r.chosen];
+  const std::size_t k = r.objectives.front();
+  if (!best.held_out || best.search.figures.empty() || best.held_out->figures.empty()) return "";
+  const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
+  const double gain = r.figures[k].up ? search - held_out : held_out - search;
+  if (gain == 0.0 || !std::isfinite(gain)) return "";
+  return fmt::format("; on the {} starts of the search {} was {}, {}", best.search.starts, r.figures[k].name,
+                     estimate_text(r.figures[k], search), gain > 0.0 ? "which was optimistic" : "no better");
 }
 
 }  // namespace
@@ -161,13 +133,6 @@ std::string estimate_with_interval(const DesignFigure& figure, const DesignEstim
   return fmt::format("{} ({:.4g} to {})", estimate_text(figure, e.value), e.low, high);
 }
 
-std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
-  std::string text;
-  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
-  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
-  return text;
-}
-
 std::string setting_text(const StudyValue& value) {
   if (const auto* text = value.string()) return *text;
   if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
@@ -181,13 +146,6 @@ std::string setting_text(const StudyValue& value) {
   return text;
 }
 
-std::string fails_text(const DesignMargin& m) {
-  std::string text;
-  if (!m.fails_below.empty()) text = "below: " + m.fails_below;
-  if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
-  return text.empty() ? "nothing that was tried" : text;
-}
-
 std::string margin_name(const std::string& key) {
   const std::string_view times = "speed.times[", speeds = "speed.speeds[";
   const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
@@ -196,20 +154,65 @@ std::string margin_name(const std::string& key) {
   return key;
 }
 
-bool has_order(const DesignMargin& m) {
-  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+DocumentTable front_table(const DesignResult& r, KeyWords words) {
+  DocumentTable table;
+  for (const std::size_t k : r.objectives) table.header.push_back(r.figures[k].name);
+  for (const DesignVariable& v : r.variables) table.header.push_back(words(v.key));
+  for (std::size_t m = 0; m < r.front.size(); ++m) {
+    std::vector<DocumentCell> row;
+    for (const std::size_t k : r.objectives)
+      row.push_back(number_cell(estimate_or_dash(r, &r.front[m].best_known(), k)));
+    for (const DesignSetting& setting : r.front[m].settings) row.push_back(number_cell(setting_text(setting.value)));
+    for (DocumentCell& cell : row) cell.tone = r.chosen == m ? Tone::good : Tone::plain;
+    table.rows.push_back(std::move(row));
+  }
+  if (r.objectives.size() > 1)
+    table.caption =
+        "The chosen one is marked: the nearest to what would be best in every objective, each measured by the front's "
+        "own range.";
+  return table;
 }
 
-std::string optimism_text(const DesignResult& r) {
-  if (!r.chosen || !r.front[*r.chosen].held_out) return "";
+DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
-  const std::size_t k = r.objectives.front();
-  if (best.search.figures.empty() || best.held_out->figures.empty()) return "";
-  const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
-  const double gain = r.figures[k].up ? search - held_out : held_out - search;
-  if (gain == 0.0 || !std::isfinite(gain)) return "";
-  return fmt::format("on the {} starts of the search {} was {}, {}", best.search.starts, r.figures[k].name,
-                     estimate_text(r.figures[k], search), gain > 0.0 ? "which was optimistic" : "no better");
+  const DesignSample& now = best.best_known();
+  DocumentTable table{{"figure", "as it is", "chosen", "must be"}, {}, "", false, {}};
+  const DesignSample* before = r.before ? &*r.before : nullptr;
+  for (std::size_t k = 0; k < now.figures.size(); ++k) {
+    table.rows.push_back(
+        row_of("lnnt", {r.figures[k].name, estimate_or_dash(r, before, k), estimate_or_dash(r, &now, k), ""}));
+    for (const DesignLimit& limit : r.limits)
+      if (limit.figure == k) {
+        table.rows.back()[2].tone = surely_keeps(limit, now.figures[k]) ? Tone::good : Tone::bad;
+        table.rows.back()[3].text = limit_text(r.figures[k], limit);
+      }
+  }
+  const DesignFigure undecided{"undecided", "", false, true};
+  table.rows.push_back(
+      row_of("lnnt", {undecided.name, before ? estimate_with_interval(undecided, before->undecided) : "-",
+                      estimate_with_interval(undecided, now.undecided), ""}));
+  table.caption = fmt::format("With 95 % intervals, over {} starts{}, seed {}{}.", now.starts,
+                              best.held_out ? " that the search did not see" : " of the search",
+                              best.held_out ? r.held_out_seed : r.search_seed, optimism_text(r));
+  return table;
+}
+
+DocumentTable margin_table(const DesignResult& r, KeyWords words) {
+  const DesignFigure& first = r.figures[r.objectives.front()];
+  DocumentTable table{
+      {"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}, {}, "", false, {}};
+  for (const DesignMargin& m : r.margins) {
+    const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+    table.rows.push_back(
+        row_of("lnnnnt",
+               {words(margin_name(m.key)), fmt::format("{:.4g}{}{}", m.value, m.unit.empty() ? "" : " ", m.unit),
+                ordered ? fmt::format("{:.4g}", m.keeps_from) : "-", ordered ? fmt::format("{:.4g}", m.keeps_to) : "-",
+                estimate_text(first, m.effect), ordered ? fails_text(m) : "choices have no ends"}));
+  }
+  table.caption = fmt::format(
+      "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
+      r.limits.empty() ? "Until the first objective is surely worse." : "Until a requirement fails.", first.name);
+  return table;
 }
 
 std::string design_answer(const DesignResult& r) {
@@ -229,7 +232,7 @@ std::string design_answer(const DesignResult& r) {
   std::string missed;
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
-    if (keeps(limit, e.low) && keeps(limit, e.high)) continue;
+    if (surely_keeps(limit, e)) continue;
     missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ", r.figures[limit.figure].name,
                           limit_text(r.figures[limit.figure], limit),
                           keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
@@ -256,18 +259,12 @@ std::string design_text(const DesignResult& r) {
   text += fmt::format(
       "{}, * the chosen one:\n",
       r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
-  text += front_table(r) + "\n";
-  text += comparison_table(r, r.front[*r.chosen]);
+  text += table_text(front_table(r, key_itself)) + "\n" + table_text(figure_table(r));
   if (!r.limited_by.empty()) {
     text += "\nWhat limits it:\n";
     for (const std::string& words : r.limited_by) text += "  " + words + "\n";
   }
-  if (!r.margins.empty())
-    text +=
-        "\n" + margin_table(r) +
-        fmt::format(
-            "Near it: by how much {} changes at most within a tenth of the range; what matters most is told first.\n",
-            r.figures[r.objectives.front()].name);
+  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, key_itself));
   if (r.partial) text += stopped_design_text(r);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
   return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
@@ -297,8 +294,7 @@ std::string design_json(const DesignResult& r) {
   json["limited_by"] = r.limited_by;
   json["history"] = DesignOut::array();
   for (const DesignStep& s : r.history)
-    json["history"].push_back(
-        {{"trajectories", s.trajectories}, {"violation", number_out(s.violation)}, {"value", number_out(s.value)}});
+    json["history"].push_back({{"trajectories", s.trajectories}, {"violation", s.violation}, {"value", s.value}});
   json["partial"] = r.partial;
   json["confidence"] = 0.95;
   json["search_seed"] = r.search_seed;

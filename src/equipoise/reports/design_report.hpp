@@ -21,17 +21,9 @@ std::string design_answer(const DesignResult& result);
 /// "99.62 %", "0.31 mm", and with its interval "99.62 % (99.50 to 99.71 %)".
 std::string estimate_text(const DesignFigure& figure, double value);
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& estimate);
-/// "below 0.3 mm".
-std::string limit_text(const DesignFigure& figure, const DesignLimit& limit);
 /// "0.05", "12 g", "0 at 0, 2.8 at 60": a candidate's value.
 std::string setting_text(const StudyValue& value);
 /// "balancer.drag"; of a spin-up "speed of point 1", where it begins at point 0.
 std::string margin_name(const std::string& key);
-/// What fails where a margin ends; what was tried, if nothing does.
-std::string fails_text(const DesignMargin& margin);
-/// Whether what was varied has an order, and so ends that it may go to; choices have none.
-bool has_order(const DesignMargin& margin);
-/// By how much the search thought the chosen design better than the held-out starts say; empty if no different.
-std::string optimism_text(const DesignResult& result);
 
 }  // namespace equipoise

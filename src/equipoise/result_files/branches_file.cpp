@@ -1,7 +1,6 @@
 // Branches in NetCDF, written in one go.
 #include "equipoise/result_files/branches_file.hpp"
 
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,37 +10,11 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/netcdf.hpp"
+#include "equipoise/results/motion_table.hpp"
 
 namespace equipoise {
 
 namespace {
-
-// What is told of a motion by a number; none is written where it has none.
-struct BranchColumn {
-  const char* name;
-  const char* meaning;
-  double (*value)(const Motion&);
-};
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr BranchColumn of_all[]{
-    {"period", "period of a periodic motion, in 1/omega_c",
-     [](const Motion& m) { return m.kind == MotionKind::periodic ? m.period : no_number; }},
-    {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
-     [](const Motion& m) { return m.r_min; }},
-    {"r_mean", "mean distance of the rotor's centre from the axis, in race radii",
-     [](const Motion& m) { return m.r_mean; }},
-    {"r_max", "largest distance of the rotor's centre from the axis, in race radii",
-     [](const Motion& m) { return m.r_max; }},
-    {"multiplier", "largest modulus of a Floquet multiplier but the shift in time",
-     [](const Motion& m) { return largest_multiplier(m); }},
-    {"growth_rate", "growth rate of the slowest deviation, in omega_c; negative where it dies out",
-     [](const Motion& m) { return growth_rate(m); }}};
-constexpr BranchColumn of_driven[]{
-    {"speed", "mean speed of the rotor, in omega_c", [](const Motion& m) { return m.motor ? m.speed : no_number; }},
-    {"torque", "mean torque of the motor, in M R^2 omega_c^2",
-     [](const Motion& m) { return m.motor ? m.motor->torque : no_number; }},
-    {"power", "mean power of the motor, in M R^2 omega_c^3",
-     [](const Motion& m) { return m.motor ? m.motor->power : no_number; }}};
 
 class BranchesWriter {
  public:
@@ -103,8 +76,8 @@ class BranchesWriter {
     name_ = f.text_variable("name", attractor, names_, "name of the attractor");
     alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
     const auto add = [&](const auto& columns) {
-      for (const BranchColumn& column : columns)
-        columns_.emplace_back(filled(column.name, {value, attractor}, column.meaning), column.value);
+      for (const MotionFigure& c : columns)
+        columns_.emplace_back(filled(c.name, {value, attractor}, c.long_name), c.value);
     };
     const signed char none = -1;
     kind_ = f.variable("kind", NC_BYTE, {value, attractor}, "1", "kind of motion");
@@ -115,10 +88,10 @@ class BranchesWriter {
     f.fill(stable_, &none);
     f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
     f.attribute(stable_, "flag_meanings", "unstable stable");
-    add(of_all);
+    add(motion_figures);
     drift_ =
         filled("drift", {value, attractor, ball}, "mean rate of a ball in the rotating frame, radians times omega_c");
-    if (result_.study.speed.driven()) add(of_driven);
+    if (result_.study.speed.driven()) add(motor_figures);
   }
 
   void define_events() {
@@ -133,7 +106,7 @@ class BranchesWriter {
 
   int filled(const char* name, const std::vector<int>& dimensions, const char* meaning) {
     const int variable = file_.variable(name, NC_DOUBLE, dimensions, "1", meaning);
-    file_.fill(variable, &no_number);
+    file_.fill(variable, &no_figure);
     return variable;
   }
 

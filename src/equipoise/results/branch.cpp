@@ -2,55 +2,31 @@
 #include "equipoise/results/branch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace equipoise {
 
 const char* name_of(BranchChange change) {
-  switch (change) {
-    case BranchChange::birth:
-      return "birth";
-    case BranchChange::death:
-      return "death";
-    case BranchChange::first_seen:
-      return "first seen";
-    case BranchChange::last_seen:
-      return "last seen";
-    case BranchChange::stability_gained:
-      return "stability gained";
-    case BranchChange::stability_lost:
-      return "stability lost";
-    default:
-      return "kind";
-  }
+  constexpr std::array<const char*, 7> names{"birth",          "death", "first seen", "last seen", "stability gained",
+                                             "stability lost", "kind"};
+  return names[static_cast<std::size_t>(change)];
 }
 
 const char* name_of(BranchCause cause) {
-  switch (cause) {
-    case BranchCause::fold:
-      return "fold";
-    case BranchCause::pitchfork:
-      return "pitchfork";
-    case BranchCause::period_doubling:
-      return "period doubling";
-    case BranchCause::neimark_sacker:
-      return "Neimark-Sacker";
-    case BranchCause::hopf:
-      return "Hopf";
-    case BranchCause::torus_to_chaos:
-      return "torus to chaos";
-    case BranchCause::chaos_to_torus:
-      return "chaos to torus";
-    case BranchCause::to_periodic:
-      return "to periodic";
-    case BranchCause::from_periodic:
-      return "from periodic";
-    case BranchCause::attraction_ends:
-      return "no longer attracting";
-    default:
-      return "not followed further";
-  }
+  constexpr std::array<const char*, 11> names{"fold",
+                                              "pitchfork",
+                                              "period doubling",
+                                              "Neimark-Sacker",
+                                              "Hopf",
+                                              "torus to chaos",
+                                              "chaos to torus",
+                                              "to periodic",
+                                              "from periodic",
+                                              "no longer attracting",
+                                              "not followed further"};
+  return names[static_cast<std::size_t>(cause)];
 }
 
 std::vector<ValueRange> ranges_of(const Branch& branch) {

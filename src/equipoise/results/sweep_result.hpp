@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/motion_table.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/study/study.hpp"
@@ -42,22 +43,16 @@ struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all
 };
 
 /// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
-struct MotionColumn {
-  const char* name;
-  const char* long_name;
+struct MotionColumn : FigureName {
   std::optional<double> (*value)(const SweepOutcome&);
 };
 inline constexpr std::array<MotionColumn, 5> motion_columns{{
-    {"mean_time", "mean time to the decision, in 1/omega_c",
+    {{"mean_time", "mean time to the decision, in 1/omega_c"},
      [](const SweepOutcome& o) { return o.share.count > 0 ? std::optional(o.mean_time) : std::nullopt; }},
-    {"r_min", "smallest distance of the rotor's centre from the axis, in race radii",
-     [](const SweepOutcome& o) { return o.r_min; }},
-    {"r_mean", "mean distance of the rotor's centre from the axis, in race radii",
-     [](const SweepOutcome& o) { return o.r_mean; }},
-    {"r_max", "largest distance of the rotor's centre from the axis, in race radii",
-     [](const SweepOutcome& o) { return o.r_max; }},
-    {"period", "period of a periodic motion, in 1/omega_c",
-     [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
+    {motion_figures[1], [](const SweepOutcome& o) { return o.r_min; }},
+    {motion_figures[2], [](const SweepOutcome& o) { return o.r_mean; }},
+    {motion_figures[3], [](const SweepOutcome& o) { return o.r_max; }},
+    {motion_figures[0], [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
 }};
 
 struct SweepCell : OtherShares {

@@ -34,6 +34,21 @@ std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell) 
   return line;
 }
 
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words) {
+  std::vector<std::string> titles;
+  visit_parameters(axes, 0,
+                   [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(words(p.key), p.unit)); });
+  return titles;
+}
+
+std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::vector<DocumentCell> cells;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    cells.push_back(number_cell(fmt::format("{:.6g}", p.values[k])));
+  });
+  return cells;
+}
+
 std::string csv_title(const std::string& key, const std::string& unit) {
   return csv_text(unit.empty() ? key : fmt::format("{} ({})", key, unit));
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "equipoise/drawing/document.hpp"
 #include "equipoise/results/sweep_result.hpp"
 
 namespace equipoise {
@@ -17,6 +18,12 @@ std::size_t column_width(const SweepParameter& parameter);
 /// The columns of all parameters: their titles, and their values in a cell.
 std::string column_titles(const std::vector<SweepAxis>& axes);
 std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell);
+
+/// The same in a document's table. What a key is called there: itself, or words (plots/quantities.hpp).
+using KeyWords = std::string (*)(const std::string& key);
+inline std::string key_itself(const std::string& key) { return key; }
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words);
+std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 
 /// The same in CSV, each with a comma behind it.
 std::string csv_titles(const std::vector<SweepAxis>& axes);

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/percent_text.hpp"
+#include "equipoise/results/motion_table.hpp"
 
 namespace equipoise {
 
@@ -49,19 +49,10 @@ std::string stability_text(const Attractor& a, const TableUnits& units) {
   const Motion& m = a.motion;
   if (m.kind == MotionKind::measured) return "starts come to it, by windows of time";
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
-  if (m.depends_on_angle && m.spectrum.size() > 0) {
-    double largest = 0.0;
-    const Eigen::VectorXcd decays = m.kind == MotionKind::periodic ? m.orbit.decays() : m.spectrum;
-    for (const std::complex<double>& value : decays) largest = std::max(largest, std::abs(value));
-    return fmt::format("{}, largest multiplier {:.4f}", verdict, largest);
-  }
-  if (m.kind == MotionKind::equilibrium && m.spectrum.size() > 0) {
-    double slowest = -1e300;
-    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k) slowest = std::max(slowest, m.spectrum[k].real());
-    return fmt::format("{}, slowest rate {:.5f}{}", verdict, slowest / units.time, units.rate);
-  }
-  if (m.kind == MotionKind::periodic && m.spectrum.size() > 1)
-    return fmt::format("{}, largest multiplier {:.4f}", verdict, std::abs(m.spectrum[1]));
+  if (m.kind == MotionKind::equilibrium && !m.depends_on_angle && !m.exponents.empty())
+    return fmt::format("{}, slowest rate {:.5f}{}", verdict, m.exponents.front() / units.time, units.rate);
+  if (const double multiplier = largest_multiplier(m); std::isfinite(multiplier))
+    return fmt::format("{}, largest multiplier {:.4f}", verdict, multiplier);
   std::string text = fmt::format("{}, exponents", verdict);
   for (std::size_t k = 0; k < std::min<std::size_t>(3, m.exponents.size()); ++k)
     text += fmt::format(" {:.4f}", m.exponents[k] / units.time);
@@ -92,14 +83,10 @@ nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
                          {"stable", a.continuum->stable},
                          {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
                          {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
-  if (m.kind == MotionKind::periodic) {
-    json["period"] = m.period;
-    json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + balls);
-    if (m.depends_on_angle) json["strobes"] = m.sections;
-  } else {
-    json["period"] = nullptr;
-    json["winding"] = Json::array();
-  }
+  const bool periodic = m.kind == MotionKind::periodic;
+  json["period"] = motion_figures[0].value(m);  // null of what is not periodic
+  json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + (periodic ? balls : 0));
+  if (periodic && m.depends_on_angle) json["strobes"] = m.sections;
   const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
   json["drift"] = list(m.drift);
   json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
@@ -108,9 +95,9 @@ nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
     json["torque"] = m.motor->torque;
     json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
   }
-  const auto r = [&](double value) { return m.kind == MotionKind::measured ? Json(nullptr) : Json(value); };
-  json["radial"] = {{"min", r(m.r_min)}, {"mean", r(m.r_mean)}, {"max", r(m.r_max)}};
-  if (m.kind == MotionKind::equilibrium || m.kind == MotionKind::periodic) {
+  const auto r = [&](int k) { return motion_figures[k].value(m); };
+  json["radial"] = {{"min", r(1)}, {"mean", r(2)}, {"max", r(3)}};
+  if (m.kind == MotionKind::equilibrium || periodic) {
     Json spectrum = Json::array();
     for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
       spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});

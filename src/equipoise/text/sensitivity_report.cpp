@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/text/start_text.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -59,18 +60,17 @@ std::string sensitivity_text(const SensitivityResult& r) {
                        : fmt::format("What balance depends on: nothing; of {} starts {} balanced.\n", 2 * r.rows,
                                      r.balanced.count == 0 ? "none" : "all");
   } else {
-    std::size_t width = 28;
-    for (const InputSensitivity& input : r.inputs) width = std::max(width, input.key.size() + 2);
-    text = fmt::format("{:<{}}{:>11}  {:<20}{:>8}  {:<20}\n", "balance depends on", width, "first order",
-                       "95 % interval", "total", "95 % interval");
+    DocumentTable table;
+    table.header = {"balance depends on", "first order", "95 % interval", "total", "95 % interval"};
     for (const auto& [key, indices] : r.inputs)
-      text += fmt::format("{:<{}}{:>11.2f}  {:<20}{:>8.2f}  {:<20}\n",
-                          key == start_input ? "where the start begins" : key, width, indices.first.value,
-                          range_text(indices.first), indices.total.value, range_text(indices.total));
-    text +=
-        "\nFirst order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
+      table.rows.push_back(row_of(
+          "tntnt", {key == start_input ? "where the start begins" : key, fmt::format("{:.2f}", indices.first.value),
+                    range_text(indices.first), fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
+    table.caption =
+        "First order: the part of the variance of \"ends balanced\" that goes away on average if this alone is "
         "known;\n"
-        "total: the part that is left if all else is.\n";
+        "total: the part that is left if all else is.";
+    text = table_text(table);
   }
   text += fmt::format("{} starts in {} rows, {} of all pairs balanced ({})", r.evaluations, r.rows,
                       percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));

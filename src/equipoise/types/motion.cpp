@@ -1,21 +1,13 @@
 // Words for kinds of motion.
 #include "equipoise/types/motion.hpp"
 
+#include <cstddef>
+
 namespace equipoise {
 
 const char* name_of(MotionKind kind) {
-  switch (kind) {
-    case MotionKind::equilibrium:
-      return "equilibrium";
-    case MotionKind::periodic:
-      return "periodic";
-    case MotionKind::quasi_periodic:
-      return "quasi-periodic";
-    case MotionKind::chaotic:
-      return "chaotic";
-    default:
-      return "measured";
-  }
+  constexpr std::array<const char*, 5> names{"equilibrium", "periodic", "quasi-periodic", "chaotic", "measured"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace equipoise
