@@ -15,6 +15,9 @@ namespace equipoise {
 /// cannot take it.
 void write_basin_file(const std::string& path, const BasinResult& result);
 
+/// What that file keeps of every start.
+std::vector<io::StartColumn> start_columns(const BasinResult& result);
+
 /// The outcomes of an ensemble as its file lists them.
 std::vector<OutcomeShare> outcome_summary(const BasinResult& result);
 
