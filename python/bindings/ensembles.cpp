@@ -119,22 +119,15 @@ py::dict shown_units(const PyStudy& s) {
 
 // How the figures of transients are told; the limits that bound them, and without which they are not watched, by key.
 py::list figures_of_transients() {
-  constexpr std::array<std::pair<const char*, std::optional<double> Limits::*>, 4> keys{
-      {{"displacement", &Limits::displacement},
-       {"force", &Limits::force},
-       {"velocity", &Limits::velocity},
-       {"settled", &Limits::settled}}};
-  const auto key_of = [&](std::optional<double> Limits::*limit) {
-    for (const auto& [key, member] : keys)
-      if (member == limit) return key;
-    return "";
-  };
   py::list figures;
   for (const TransientFigure& f : transient_figures) {
     const auto bound = std::find_if(transient_limits.begin(), transient_limits.end(),
                                     [&](const TransientLimit& l) { return l.value == f.value; });
     figures.append(py::make_tuple(f.name, f.title, word_of(f.told_in()),
-                                  bound == transient_limits.end() ? "" : bound->name, key_of(f.needs)));
+                                  bound == transient_limits.end() ? "" : bound->name,
+                                  !f.needs                      ? ""
+                                  : f.needs == &Limits::settled ? "settled"
+                                                                : "displacement"));
   }
   return figures;
 }
