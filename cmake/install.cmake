@@ -31,8 +31,9 @@ foreach(header
     proof/certificate.hpp proof/member_certificate.hpp
     results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp
       results/branch.hpp results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp
-      results/comparison_result.hpp results/design_result.hpp results/explanation.hpp results/inspection.hpp
-      results/machine_page.hpp results/motion_table.hpp results/outcome_share.hpp results/sensitivity_result.hpp results/slice_figures.hpp
+      results/column.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp
+      results/inspection.hpp results/machine_page.hpp results/motion_table.hpp results/outcome_share.hpp
+      results/sensitivity_result.hpp results/slice_figures.hpp
       results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp results/transient_figures.hpp
       results/transient_result.hpp
     result_files/basin_file.hpp result_files/basin_outcomes.hpp result_files/branches_file.hpp

@@ -18,7 +18,6 @@ equipoise_test(hybrid_energy_test equivalence equivalence/hybrid_energy_test.cpp
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp unit/tangent_test.cpp)
 equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
 equipoise_test(system_test unit unit/system_test.cpp unit/gravity_well_test.cpp)
-target_compile_definitions(system_test PRIVATE EQUIPOISE_GUIDE="${PROJECT_SOURCE_DIR}/docs/guide/command-line.md")
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
 equipoise_test(cancelling_test unit unit/cancelling_test.cpp)
 equipoise_test(balanced_motion_test unit unit/balanced_motion_test.cpp)

@@ -9,6 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "equipoise/results/column.hpp"
 #include "equipoise/toml/study_value.hpp"
 
 namespace equipoise::python {
@@ -33,6 +34,14 @@ py::array_t<T> array_of(std::vector<T> values, std::vector<py::ssize_t> shape = 
   py::capsule keeper(owner.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
   owner.release();
   return py::array_t<T>(std::move(shape), data, keeper);
+}
+
+/// A column as xarray and NetCDF describe it.
+inline py::dict attributes_of(const Column& column) {
+  py::dict attributes;
+  attributes["units"] = column.unit();
+  attributes["long_name"] = column.long_name();
+  return attributes;
 }
 
 /// Arrays of one entry a time each, as columns: (times, columns).

@@ -84,31 +84,50 @@ py::object arrays_of(const Basin& kept) {
   arrays["left_unbalance"] = column(a.left_unbalance, starts);
   arrays["balls_met"] = column(a.balls_met, starts);
   py::dict transients;
-  for (std::size_t k = 0; k < transient_columns.size(); ++k)
-    if (!a.transients[k].empty()) transients[transient_columns[k].name] = array_of(std::vector<float>(a.transients[k]));
+  for (std::size_t k = 0; k < transient_figures.size(); ++k)
+    if (!a.transients[k].empty()) transients[transient_figures[k].name] = array_of(std::vector<float>(a.transients[k]));
   arrays["transients"] = transients;
   return arrays;
 }
 
+// What is kept of every start, by name: along what it stands beside "start", and its attributes.
+py::dict columns_of_starts(const Basin& kept) {
+  py::dict columns;
+  for (const io::StartColumn& c : start_columns(kept.result))
+    columns[c.name] = py::make_tuple(c.along, attributes_of(c));
+  return columns;
+}
+
+// The word of a dimension without its article: "length", "speed".
+std::string word_of(study::Dimension dimension) {
+  const std::string name = study::words(dimension).name;
+  const std::size_t begin = name.find(' ') + 1;
+  return name.substr(begin, name.find(' ', begin) - begin);
+}
+
+// In what results of a study are shown, by dimension: a unit, and what one dimensionless unit is in it.
+py::dict shown_units(const PyStudy& s) {
+  using study::Dimension;
+  py::dict units;
+  for (const Dimension d : {Dimension::length, Dimension::time, Dimension::speed, Dimension::velocity, Dimension::force,
+                            Dimension::energy}) {
+    const study::ShownUnit unit = study::shown_unit(d, s.study.scales);
+    units[py::str(word_of(d))] = py::make_tuple(unit.name, unit.size);
+  }
+  return units;
+}
+
 // How the figures of transients are told; the limits that bound them, and without which they are not watched, by key.
 py::list figures_of_transients() {
-  constexpr std::array<std::pair<const char*, std::optional<double> Limits::*>, 4> keys{
-      {{"displacement", &Limits::displacement},
-       {"force", &Limits::force},
-       {"velocity", &Limits::velocity},
-       {"settled", &Limits::settled}}};
-  const auto key_of = [&](std::optional<double> Limits::*limit) {
-    for (const auto& [key, member] : keys)
-      if (member == limit) return key;
-    return "";
-  };
   py::list figures;
   for (const TransientFigure& f : transient_figures) {
-    const std::string dimension = study::words(f.told_in()).name;  // with its article
     const auto bound = std::find_if(transient_limits.begin(), transient_limits.end(),
                                     [&](const TransientLimit& l) { return l.value == f.value; });
-    figures.append(py::make_tuple(f.name, f.title, dimension.substr(dimension.find(' ') + 1),
-                                  bound == transient_limits.end() ? "" : bound->name, key_of(f.needs)));
+    figures.append(py::make_tuple(f.name, f.title, word_of(f.told_in()),
+                                  bound == transient_limits.end() ? "" : bound->name,
+                                  !f.needs                      ? ""
+                                  : f.needs == &Limits::settled ? "settled"
+                                                                : "displacement"));
   }
   return figures;
 }
@@ -141,14 +160,14 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::
 void bind_ensembles(py::module_& module) {
   bind_kept<BasinResult>(module, "Basin", &basin_text, &basin_json)
       .def("arrays", &arrays_of)
+      .def("columns", &columns_of_starts)
       .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result); })
       .def_property_readonly("seconds", [](const Basin& b) { return b.result.seconds; })
-      .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.cpu_seconds; })
-      .def_property_readonly("threads", [](const Basin& b) { return b.result.threads; })
-      .def_property_readonly("resumed_from", [](const Basin& b) { return b.result.resumed_from; });
+      .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.cpu_seconds; });
   module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
              py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"), py::arg("sensitivity_rows"),
              py::arg("mapper").none(true), py::arg("settings"));
+  module.def("shown_units", &shown_units, py::arg("study"));
   module.def("figures_of_transients", &figures_of_transients);
   module.def("no_attractors", [] {
     py::dict names;

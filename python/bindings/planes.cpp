@@ -95,10 +95,6 @@ py::dict summary_of(const Map& kept) {
   summary["x_edges"] = py::make_tuple(map.x.low, map.x.high);
   summary["y_edges"] = py::make_tuple(map.y.low, map.y.high);
   summary["complete"] = map.complete;
-  summary["every"] = map.every;
-  summary["block"] = map.block;
-  summary["pixels"] = map.pixels;
-  summary["pixels_computed"] = map.pixels_computed;
   summary["seconds"] = map.seconds;
   return summary;
 }
@@ -150,6 +146,12 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
 }  // namespace
 
 void bind_planes(py::module_& module) {
+  module.attr("not_computed_code") = not_computed_code;
+  module.def("pixel_numbers", [] {
+    py::dict columns;
+    for (const PixelNumber& n : pixel_numbers) columns[n.name] = attributes_of(n);
+    return columns;
+  });
   bind_kept<BasinSlice>(module, "Map", &map_text, &map_json)
       .def("arrays", &arrays_of)
       .def("summary", &summary_of)

@@ -13,29 +13,12 @@ namespace equipoise::python {
 
 namespace {
 
-const char* status_name(const Trajectory& run) {
-  if (run.stopped) return "stopped";
-  if (run.status == IntegrationStatus::done) return "done";
-  return run.status == IntegrationStatus::diverged ? "diverged" : "failed";
-}
-
 py::dict to_dict(Trajectory run) {
   py::dict result;
   const std::size_t rows = run.t.size();
-  result["status"] = status_name(run);
-  result["phi"] = columns_of(run.phi, rows);
-  result["phi_dot"] = columns_of(run.phi_dot, rows);
-  for (const auto& [name, column] : {std::pair{"t", &run.t},
-                                     {"psi", &run.psi},
-                                     {"psi_dot", &run.psi_dot},
-                                     {"x", &run.x},
-                                     {"y", &run.y},
-                                     {"x_dot", &run.x_dot},
-                                     {"y_dot", &run.y_dot},
-                                     {"radial", &run.radial},
-                                     {"bearing_x", &run.bearing_x},
-                                     {"bearing_y", &run.bearing_y}})
-    result[name] = array_of(std::move(*column));
+  result["status"] = run.stopped ? "stopped" : name_of(run.status);
+  for (const TrajectoryColumn& c : trajectory_columns)
+    result[c.name] = c.by_ball ? columns_of(run.*c.by_ball, rows) : array_of(std::move(run.*c.values));
   return result;
 }
 
@@ -54,27 +37,18 @@ py::dict simulate_study(const PyStudy& s, const std::optional<std::vector<double
 
 // The columns that to_dict() made, as a trajectory again.
 Trajectory from_dict(const py::dict& columns) {
-  const auto column = [&](const char* name) { return columns[name].cast<std::vector<double>>(); };
-  const auto by_ball = [&](const char* name) {
-    const auto table = columns[name].cast<py::array_t<double>>();
-    std::vector<std::vector<double>> result(static_cast<std::size_t>(table.shape(1)));
-    for (py::ssize_t i = 0; i < table.shape(1); ++i)
-      for (py::ssize_t k = 0; k < table.shape(0); ++k) result[static_cast<std::size_t>(i)].push_back(table.at(k, i));
-    return result;
-  };
   Trajectory run;
-  run.t = column("t");
-  run.psi = column("psi");
-  run.psi_dot = column("psi_dot");
-  run.x = column("x");
-  run.y = column("y");
-  run.x_dot = column("x_dot");
-  run.y_dot = column("y_dot");
-  run.phi = by_ball("phi");
-  run.phi_dot = by_ball("phi_dot");
-  run.radial = column("radial");
-  run.bearing_x = column("bearing_x");
-  run.bearing_y = column("bearing_y");
+  for (const TrajectoryColumn& c : trajectory_columns) {
+    if (c.values) {
+      run.*c.values = columns[c.name].cast<std::vector<double>>();
+      continue;
+    }
+    const auto table = columns[c.name].cast<py::array_t<double>>();
+    for (py::ssize_t i = 0; i < table.shape(1); ++i) {
+      std::vector<double>& of_ball = (run.*c.by_ball).emplace_back();
+      for (py::ssize_t k = 0; k < table.shape(0); ++k) of_ball.push_back(table.at(k, i));
+    }
+  }
   return run;
 }
 
@@ -89,6 +63,11 @@ void save(const py::dict& columns, const PyStudy& s, const std::string& path) {
 }  // namespace
 
 void bind_trajectories(py::module_& module) {
+  module.def("trajectory_columns", [] {
+    py::dict columns;
+    for (const TrajectoryColumn& c : trajectory_columns) columns[c.name] = attributes_of(c);
+    return columns;
+  });
   module.def("simulate", &simulate_study, py::arg("study"), py::arg("times"), py::arg("until"), py::arg("every"),
              py::arg("settings"));
   module.def("save_trajectory", &save, py::arg("columns"), py::arg("study"), py::arg("path"));

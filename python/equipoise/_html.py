@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
@@ -30,5 +31,6 @@ def definition_table(rows: Iterable[tuple[str, Any]]) -> str:
 
 
 def percent(share: float, low: float, high: float) -> str:
-    """A share with its interval in percent."""
-    return f"{100 * share:.2f} % ({100 * low:.2f} to {100 * high:.2f})"
+    """'60.4 % (59.7 to 61.1)', with as many digits as its interval has."""
+    digits = min(max(math.ceil(-math.log10(50.0 * max(high - low, 1e-9))), 1), 4)
+    return f"{100 * share:.{digits}f} % ({100 * low:.{digits}f} to {100 * high:.{digits}f})"

@@ -100,6 +100,7 @@ class BasinResult(Result):
         self.arrays: dict[str, Any] = core.arrays() or {}
         if self.arrays.get("drawn") is not None:  # one value, too, is a column
             self.arrays["drawn"] = self.arrays["drawn"].reshape(-1, len(study.uncertain))
+        self._columns = core.columns()
         self.seconds, self.cpu_seconds = core.seconds, core.cpu_seconds
         if self.undecided > _most_undecided:
             warnings.warn(
@@ -213,29 +214,11 @@ class BasinResult(Result):
         """A dataset with dimension start: the variables of the NetCDF file, with units and long_name."""
         import xarray
 
-        meaning = {
-            "phi": (("start", "ball"), "rad", "initial ball angle"),
-            "phi_dot": (("start", "ball"), "omega_c", "initial rate of the ball angle"),
-            "psi": (("start",), "rad", "initial rotor angle"),
-            "rotor_state": (("start", "rotor_component"), "R, R omega_c", "initial x, y, x_dot, y_dot"),
-            "drawn": (("start", "uncertain_value"), "", "uncertain values that the start drew"),
-            "weight": (("start",), "1", "cells that the start stands for"),
-            "outcome": (("start",), "1", "attractor of the start; " + ", ".join(f"{c} {n}" for c, n in NO_ATTRACTOR.items())),
-            "decision_time": (("start",), "1/omega_c", "study time at which the outcome was known"),
-            "decided_by": (("start",), "1", "grounds of decision: " + ", ".join(self.decided_by_names)),
-            "mean_speed": (("start",), "omega_c", "mean rotor speed in the end"),
-            "left_unbalance": (("start",), "M R", "unbalance left where dry friction holds the balls"),
-            "balls_met": (("start",), "1", "1 where balls touched before the outcome was known, else 0"),
-        }
         data: dict[str, Any] = {}
-        for name, (dimensions, unit, long_name) in meaning.items():
-            values = self._array("outcome") if name == "outcome" else self.arrays.get(name)
-            if values is not None:
-                values = values.reshape(self.starts, -1) if len(dimensions) == 2 else values
-                data[name] = (dimensions, values, {"units": unit, "long_name": long_name})
-        titles = {name: title for name, title, *_ in _core.figures_of_transients()}
-        for name, values in (self.transients or {}).items():
-            data[name] = (("start",), values, {"units": "dimensionless", "long_name": titles[name]})
+        kept = {**self.arrays, **(self.transients or {})}
+        for name, (along, attributes) in self._columns.items():
+            values = kept[name].reshape(self.starts, -1) if along else kept[name]
+            data[name] = (("start", along) if along else ("start",), values, {**attributes})
         codes = sorted(self.names)
         data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
         coordinates: dict[str, Any] = {"ball": np.arange(1, self.study.balls + 1)}

@@ -136,12 +136,13 @@ class MapResult(Result):
         """A dataset over y and x."""
         import xarray
 
+        told = _core.pixel_numbers()
         codes = sorted(self.names)
         flags: dict[str, Any] = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
         data = {
             "outcome": (("y", "x"), self.outcome, {"units": "1", "long_name": "attractor", **flags}),
-            "decision_time": (("y", "x"), self.time, {"units": "1/omega_c", "long_name": "time of the decision"}),
-            "r_max": (("y", "x"), self.r_max, {"units": "R", "long_name": "largest displacement in the end"}),
+            "decision_time": (("y", "x"), self.time, told["decision_time"]),
+            "r_max": (("y", "x"), self.r_max, told["r_max"]),
         }
         x = ("x", self.x, {"long_name": self.x_key})
         y = ("y", self.y, {"long_name": self.y_key})

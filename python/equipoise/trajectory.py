@@ -22,20 +22,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-_UNITS = {
-    "t": ("1/omega_c", "time"),
-    "psi": ("rad", "rotor angle"),
-    "psi_dot": ("omega_c", "rotor speed"),
-    "x": ("R", "centre of the race in the rotating frame, x"),
-    "y": ("R", "centre of the race in the rotating frame, y"),
-    "x_dot": ("R omega_c", "rate of x"),
-    "y_dot": ("R omega_c", "rate of y"),
-    "radial": ("R", "radial displacement"),
-    "bearing_x": ("M R omega_c^2", "force on the supports, fixed axes, X"),
-    "bearing_y": ("M R omega_c^2", "force on the supports, fixed axes, Y"),
-    "phi": ("rad", "ball angle from the heavy side, rotating frame, unwrapped"),
-    "phi_dot": ("omega_c", "rate of the ball angle"),
-}
+_COLUMNS = _core.trajectory_columns()
 
 
 class Trajectory:
@@ -79,7 +66,7 @@ class Trajectory:
     def __init__(self, columns: dict[str, Any], study: Study) -> None:
         self.study = study
         self.status = columns["status"]
-        for name in _UNITS:
+        for name in _COLUMNS:
             setattr(self, name, columns[name])
 
     @property
@@ -124,31 +111,28 @@ class Trajectory:
         import xarray
 
         data = {
-            name: (("t",) if name not in ("phi", "phi_dot") else ("t", "ball"), getattr(self, name),
-                   {"units": unit, "long_name": meaning})
-            for name, (unit, meaning) in _UNITS.items()
-            if name != "t"
+            name: (("t", "ball")[: getattr(self, name).ndim], getattr(self, name), attributes)
+            for name, attributes in _COLUMNS.items()
         }
-        t = ("t", self.t, dict(zip(("units", "long_name"), _UNITS["t"])))
         ball = np.arange(1, self.phi.shape[1] + 1)
-        return xarray.Dataset(data, {"t": t, "ball": ball}, {"study": self.study.to_toml()})
+        return xarray.Dataset(data, {"ball": ball}, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """A table with one row a time, indexed by t: the columns of the program's CSV."""
         import pandas
 
         columns: dict[str, Array] = {}
-        for name in ("psi", "psi_dot", "x", "y", "x_dot", "y_dot", "phi", "phi_dot", "radial", "bearing_x", "bearing_y"):
+        for name in _COLUMNS:
             values = getattr(self, name)
             if values.ndim == 1:
                 columns[name] = values
             else:
                 columns.update({f"{name}_{i + 1}": values[:, i] for i in range(values.shape[1])})
-        return pandas.DataFrame(columns, index=pandas.Index(self.t, name="t"))
+        return pandas.DataFrame(columns).set_index("t")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""
-        _core.save_trajectory({name: getattr(self, name) for name in _UNITS}, self.study._core, os.fspath(path))
+        _core.save_trajectory({name: getattr(self, name) for name in _COLUMNS}, self.study._core, os.fspath(path))
 
 
 def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional[float]]:

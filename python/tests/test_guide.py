@@ -12,7 +12,6 @@ pytest.importorskip("matplotlib")
 pytest.importorskip("scipy")
 
 import equipoise as eq
-from equipoise import _core
 
 PAGE = (root / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
 
@@ -33,11 +32,6 @@ SMALLER = {
 
 def examples():
     return re.findall(r"^```python\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
-
-
-def test_the_guide_names_every_figure_of_transients():
-    page = (root / "docs" / "guide" / "command-line.md").read_text(encoding="utf-8")
-    assert [name for name, *_ in _core.figures_of_transients() if f"`{name}`" not in page] == []
 
 
 def test_what_is_made_smaller_stands_on_the_page():

@@ -65,7 +65,7 @@ TEST(DrawnStarts, OfOneRotorHaveThatRotorsFatesAndTransients) {
     for (std::size_t i = 0; i < plain.outcomes.size(); ++i)
       apart += std::fabs(a.transients[k][i] - b.transients[k][i]) >
                1e-3 * a.transients[k][i];  // between steps they are cubics
-    EXPECT_LE(apart, 1u) << transient_columns[k].name;
+    EXPECT_LE(apart, 1u) << transient_figures[k].name;
   }
 }
 

@@ -264,7 +264,7 @@ void expect_as_in_file(const StartArrays& arrays, const std::string& path, const
   if (study.parameters.balls_collide())
     expect_same(arrays.balls_met, column<signed char>(file, "balls_met", n, 1), "balls_met");
   if (!transients) return;
-  for (const TransientColumn& c : transient_columns)
+  for (const TransientFigure& c : transient_figures)
     expect_same(stored_form(*arrays.transient(c.name)), column<float>(file, c.name, n, 1), c.name);
 }
 

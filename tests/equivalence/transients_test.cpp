@@ -316,8 +316,8 @@ TEST(BasinTransients, TellsAttractorsApart) {
   }
   ASSERT_TRUE(balanced && other);
   const auto figure = [](const TransientGroup& g, const char* name) {
-    for (std::size_t k = 0; k < transient_columns.size(); ++k)
-      if (std::string(transient_columns[k].name) == name) return g.figures[k];
+    for (std::size_t k = 0; k < transient_figures.size(); ++k)
+      if (std::string(transient_figures[k].name) == name) return g.figures[k];
     return SampleSummary{};
   };
   // Balance is no vibration at all, and settling comes to every start.
@@ -338,7 +338,7 @@ TEST(BasinTransients, TellsAttractorsApart) {
 
 const SampleSummary& figure_of(const TransientGroup& group, const char* name) {
   std::size_t k = 0;
-  while (std::string(transient_columns[k].name) != name) ++k;
+  while (std::string(transient_figures[k].name) != name) ++k;
   return group.figures[k];
 }
 
@@ -365,7 +365,7 @@ TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
     ASSERT_EQ(groups.size(), first.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
       EXPECT_EQ(groups[g].lasting, first[g].lasting);
-      for (const TransientColumn& column : transient_columns) {
+      for (const TransientFigure& column : transient_figures) {
         if (column.value == &TransientRow::followed_until || column.value == &TransientRow::energy) continue;
         const SampleSummary &one = figure_of(first[g], column.name), &two = figure_of(groups[g], column.name);
         // The same trajectories: single precision, and the 2 % to which the largest r of a torus is known.

@@ -26,6 +26,21 @@ inline void expect_snapshot(const std::string& name, const std::string& text) {
   EXPECT_EQ(content(snapshot_path(name)), text) << "if tests/snapshots/" << name << " is to say this: ./dev snapshots";
 }
 
+/// Of docs/guide/NAME what stands between "<!-- MARK -->" and the next "<!-- end" is the mark's table.
+inline void expect_in_guide(const std::string& name, const std::map<std::string, std::string>& tables) {
+  const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/" + name;
+  std::string renewed = content(path);
+  for (const auto& [mark, table] : tables) {
+    const std::string begin = "<!-- " + mark + " -->\n";
+    const std::size_t at = renewed.find(begin);
+    ASSERT_NE(at, std::string::npos) << path << " lacks " << begin;
+    const std::size_t from = at + begin.size();
+    renewed.replace(from, renewed.find("<!-- end", from) - from, table);
+  }
+  if (std::getenv("EQUIPOISE_RENEW")) std::ofstream(path, std::ios::binary) << renewed;
+  EXPECT_EQ(content(path), renewed) << "./dev snapshots writes the tables anew";
+}
+
 /// A study that something is said of.
 struct StudyCase {
   std::string text;

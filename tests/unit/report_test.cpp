@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/ensembles/tally.hpp"
 #include "equipoise/reports/attractors_report.hpp"
@@ -29,6 +31,13 @@ namespace equipoise {
 namespace {
 
 const std::string machine = constant_machine + "[limits]\nvelocity = \"4.5 mm/s\"\n";
+
+TEST(TransientFigures, StandInTheGuide) {
+  std::string table = "| figure | JSON, NetCDF | |\n|---|---|---|\n";
+  for (const TransientFigure& f : transient_figures)
+    table += fmt::format("| {} | `{}` | {} |\n", f.title, f.name, f.long_name());
+  expect_in_guide("command-line.md", {{"figures of transients", table}});
+}
 
 Fate fate(Outcome outcome, int attractor = 0) {
   return {outcome, outcome == Outcome::attracted ? DecidedBy::validated : DecidedBy::nothing,

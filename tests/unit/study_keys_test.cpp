@@ -1,8 +1,5 @@
 // The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables say it.
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/keys.hpp"
+#include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -203,26 +201,13 @@ std::string guide_table(const KeyTable& table, bool physical) {
   return text;
 }
 
-// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; `./dev snapshots` writes them anew.
 TEST(StudyKeys, StandInTheGuide) {
-  const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/study-file.md";
-  std::ifstream file(path);
-  const std::string guide{std::istreambuf_iterator<char>(file), {}};
-  std::string renewed = guide;
+  std::map<std::string, std::string> tables;
   for (const KeyTable& table : study::key_tables())
-    for (const bool physical : {false, true}) {
-      if (table.keys.empty() || table.name == "speed.torque.target" || (physical && !study::is_machine(table.name)))
-        continue;
-      const std::string begin = fmt::format("<!-- keys of {}{} -->\n", table.name, physical ? ", physical" : "");
-      const std::size_t at = renewed.find(begin);
-      ASSERT_NE(at, std::string::npos) << path << " lacks " << begin;
-      const std::size_t from = at + begin.size(), to = renewed.find("<!-- end of keys -->", from);
-      renewed.replace(from, to - from, guide_table(table, physical));
-    }
-  if (std::getenv("EQUIPOISE_RENEW"))
-    std::ofstream(path) << renewed;
-  else
-    EXPECT_EQ(guide, renewed) << "./dev snapshots writes the tables anew";
+    for (const bool physical : {false, true})
+      if (!table.keys.empty() && table.name != "speed.torque.target" && (!physical || study::is_machine(table.name)))
+        tables["keys of " + table.name + (physical ? ", physical" : "")] = guide_table(table, physical);
+  expect_in_guide("study-file.md", tables);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include "calls.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensembles/basin.hpp"
+#include "equipoise/results/trajectory.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
-#include "equipoise/types/status.hpp"
 
 namespace equipoise::web {
 
@@ -48,10 +48,6 @@ std::vector<std::string> columns(int balls) {
     for (int i = 1; i <= balls; ++i) names.push_back(fmt::format("{}_{}", name, i));
   names.insert(names.end(), {"radial", "held"});
   return names;
-}
-
-const char* word(IntegrationStatus status) {
-  return status == IntegrationStatus::done ? "done" : status == IntegrationStatus::diverged ? "diverged" : "failed";
 }
 
 // A start that draws its rotor too is played with that rotor.
@@ -93,7 +89,7 @@ Json play_advance(const Json& args, Bulk& bulk) {
   const IntegrationStatus status = run.advance(args.at(1).get<double>());
   std::vector<double> row;
   add_row(run, row);
-  return {{"row", bulk.doubles(std::move(row))}, {"status", word(status)}};
+  return {{"row", bulk.doubles(std::move(row))}, {"status", name_of(status)}};
 }
 
 Json play_rows(const Json& args, Bulk& bulk) {
@@ -105,7 +101,7 @@ Json play_rows(const Json& args, Bulk& bulk) {
     if (status != IntegrationStatus::done) break;
     add_row(run, rows);
   }
-  return {{"row", bulk.doubles(std::move(rows))}, {"status", word(status)}};
+  return {{"row", bulk.doubles(std::move(rows))}, {"status", name_of(status)}};
 }
 
 Json play_close(const Json& args) {

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from .. import _core
+from .._html import percent
+from ..ensembles import NO_ATTRACTOR
 from . import parts
 
 if TYPE_CHECKING:
@@ -30,8 +32,8 @@ class Outcome:
 def _outcomes(result: BasinResult) -> list[Outcome]:
     """Attractors by identifier (two may have one name), then what came to none, undecided last."""
     listed = [Outcome(a.id, parts.outcome_title(a.name, a.alias), a.share, a.low, a.high) for a in result.attractors]
-    for code in (parts.STALLED, parts.DIVERGED, parts.FAILED, parts.UNDECIDED):
-        name = result.names[code]
+    for code in sorted(NO_ATTRACTOR, key=parts.outcome_order):
+        name = NO_ATTRACTOR[code]
         if name in result.shares:
             listed.append(Outcome(code, name, result.shares[name], *result.errors[name]))
     return listed
@@ -73,7 +75,7 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
         for colour, width in (("white", 3.2), (parts.INK, 1.4)):
             ax.errorbar(value, row, xerr=[[below], [above]], fmt="none", ecolor=colour, elinewidth=width, capsize=3.0)
         ax.annotate(
-            parts.percent_text(outcome.share, outcome.low, outcome.high), (1.02, row),
+            percent(outcome.share, outcome.low, outcome.high), (1.02, row),
             xycoords=("axes fraction", "data"), va="center", color=parts.INK,
         )
     ax.set_yticks(range(len(outcomes)), [outcome.title for outcome in outcomes])
@@ -114,8 +116,7 @@ def transients(
     result : BasinResult
         Of `equipoise.basin` with transients gathered: ``transients=True``, or a study with ``[limits]``.
     column : str
-        One of "peak_radial", "peak_radial_after_release", "peak_radial_at_end", "peak_force", "rms_force",
-        "rms_velocity", "residual_unbalance", "time_above", "settling_time", "energy", "followed_until".
+        A key of ``result.transients``: "peak_radial", "settling_time" and so on.
     bins : int
         Bars from the least to the largest figure.
     limit : float, optional

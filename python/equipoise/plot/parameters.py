@@ -80,7 +80,7 @@ def _layers(result: SweepResult) -> dict[int, _Layer]:
             layer = layers.setdefault(code, _Layer(title, missing.copy(), missing.copy(), missing.copy()))
             layer.share[place], layer.low[place], layer.high[place] = share["share"], share["low"], share["high"]
     seen = {c: layer for c, layer in layers.items() if c == parts.BALANCED or np.nansum(layer.share) > 0.0}
-    return dict(sorted(seen.items(), key=lambda item: (item[0] <= 0, item[0] == parts.UNDECIDED, abs(item[0]))))
+    return dict(sorted(seen.items(), key=lambda item: parts.outcome_order(item[0])))
 
 
 def _axis_unit(result: SweepResult, key: str) -> str:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 import numpy.typing as npt
 
+from .. import _core
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -16,9 +18,8 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[Any]
 
-UNDECIDED, DIVERGED, FAILED, STALLED, NOT_COMPUTED = 0, -1, -2, -3, -32768
 BALANCED = 1
-"""Codes of outcomes; attractors have their identifiers, from 1 on."""
+"""Identifier of the balanced attractor."""
 
 INK, QUIET, RULE = "#1B1F24", "#57606A", "#D0D7DE"
 LIMIT = "#B3361B"
@@ -47,11 +48,14 @@ def pyplot() -> Any:
     return plt
 
 
+def outcome_order(code: int) -> tuple[bool, int]:
+    """Sorts codes of outcomes: attractors by identifier, what came to none, undecided last."""
+    return code <= 0, code
+
+
 def colour_of(code: int) -> str:
     """'#rrggbb' of an outcome: the same in all pictures, those of the program included."""
-    from .. import _core
-
-    return "#FFFFFF" if code == NOT_COMPUTED else str(_core.colour_of(int(code)))
+    return "#FFFFFF" if code == _core.not_computed_code else str(_core.colour_of(int(code)))
 
 
 def need(function: str, given: object, wanted: str, attributes: Iterable[str]) -> None:
@@ -109,19 +113,17 @@ class Units:
     """Units in which a study is drawn: mm, N, mm/s, s, rpm and J of one that knows its machine, else multiples of R,
     1/omega_c and so on."""
 
+    length: Unit
+    time: Unit
+    speed: Unit
+    velocity: Unit
+    force: Unit
+    energy: Unit
+
     def __init__(self, study: Study) -> None:
-        scales = study.scales
-        if scales is None:
-            self.length, self.time = Unit("$R$"), Unit(r"$1/\omega_c$")
-            self.force, self.velocity = Unit(r"$M R\,\omega_c^2$"), Unit(r"$R\,\omega_c$")
-            self.speed = Unit(r"$\omega_c$")
-            self.energy = Unit(r"$M R^2\omega_c^2$")
-            return
-        mass, length, time = scales["mass"], scales["length"], scales["time"]
-        self.length, self.time = Unit("mm", 1e3 * length), Unit("s", time)
-        self.force, self.velocity = Unit("N", mass * length / time**2), Unit("mm/s", 1e3 * length / time)
-        self.speed = Unit("rpm", 30.0 / (np.pi * time))
-        self.energy = Unit("J", mass * (length / time) ** 2)
+        for dimension, (name, factor) in _core.shown_units(study._core).items():
+            symbols = name.replace(" omega", r"\,omega").replace("omega", r"\omega")
+            setattr(self, dimension, Unit(name if study.scales else f"${symbols}$", factor))
 
 
 def outcome_title(name: str, alias: str = "") -> str:
@@ -129,18 +131,8 @@ def outcome_title(name: str, alias: str = "") -> str:
     return f"{alias}: {name}" if alias else name
 
 
-def percent_text(share: float, low: float, high: float) -> str:
-    """'60.4 % (59.7 to 61.1)', with as many digits as its interval has."""
-    half_width = 0.5 * PERCENT * max(high - low, 1e-9)
-    digits = int(np.clip(np.ceil(-np.log10(half_width)), 1, 4))
-    value, below, above = (f"{PERCENT * number:.{digits}f}" for number in (share, low, high))
-    return f"{value} % ({below} to {above})"
-
-
 def axis_label(key: str, unit: str = "") -> str:
     """What an axis along a key of the study says; `unit` of a quantity, else it is a plain number."""
-    from .. import _core
-
     return f"{key} ({unit})" if unit else str(_core.axis_label(key))
 
 

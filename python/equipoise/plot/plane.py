@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from .. import _core
 from . import parts
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ def coloured(outcome: parts.Array, time: Optional[parts.Array] = None) -> parts.
 def _legend(result: MapResult, outcome: parts.Array) -> list[Any]:
     from matplotlib.patches import Patch
 
-    codes = sorted((int(c) for c in np.unique(outcome) if c != parts.NOT_COMPUTED), key=lambda c: (c <= 0, abs(c)))
+    codes = sorted((int(c) for c in np.unique(outcome) if c != _core.not_computed_code), key=parts.outcome_order)
     entries = []
     for code in codes:
         percent = parts.PERCENT * float(result.shares[result.names[code]])

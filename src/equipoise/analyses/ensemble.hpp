@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/running/run_options.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/fate.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -127,8 +127,7 @@ class SweepWriter {
       column(
           fmt::format("left_unbalance_{:.0f}", percent), "1",
           fmt::format(
-              "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in rotor "
-              "masses times race radii",
+              "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in M R",
               percent),
           codes_.size(),
           [this, q](const SweepCell& cell, double* values) {
@@ -143,11 +142,12 @@ class SweepWriter {
   void define_transients() {
     const int quantile = file_.dimension("quantile", reported_quantiles.size());
     quantile_ = file_.variable("quantile", NC_DOUBLE, {quantile}, "1", "probability of a quantile");
-    for (std::size_t k = 0; k < transient_columns.size(); ++k) {
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const auto of_quantiles = [&](const std::string& suffix, const std::string& words,
                                     double QuantileEstimate::*part) {
         column(
-            transient_columns[k].name + suffix, "1", words + transient_columns[k].long_name, reported_quantiles.size(),
+            transient_figures[k].name + suffix, "1", words + transient_figures[k].long_name(),
+            reported_quantiles.size(),
             [k, part](const SweepCell& cell, double* values) {
               const bool told = cell.transients && cell.transients->tells(k);
               for (std::size_t q = 0; told && q < reported_quantiles.size(); ++q)

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "equipoise/design/settings.hpp"
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 
@@ -25,7 +25,7 @@ constexpr double no_end = std::numeric_limits<double>::infinity();
 
 std::string column_names() {
   std::string names = "time_to_balance";
-  for (const TransientColumn& c : transient_columns) names += fmt::format(", {}", c.name);
+  for (const TransientFigure& c : transient_figures) names += fmt::format(", {}", c.name);
   return names;
 }
 
@@ -48,14 +48,14 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
   const std::size_t dot = name.find('.');
   const std::string column = name.substr(0, dot);
   FigureSource source;
-  const auto at = std::find_if(transient_columns.begin(), transient_columns.end(),
-                               [&](const TransientColumn& c) { return column == c.name; });
+  const auto at = std::find_if(transient_figures.begin(), transient_figures.end(),
+                               [&](const TransientFigure& c) { return column == c.name; });
   if (column == "time_to_balance") {
     source.kind = FigureKind::time_to_balance;
     source.dimension = Dimension::time;
-  } else if (at != transient_columns.end()) {
+  } else if (at != transient_figures.end()) {
     source.kind = FigureKind::transient;
-    source.column = static_cast<std::size_t>(at - transient_columns.begin());
+    source.column = static_cast<std::size_t>(at - transient_figures.begin());
     source.dimension = transient_figures[source.column].dimension;
   } else {
     return std::nullopt;
@@ -126,7 +126,7 @@ DesignEstimate scaled(DesignEstimate e, double unit) { return {e.value / unit, e
 // Of a start that was lost there is no figure, and no drive brings one into balance that does not come to it.
 DesignEstimate transient_quantile(const FigureSource& source, const StartArrays& starts) {
   std::vector<double> values;
-  const bool until_balance = transient_columns[source.column].value == &TransientRow::energy;
+  const bool until_balance = transient_figures[source.column].value == &TransientRow::energy;
   const std::vector<float>& column = starts.transients[source.column];
   for (std::size_t i = 0; i < column.size(); ++i) {
     const bool none = std::isnan(column[i]) || (until_balance && starts.outcome[i] != 1);

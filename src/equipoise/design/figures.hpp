@@ -13,13 +13,13 @@
 namespace equipoise {
 
 /// A name as people write it, taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and
-/// "COLUMN.Q" (the Q-quantile over starts of a column of transient_columns), "ball_mass", "spin_up_time" and
+/// "COLUMN.Q" (the Q-quantile over starts of a column of transient_figures), "ball_mass", "spin_up_time" and
 /// "acceleration" of the prescribed speed (less is better), or a number that is varied: "-balancer.mass" if less of it
 /// is better, "balancer.mass" if more is.
 struct FigureSource {
   enum class Kind { balanced, passed, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
   Kind kind = Kind::balanced;
-  std::size_t column = 0;  ///< of transient_columns
+  std::size_t column = 0;  ///< of transient_figures
   double quantile = 0.0;
   std::string key;  ///< of the variable
   /// What the study as it is says of it, in the variable's unit; not-a-number: nothing.

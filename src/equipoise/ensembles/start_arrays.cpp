@@ -39,8 +39,8 @@ void add_start(const Study& study, const Sampler& sampler, const InitialState& s
   if (balls_may_stick(study)) arrays.left_unbalance.push_back(fate.unbalance);
   if (study.parameters.balls_collide()) arrays.balls_met.push_back(fate.met);
   if (row)
-    for (std::size_t k = 0; k < transient_columns.size(); ++k)
-      arrays.transients[k].push_back(row->*transient_columns[k].value);
+    for (std::size_t k = 0; k < transient_figures.size(); ++k)
+      arrays.transients[k].push_back(row->*transient_figures[k].value);
 }
 
 InitialState start_of(const Study& study, std::uint64_t index) {

@@ -53,9 +53,14 @@ std::vector<Fate> fates_of(const StartArrays& a) {
 
 std::vector<TransientRow> rows_of(const StartArrays& a) {
   std::vector<TransientRow> rows(a.starts);
-  for (std::size_t k = 0; k < transient_columns.size(); ++k)
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*transient_columns[k].value = a.transients[k][i];
+  for (std::size_t k = 0; k < transient_figures.size(); ++k)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*transient_figures[k].value = a.transients[k][i];
   return rows;
+}
+
+// `own`: checksum of starts of the caller's own.
+BasinFileHeader header_of(const BasinResult& result, const std::string& own) {
+  return basin_file_header(result.study, true, result.transients.has_value(), own, result.cpu_target);
 }
 
 void check_whole(const BasinResult& result) {
@@ -66,6 +71,10 @@ void check_whole(const BasinResult& result) {
 }
 
 }  // namespace
+
+std::vector<io::StartColumn> start_columns(const BasinResult& result) {
+  return io::start_columns(header_of(result, result.own_starts ? "given" : ""));
+}
 
 std::vector<OutcomeShare> outcome_summary(const BasinResult& result) {
   std::vector<OutcomeShare> lines = result.attractors, others = result.others();
@@ -81,12 +90,11 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   check_whole(result);
   const std::string place = io::path_for_whole_results(path);
   const StartArrays& a = *result.every_start;
-  const bool transients = result.transients.has_value();
   const std::string own = result.own_starts ? checksum_of(result.study, initial_states(a)) : "";
-  const BasinFileHeader header = basin_file_header(result.study, true, transients, own, result.cpu_target);
+  const BasinFileHeader header = header_of(result, own);
   const std::vector<io::StartColumn> columns = io::start_columns(header);
   const std::vector<Fate> fates = fates_of(a);
-  const std::vector<TransientRow> rows = transients ? rows_of(a) : std::vector<TransientRow>{};
+  const std::vector<TransientRow> rows = result.transients ? rows_of(a) : std::vector<TransientRow>{};
   const std::vector<char> bytes = io::pack(columns, {.count = a.starts,
                                                      .phi = a.phi.data(),
                                                      .fates = fates.data(),

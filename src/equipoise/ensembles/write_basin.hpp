@@ -15,7 +15,10 @@ namespace equipoise {
 /// file then stays as it was.
 void write_basin_file(const std::string& path, const BasinResult& result);
 
-/// The outcomes as an ensemble's file lists them.
+/// What that file keeps of every start.
+std::vector<io::StartColumn> start_columns(const BasinResult& result);
+
+/// The outcomes of an ensemble as its file lists them.
 std::vector<OutcomeShare> outcome_summary(const BasinResult& result);
 
 }  // namespace equipoise

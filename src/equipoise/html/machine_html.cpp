@@ -155,8 +155,7 @@ class MachineDocument {
     DrawingRow row;
     row.large = true;
     for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back(
-          {capital(d.limited->figure().page_title) + ", all starts", distribution_svg(page_, d), "", ""});
+      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty()) {
       row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
       row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
@@ -201,11 +200,10 @@ class MachineDocument {
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const TransientFigure& f = transient_figures[k];
       const SampleSummary& s = all.figures[k];
-      const bool asked = f.needs ? (limits.*f.needs).has_value() : f.value != &TransientRow::energy || s.count > 0;
-      if (!f.page_title || !asked) continue;
-      const char* open = !f.needs ? "" : all.for_good(f) > 0 ? f.open[1] : f.open[2];
-      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, f.dimension) : open); };
-      table.rows.push_back({{f.page_title, Tone::plain, false, true},
+      if (!f.on_page || !basin_.transients->asks(f, limits)) continue;
+      const char* open = !f.needs ? "" : f.open[all.for_good(f) > 0 ? 0 : 1];
+      const auto figure = [&](double v) { return number_cell(std::isfinite(v) ? shown_.text(v, *f.dimension) : open); };
+      table.rows.push_back({{f.title, Tone::plain, false, true},
                             figure(s.quantiles[0].value),
                             figure(s.quantiles[1].value),
                             figure(s.largest)});
@@ -214,7 +212,7 @@ class MachineDocument {
       for (std::size_t l = 0; l < transient_limits.size(); ++l) {
         if (transient_limits[l].value != f.value) continue;
         if (const auto& stated = limits.*transient_limits[l].limit)
-          limit = number_cell(shown_.text(*stated, f.dimension));
+          limit = number_cell(shown_.text(*stated, *f.dimension));
         if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
       }
       table.rows.back().insert(table.rows.back().end(), {limit, exceeded});

@@ -64,9 +64,9 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
   for (const auto& outcome : d.outcomes)
     for (std::size_t k = 0; k < bins; ++k) height[k] += outcome.bins[k];
   const double highest = bins == 0 ? 1.0 : *std::max_element(height.begin(), height.end());
-  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", figure.page_title));
+  Svg svg(plot_width, plot_height, fmt::format("Distribution of the {}", figure.title));
   SvgAxes axes(svg, top_left, bottom_right, {d.low, d.high}, {0.0, 1.08 * highest},
-               shown.axis(figure.page_title, d.high, figure.dimension), {"starts, %", 100.0});
+               shown.axis(figure.title, d.high, *figure.dimension), {"starts, %", 100.0});
   std::fill(height.begin(), height.end(), 0.0);
   const double width = (d.high - d.low) / static_cast<double>(std::max<std::size_t>(bins, 1));
   for (const auto& outcome : d.outcomes)
@@ -77,7 +77,7 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
       height[k] += outcome.bins[k];
     }
   if (const auto& limit = study.limits.*d.limited->limit)
-    axes.limit_up(*limit, "limit " + shown.text(*limit, figure.dimension));
+    axes.limit_up(*limit, "limit " + shown.text(*limit, *figure.dimension));
   return svg.str();
 }
 

@@ -16,33 +16,21 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// What a dimensionless number is in; what is no number of these has none.
-const char* dimensionless_unit(Dimension d) {
-  switch (d) {
-    case Dimension::length:
-      return "R";
-    case Dimension::time:
-      return "/ω_c";  // closes up: "41.6/ω_c"
-    case Dimension::speed:
-      return "ω_c";
-    case Dimension::velocity:
-      return "R ω_c";
-    case Dimension::force:
-      return "M R ω_c²";
-    case Dimension::energy:
-      return "M R² ω_c²";
-    case Dimension::unbalance:
-      return "M R";
-    default:
-      return "";
-  }
+// "R omega_c^2" as pages write it.
+std::string in_symbols(std::string unit) {
+  for (const auto& [plain, symbol] : {std::pair{"omega_c", "ω_c"}, {"^2", "²"}})
+    for (std::size_t at; (at = unit.find(plain)) != std::string::npos;)
+      unit.replace(at, std::string_view(plain).size(), symbol);
+  return unit;
 }
 
 // Engineers write 0.8 mm and 0.5 s rather than 800 um and 500 ms, but 0.8 N.
 double unit_room(Dimension d) { return d == Dimension::length || d == Dimension::time ? 10.0 : 1.0; }
 
+// "41.6 N", but "41.6/ω_c".
 std::string with_unit(const std::string& number, const std::string& unit) {
-  return number + (unit.empty() || unit[0] == '/' ? "" : " ") + unit;
+  if (unit.starts_with("1/")) return number + unit.substr(1);
+  return number + (unit.empty() ? "" : " ") + unit;
 }
 
 }  // namespace
@@ -80,7 +68,7 @@ std::string value_words(const std::string& key, const std::string& value) {
 }
 
 PageQuantities::Unit PageQuantities::unit(double value, Dimension d) const {
-  if (!scales_) return {dimensionless_unit(d), 1.0};
+  if (!scales_) return {in_symbols(study::words(d).dimensionless), 1.0};
   const double si = study::scale_of(d, *scales_);
   const EngineeringUnit chosen = engineering_unit(value * si * unit_room(d), d);
   return {chosen.name, si / chosen.si};
@@ -99,8 +87,7 @@ std::string PageQuantities::range(double low, double high, Dimension d) const {
 
 AxisWords PageQuantities::axis(const std::string& name, double largest, Dimension d) const {
   const Unit u = unit(largest, d);
-  const std::string shown = u.name.starts_with('/') ? "1" + u.name : u.name;
-  return {shown.empty() ? name : fmt::format("{}, {}", name, shown), u.factor};
+  return {u.name.empty() ? name : fmt::format("{}, {}", name, u.name), u.factor};
 }
 
 }  // namespace equipoise

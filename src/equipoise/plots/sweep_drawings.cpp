@@ -159,7 +159,7 @@ std::optional<Chart> peak_chart(const SweepResult& r) {
   const TransientFigure& figure = transient_figures[figure_place(&TransientRow::peak_radial)];
   double largest = r.study.limits.displacement.value_or(0.0);
   for (const std::size_t cell : cells) largest = std::max(largest, peak_quantile(r, cell, 1).high);
-  const AxisWords words = PageQuantities(r.study).axis(figure.page_title, largest, figure.dimension);
+  const AxisWords words = PageQuantities(r.study).axis(figure.title, largest, *figure.dimension);
   Chart chart{"", sweep_axis_label(p), words.label, false, false, true, {}};
   const auto add = [&](std::size_t quantile, const char* name, const char* colour) {
     ChartSeries series{name, colour, ChartSeries::Style::line, {}, {}, {}, {}};

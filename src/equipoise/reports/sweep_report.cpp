@@ -148,10 +148,10 @@ Json outcome_json(const SweepOutcome& o) {
 
 Json transients_json(const TransientGroup& group) {
   Json transients = Json::object();
-  for (std::size_t k = 0; k < transient_columns.size(); ++k) {
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     if (!group.tells(k)) continue;
     const SampleSummary& s = group.figures[k];
-    Json& figure = transients[transient_columns[k].name];
+    Json& figure = transients[transient_figures[k].name];
     figure = {{"mean", s.mean}, {"largest", s.largest}};
     for (std::size_t q = 0; q < reported_quantiles.size(); ++q)
       figure["quantiles"].push_back({{"at", reported_quantiles[q]},

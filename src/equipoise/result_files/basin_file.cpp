@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <netcdf.h>
@@ -55,7 +56,7 @@ struct BasinFile::State {
   std::unique_ptr<SearchLog> notes;
 
   std::size_t state_size() const { return header.drawn.empty() ? header.variables.size() : 1; }
-  std::size_t column(const char* name) const;
+  std::size_t column(std::string_view name) const;
   void require_same(const std::string& there, const std::string& identity) const;
   void open_results();
   void read_results();
@@ -73,7 +74,7 @@ struct BasinFile::State {
   void read_share(std::size_t kind, Share& share) const;
 };
 
-std::size_t BasinFile::State::column(const char* name) const {
+std::size_t BasinFile::State::column(std::string_view name) const {
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
   if (found == columns.end()) throw RunError(fmt::format("{}: holds no {}", path, name));
   return static_cast<std::size_t>(found - columns.begin());
@@ -100,7 +101,7 @@ void BasinFile::State::read_results() {
   stored = finished = file->length("start");
   for (const io::StartColumn& c : columns) {
     std::vector<std::size_t> shape{finished};
-    if (!c.dimension.empty()) shape.push_back(c.width);
+    if (!c.along.empty()) shape.push_back(c.width);
     variables.push_back(file->variable(c.name, c.type, shape));
   }
   discoveries.assign(file->length("discovery"), std::vector<double>(state_size()));
@@ -160,7 +161,7 @@ void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t coun
   if (first < finished) {
     const std::size_t part = std::min<std::uint64_t>(count, finished - first);
     std::vector<std::size_t> begin{first}, length{part};
-    if (!columns[k].dimension.empty()) begin.push_back(0), length.push_back(columns[k].width);
+    if (!columns[k].along.empty()) begin.push_back(0), length.push_back(columns[k].width);
     file->read(variables[k], begin, length, to);
     to += part * each;
     first += part;
@@ -232,17 +233,15 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
 // not settle, the time above a limit of one that stays above it.
 std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
   std::vector<TransientRow> rows(count);
-  for (const TransientColumn& column : transient_columns) {
-    const auto values = state_->values<float>(column.name, first, count);
-    for (std::size_t i = 0; i < count; ++i) rows[i].*column.value = values[i];
-  }
-  for (TransientRow& row : rows) {
-    const bool lost = row.peak_radial == io::missing_figure;
-    for (const TransientColumn& column : transient_columns)
-      if (lost) row.*column.value = std::numeric_limits<float>::quiet_NaN();
-    for (float* endless : {&row.time_above, &row.settling_time})
-      if (*endless == io::missing_figure) *endless = std::numeric_limits<float>::infinity();
-    if (row.energy == io::missing_figure) row.energy = std::numeric_limits<float>::quiet_NaN();
+  std::vector<bool> lost;
+  for (const TransientFigure& f : transient_figures) {
+    const auto values = state_->values<float>(f.name, first, count);
+    if (lost.empty())
+      for (const float peak : values) lost.push_back(peak == io::missing_figure);
+    for (std::size_t i = 0; i < count; ++i)
+      rows[i].*f.value = values[i] != io::missing_figure ? values[i]
+                         : lost[i] || !f.needs           ? std::numeric_limits<float>::quiet_NaN()
+                                                         : std::numeric_limits<float>::infinity();
   }
   return rows;
 }

@@ -11,9 +11,9 @@
 #include "equipoise/model/scales.hpp"
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/results/outcome_share.hpp"
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/types/fate.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -84,10 +85,10 @@ class BasinWriter {
     }
     for (const StartColumn& c : c_.columns) {
       std::vector<int> along{start};
-      if (!c.dimension.empty()) along.push_back(c.dimension == "ball" ? ball : c.name == "drawn" ? value : rotor);
-      columns_.push_back(file_.variable(c.name, c.type, along, c.units, c.long_name));
-      if (c.name == "outcome") describe_outcomes(columns_.back());
-      if (c.name == "decided_by") describe_grounds(columns_.back());
+      if (!c.along.empty()) along.push_back(c.along == "ball" ? ball : c.along == "rotor_component" ? rotor : value);
+      columns_.push_back(file_.variable(c.name, c.type, along, c.cf_units(), c.long_name()));
+      if (std::string_view(c.name) == "outcome") describe_outcomes(columns_.back());
+      if (std::string_view(c.name) == "decided_by") describe_grounds(columns_.back());
       if (c.type == NC_FLOAT) file_.fill(columns_.back(), &missing_figure);
     }
     file_.leave_unfilled();  // a fill value turns filling on
@@ -132,10 +133,9 @@ class BasinWriter {
     if (!c_.header.sticks) return;
     const int quantile = file_.dimension("unbalance_quantile", unbalance_quantiles.size());
     quantile_ = file_.variable("unbalance_quantile", NC_DOUBLE, {quantile}, "1", "share of an outcome's starts");
-    left_ =
-        file_.variable("kind_left_unbalance", NC_DOUBLE, {kind, quantile}, "1",
-                       "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in "
-                       "rotor masses times race radii");
+    left_ = file_.variable(
+        "kind_left_unbalance", NC_DOUBLE, {kind, quantile}, "1",
+        "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in M R");
     if (c_.header.scales)
       grade_ = file_.variable("kind_left_balance_grade", NC_DOUBLE, {kind, quantile}, "mm s-1",
                               "balance quality grade of that (ISO 21940-11), at the speed that the rotor is there for");
@@ -219,7 +219,7 @@ class BasinWriter {
       const std::size_t count = std::min<std::uint64_t>(block, c_.starts - first);
       c_.read(k, first, count, values.data());
       std::vector<std::size_t> begin{first}, length{count};
-      if (!c.dimension.empty()) begin.push_back(0), length.push_back(c.width);
+      if (!c.along.empty()) begin.push_back(0), length.push_back(c.width);
       file_.write(columns_[k], begin, length, values.data());
     }
   }

@@ -123,7 +123,8 @@ void SliceWriter::define_pixels(int y, int x, const std::vector<OutcomeShare>& c
   for (std::size_t k = 0; k < numbers_.size(); ++k) {
     const PixelNumber& n = pixel_numbers[k];
     const bool one = header_.one_rotor && n.of_rotor;
-    numbers_[k] = file_.variable(n.name, NC_FLOAT, one ? std::vector<int>{} : std::vector<int>{y, x}, "1", n.meaning);
+    numbers_[k] =
+        file_.variable(n.name, NC_FLOAT, one ? std::vector<int>{} : std::vector<int>{y, x}, "1", n.long_name());
     file_.fill(numbers_[k], &none);
   }
 }

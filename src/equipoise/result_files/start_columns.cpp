@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <string>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <netcdf.h>
@@ -15,106 +16,97 @@ namespace equipoise::io {
 
 const float missing_figure = NC_FILL_FLOAT;
 
-std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
-  const std::size_t balls = static_cast<std::size_t>(header.balls);
-  std::vector<StartColumn> columns;
-  if (header.angles)
-    columns.push_back({"phi", NC_DOUBLE, 8, balls, "ball", "radian",
-                       "initial ball angle from the direction of the centre of mass, rotating frame"});
-  if (header.full_starts) {
-    columns.push_back({"rotor_state", NC_DOUBLE, 8, 4, "rotor_component", "1",
-                       "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame"});
-    columns.push_back({"phi_dot", NC_DOUBLE, 8, balls, "ball", "1",
-                       "initial rate of a ball in the rotating frame, radians times omega_c"});
-  }
-  if (!header.own_starts.empty())
-    columns.push_back({"psi", NC_DOUBLE, 8, 1, "", "radian", "initial angle of the rotor"});
-  if (!header.drawn.empty())
-    columns.push_back({"drawn", NC_DOUBLE, 8, header.drawn.size(), "uncertain_value", "1",
-                       "uncertain values that the start drew, each in uncertain_unit"});
-  if (header.method == SamplingMethod::grid)
-    columns.push_back({"weight", NC_DOUBLE, 8, 1, "", "1", "cells of the grid that the start's cell stands for"});
-  if (header.transients)
-    for (const TransientColumn& c : transient_columns)
-      columns.push_back({c.name, NC_FLOAT, 4, 1, "", "1", c.long_name});
-  std::string others;
-  for (const NoAttractor& n : no_attractors)
-    others += fmt::format("{}{} {}", others.empty() ? "" : ", ", n.code, n.name);
-  columns.push_back({"outcome", NC_SHORT, 2, 1, "", "1", "attractor that the start came to (kind_code), or " + others});
-  columns.push_back(
-      {"decision_time", NC_DOUBLE, 8, 1, "", "1", "study time at which the outcome was known, in 1/omega_c"});
-  if (header.driven)
-    columns.push_back(
-        {"mean_speed", NC_FLOAT, 4, 1, "", "1",
-         "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen, in "
-         "omega_c; missing where never measured"});
-  if (header.sticks)
-    columns.push_back({"left_unbalance", NC_FLOAT, 4, 1, "", "1",
-                       "unbalance that is left where dry friction holds the balls, in rotor masses times race radii; "
-                       "missing where it holds none"});
-  if (header.touches)
-    columns.push_back(
-        {"balls_met", NC_BYTE, 1, 1, "", "1", "1 where balls touched before the outcome was known, else 0"});
-  columns.push_back({"decided_by", NC_BYTE, 1, 1, "", "1", "grounds on which the outcome was decided"});
-  return columns;
-}
-
 namespace {
 
-template <class T, class Value>
-void put(std::vector<char>& bytes, std::size_t count, const Value& value_of) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const T value = value_of(i);
-    const char* from = reinterpret_cast<const char*>(&value);
-    bytes.insert(bytes.end(), from, from + sizeof value);
-  }
+using study::Dimension;
+
+template <class T>
+constexpr int netcdf_type = std::is_same_v<T, double>  ? NC_DOUBLE
+                            : std::is_same_v<T, float> ? NC_FLOAT
+                            : std::is_same_v<T, short> ? NC_SHORT
+                                                       : NC_BYTE;
+
+// `of`: the value of one of the array's entries.
+template <class Entry, class Of>
+StartColumn of_each(const Column& told, const Entry* StartBatch::*entries, const Of& of) {
+  using T = std::invoke_result_t<Of, const Entry&>;
+  const auto put = [=](std::vector<char>& bytes, const StartBatch& batch) {
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      T value = of((batch.*entries)[i]);
+      if constexpr (std::is_same_v<T, float>)
+        if (!std::isfinite(value)) value = missing_figure;
+      const char* from = reinterpret_cast<const char*>(&value);
+      bytes.insert(bytes.end(), from, from + sizeof value);
+    }
+  };
+  return {told, netcdf_type<T>, sizeof(T), put};
 }
 
-void put_given(std::vector<char>& bytes, std::size_t count, const double* values) {
-  const char* from = reinterpret_cast<const char*>(values);
-  bytes.insert(bytes.end(), from, from + count * sizeof(double));
+StartColumn as_given(const Column& told, const double* StartBatch::*values, std::size_t width = 1,
+                     const char* along = "") {
+  const auto put = [=](std::vector<char>& bytes, const StartBatch& batch) {
+    const char* from = reinterpret_cast<const char*>(batch.*values);
+    bytes.insert(bytes.end(), from, from + batch.count * width * sizeof(double));
+  };
+  return {told, NC_DOUBLE, sizeof(double), put, width, along};
+}
+
+const char* outcome_meaning() {
+  static const std::string text = [] {
+    std::string others;
+    for (const NoAttractor& n : no_attractors)
+      others += fmt::format("{}{} {}", others.empty() ? "" : ", ", n.code, n.name);
+    return "attractor that the start came to (kind_code), or " + others;
+  }();
+  return text.c_str();
 }
 
 }  // namespace
 
-std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& b) {
+std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
+  const std::size_t balls = static_cast<std::size_t>(header.balls);
+  std::vector<StartColumn> columns;
+  const auto add = [&](bool kept, const StartColumn& column) {
+    if (kept) columns.push_back(column);
+  };
+  const auto of_fates = [](const Column& told, const auto& of) { return of_each(told, &StartBatch::fates, of); };
+  add(header.angles,
+      as_given({"phi", "initial ball angle from the direction of the centre of mass, rotating frame", Dimension::angle},
+               &StartBatch::phi, balls, "ball"));
+  add(header.full_starts,
+      as_given({"rotor_state", "initial x, y in race radii and x_dot, y_dot, their derivatives in the rotating frame"},
+               &StartBatch::rotor, 4, "rotor_component"));
+  add(header.full_starts, as_given({"phi_dot", "initial rate of a ball in the rotating frame", Dimension::speed},
+                                   &StartBatch::phi_dot, balls, "ball"));
+  add(!header.own_starts.empty(), as_given({"psi", "initial angle of the rotor", Dimension::angle}, &StartBatch::psi));
+  add(!header.drawn.empty(), as_given({"drawn", "uncertain values that the start drew, each in uncertain_unit"},
+                                      &StartBatch::drawn, header.drawn.size(), "uncertain_value"));
+  add(header.method == SamplingMethod::grid,
+      as_given({"weight", "cells of the grid that the start's cell stands for"}, &StartBatch::weight));
+  for (const TransientFigure& f : transient_figures)
+    add(header.transients.has_value(),
+        of_each(f, &StartBatch::rows, [value = f.value](const TransientRow& row) { return row.*value; }));
+  add(true, of_fates({"outcome", outcome_meaning()}, [](const Fate& f) { return code_of(f); }));
+  add(true, of_fates({"decision_time", "study time at which the outcome was known", Dimension::time},
+                     [](const Fate& f) { return f.time; }));
+  add(header.driven,
+      of_fates({"mean_speed",
+                "mean rotor speed in the motion that the start came to, of an undecided one when it was last seen",
+                Dimension::speed, "missing where never measured"},
+               [](const Fate& f) { return f.mean_speed; }));
+  add(header.sticks, of_fates({"left_unbalance", "unbalance that is left where dry friction holds the balls",
+                               Dimension::unbalance, "missing where it holds none"},
+                              [](const Fate& f) { return f.unbalance; }));
+  add(header.touches, of_fates({"balls_met", "1 where balls touched before the outcome was known, else 0"},
+                               [](const Fate& f) { return static_cast<signed char>(f.met); }));
+  add(true, of_fates({"decided_by", "grounds on which the outcome was decided"},
+                     [](const Fate& f) { return static_cast<signed char>(f.by); }));
+  return columns;
+}
+
+std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& batch) {
   std::vector<char> bytes;
-  for (const StartColumn& c : columns) {
-    const double* given = c.name == "phi"           ? b.phi
-                          : c.name == "rotor_state" ? b.rotor
-                          : c.name == "phi_dot"     ? b.phi_dot
-                          : c.name == "psi"         ? b.psi
-                          : c.name == "drawn"       ? b.drawn
-                          : c.name == "weight"      ? b.weight
-                                                    : nullptr;
-    if (given)
-      put_given(bytes, b.count * c.width, given);
-    else if (c.name == "outcome")
-      put<short>(bytes, b.count, [&](std::size_t i) { return code_of(b.fates[i]); });
-    else if (c.name == "decision_time")
-      put<double>(bytes, b.count, [&](std::size_t i) { return b.fates[i].time; });
-    else if (c.name == "mean_speed")
-      put<float>(bytes, b.count, [&](std::size_t i) {
-        const float speed = b.fates[i].mean_speed;
-        return std::isfinite(speed) ? speed : missing_figure;
-      });
-    else if (c.name == "left_unbalance")
-      put<float>(bytes, b.count, [&](std::size_t i) {
-        const float left = b.fates[i].unbalance;
-        return std::isfinite(left) ? left : missing_figure;
-      });
-    else if (c.name == "balls_met")
-      put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].met); });
-    else if (c.name == "decided_by")
-      put<signed char>(bytes, b.count, [&](std::size_t i) { return static_cast<signed char>(b.fates[i].by); });
-    else
-      for (const TransientColumn& figure : transient_columns)
-        if (c.name == figure.name)
-          put<float>(bytes, b.count, [&](std::size_t i) {
-            const float value = b.rows[i].*figure.value;
-            return std::isfinite(value) ? value : missing_figure;
-          });
-  }
+  for (const StartColumn& c : columns) c.put(bytes, batch);
   return bytes;
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/types/fate.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 
@@ -27,17 +28,17 @@ struct StartBatch {
 
 namespace io {
 
-struct StartColumn {
-  std::string name;
+struct StartColumn : Column {
   int type = 0;           ///< of NetCDF
   std::size_t value = 8;  ///< bytes of one
+  /// Puts the batch's values behind `bytes`.
+  std::function<void(std::vector<char>& bytes, const StartBatch&)> put;
   std::size_t width = 1;  ///< values a start
-  std::string dimension;  ///< along which they stand; empty for a single one
-  std::string units, long_name;
+  std::string along{};    ///< the dimension along which they stand; empty for a single one
   std::size_t bytes() const { return value * width; }
 };
 
-/// The columns of a file, in order. To keep something more of every start, add it here, in pack() and in what reads it.
+/// The columns of a file, in order. To keep something more of every start, add it there and in what reads it.
 std::vector<StartColumn> start_columns(const BasinFileHeader& header);
 
 /// The batch column by column, as an unfinished file holds it.

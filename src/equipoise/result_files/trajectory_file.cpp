@@ -19,20 +19,23 @@
 namespace equipoise {
 
 void write_csv(std::ostream& out, const Trajectory& r) {
-  const std::size_t balls = r.phi.size();
   fmt::memory_buffer line;
   const auto append = [&line]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
     fmt::format_to(std::back_inserter(line), format, std::forward<Parts>(parts)...);
   };
-  append("t,psi,psi_dot,x,y,x_dot,y_dot");
-  for (std::size_t i = 1; i <= balls; ++i) append(",phi_{}", i);
-  for (std::size_t i = 1; i <= balls; ++i) append(",phi_dot_{}", i);
-  append(",radial,bearing_x,bearing_y\n");
+  const auto cells = [&](const auto& one, const auto& of_ball) {
+    for (const TrajectoryColumn& c : trajectory_columns) {
+      if (c.values) one(c);
+      for (std::size_t i = 0; c.by_ball && i < r.phi.size(); ++i) of_ball(c, i);
+    }
+    line.resize(line.size() - 1);  // the last comma
+    append("\n");
+  };
+  cells([&](const auto& c) { append("{},", c.name); },
+        [&](const auto& c, std::size_t i) { append("{}_{},", c.name, i + 1); });
   for (std::size_t k = 0; k < r.t.size(); ++k) {
-    append("{},{},{},{},{},{},{}", r.t[k], r.psi[k], r.psi_dot[k], r.x[k], r.y[k], r.x_dot[k], r.y_dot[k]);
-    for (std::size_t i = 0; i < balls; ++i) append(",{}", r.phi[i][k]);
-    for (std::size_t i = 0; i < balls; ++i) append(",{}", r.phi_dot[i][k]);
-    append(",{},{},{}\n", r.radial[k], r.bearing_x[k], r.bearing_y[k]);
+    cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
+          [&](const auto& c, std::size_t i) { append("{},", (r.*c.by_ball)[i][k]); });
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
     line.clear();
   }
@@ -55,43 +58,27 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
   const std::size_t rows = r.t.size(), balls = r.phi.size();
   const int time = file.dimension("t", rows);
   const int ball = file.dimension("ball", balls);
-  struct Column {
-    const char *name, *units, *long_name;
-    const std::vector<double>* values;
-  };
-  const Column columns[] = {
-      {"t", "1", "time in 1/omega_c", &r.t},
-      {"psi", "radian", "rotor angle", &r.psi},
-      {"psi_dot", "1", "rotor speed in omega_c", &r.psi_dot},
-      {"x", "1", "centre of the race along the rotating x axis, in race radii", &r.x},
-      {"y", "1", "centre of the race along the rotating y axis, in race radii", &r.y},
-      {"x_dot", "1", "rotating-frame derivative of x, in race radii times omega_c", &r.x_dot},
-      {"y_dot", "1", "rotating-frame derivative of y, in race radii times omega_c", &r.y_dot},
-      {"radial", "1", "displacement from the place of rest under gravity, in race radii", &r.radial},
-      {"bearing_x", "1", "force on the supports along the fixed X axis, in M R omega_c^2", &r.bearing_x},
-      {"bearing_y", "1", "force on the supports along the fixed Y axis, the weight included, in M R omega_c^2",
-       &r.bearing_y},
-  };
   std::vector<int> ids;
-  for (const Column& c : columns) ids.push_back(file.variable(c.name, NC_DOUBLE, {time}, c.units, c.long_name));
-  const int phi =
-      file.variable("phi", NC_DOUBLE, {time, ball}, "radian", "ball angle in the rotating frame, not wrapped");
-  const int phi_dot = file.variable("phi_dot", NC_DOUBLE, {time, ball}, "1", "rate of the ball angle in omega_c");
+  for (const TrajectoryColumn& c : trajectory_columns)
+    ids.push_back(file.variable(c.name, NC_DOUBLE, c.by_ball ? std::vector{time, ball} : std::vector{time},
+                                c.cf_units(), c.long_name()));
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", "Trajectory of a rotor with an automatic ball balancer");
   file.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
   file.attribute(NC_GLOBAL, "study", study);
   file.end_definitions();
   if (rows == 0) return;
-  for (std::size_t c = 0; c < ids.size(); ++c) file.write(ids[c], {0}, {rows}, columns[c].values->data());
-  std::vector<double> by_ball(rows * balls), rate_by_ball(rows * balls);
-  for (std::size_t k = 0; k < rows; ++k)
-    for (std::size_t i = 0; i < balls; ++i) {
-      by_ball[k * balls + i] = r.phi[i][k];
-      rate_by_ball[k * balls + i] = r.phi_dot[i][k];
+  for (std::size_t c = 0; c < ids.size(); ++c) {
+    const TrajectoryColumn& column = trajectory_columns[c];
+    if (column.values) {
+      file.write(ids[c], {0}, {rows}, (r.*column.values).data());
+      continue;
     }
-  file.write(phi, {0, 0}, {rows, balls}, by_ball.data());
-  file.write(phi_dot, {0, 0}, {rows, balls}, rate_by_ball.data());
+    std::vector<double> by_time;
+    for (std::size_t k = 0; k < rows; ++k)
+      for (const std::vector<double>& of_ball : r.*column.by_ball) by_time.push_back(of_ball[k]);
+    file.write(ids[c], {0, 0}, {rows, balls}, by_time.data());
+  }
 }
 
 }  // namespace

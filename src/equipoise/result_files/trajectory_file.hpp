@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// Columns t, psi, psi_dot, x, y, x_dot, y_dot, phi_1.., phi_dot_1.., radial, bearing_x, bearing_y; every number in the
-/// shortest form that reads back to the same bits.
+/// The trajectory_columns, of every ball phi_1 and so on; every number in the shortest form that reads back to the same
+/// bits.
 void write_csv(std::ostream& out, const Trajectory& trajectory);
 
 /// The same to a file, which it replaces once all is written. Throws RunError if it cannot be.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/column.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/results/slice_figures.hpp"
 #include "equipoise/study/study.hpp"
@@ -48,20 +49,23 @@ struct SlicePixel {
 };
 
 /// The numbers of a pixel, as files name them.
-struct PixelNumber {
-  const char* name;
+struct PixelNumber : Column {
   float SlicePixel::*value;
   bool of_rotor;  ///< the same at all pixels that share a rotor
-  const char* meaning;
 };
-inline constexpr std::array<PixelNumber, 4> pixel_numbers{
-    {{"decision_time", &SlicePixel::time, false, "study time at which the outcome was known, in 1/omega_c"},
-     {"r_max", &SlicePixel::r_max, false,
-      "largest distance of the rotor's centre from the axis on the final motion, in race radii"},
-     {"balance_margin", &SlicePixel::balance_margin, true,
-      "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
-     {"balance_growth", &SlicePixel::balance_growth, true,
-      "largest real part of an eigenvalue at the balanced state, in omega_c: stable where negative"}}};
+inline constexpr std::array<PixelNumber, 4> pixel_numbers{{
+    {{"decision_time", "study time at which the outcome was known", study::Dimension::time}, &SlicePixel::time, false},
+    {{"r_max", "largest distance of the rotor's centre from the axis on the final motion", study::Dimension::length},
+     &SlicePixel::r_max,
+     false},
+    {{"balance_margin", "lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is 0 or more"},
+     &SlicePixel::balance_margin,
+     true},
+    {{"balance_growth", "largest real part of an eigenvalue at the balanced state", study::Dimension::speed,
+      "stable where negative"},
+     &SlicePixel::balance_growth,
+     true},
+}};
 /// visit(k, number) for those that differ from pixel to pixel.
 template <class Visit>
 void visit_pixel_numbers(bool one_rotor, const Visit& visit) {

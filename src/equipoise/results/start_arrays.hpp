@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "equipoise/types/transient_table.hpp"
+#include "equipoise/results/transient_figures.hpp"
 
 namespace equipoise {
 
@@ -26,14 +26,14 @@ struct StartArrays {
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
   std::vector<float> left_unbalance;    ///< of balls that stick; not-a-number where dry friction holds none
   std::vector<signed char> balls_met;   ///< of balls that touch: 1 where they did before the outcome was known
-  /// If they were gathered: one array a column of transient_columns. Infinite (a file says: missing) where a time goes
+  /// If they were gathered: one array a column of transient_figures. Infinite (a file says: missing) where a time goes
   /// on, not-a-number for starts that were lost.
-  std::array<std::vector<float>, transient_columns.size()> transients;
+  std::array<std::vector<float>, transient_figures.size()> transients;
 
   /// The column of that name, "settling_time" say; null if there is none.
   const std::vector<float>* transient(std::string_view name) const {
-    for (std::size_t k = 0; k < transient_columns.size(); ++k)
-      if (name == transient_columns[k].name) return &transients[k];
+    for (std::size_t k = 0; k < transient_figures.size(); ++k)
+      if (name == transient_figures[k].name) return &transients[k];
     return nullptr;
   }
 };

@@ -1,8 +1,10 @@
 // One trajectory at stated times.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "equipoise/results/column.hpp"
 #include "equipoise/types/status.hpp"
 
 namespace equipoise {
@@ -19,5 +21,31 @@ struct Trajectory {
   std::vector<double> radial;                     ///< distance of O from where gravity lets it rest
   std::vector<double> bearing_x, bearing_y;       ///< zeta X' + kappa X in fixed axes: the weight included
 };
+
+/// One array of them; `by_ball` has one a ball.
+struct TrajectoryColumn : Column {
+  std::vector<double> Trajectory::*values;
+  std::vector<std::vector<double>> Trajectory::*by_ball = nullptr;
+};
+inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
+    {{"t", "time", study::Dimension::time}, &Trajectory::t},
+    {{"psi", "rotor angle", study::Dimension::angle}, &Trajectory::psi},
+    {{"psi_dot", "rotor speed", study::Dimension::speed}, &Trajectory::psi_dot},
+    {{"x", "centre of the race along the rotating x axis", study::Dimension::length}, &Trajectory::x},
+    {{"y", "centre of the race along the rotating y axis", study::Dimension::length}, &Trajectory::y},
+    {{"x_dot", "rotating-frame derivative of x", study::Dimension::velocity}, &Trajectory::x_dot},
+    {{"y_dot", "rotating-frame derivative of y", study::Dimension::velocity}, &Trajectory::y_dot},
+    {{"phi", "ball angle in the rotating frame, not wrapped", study::Dimension::angle}, nullptr, &Trajectory::phi},
+    {{"phi_dot", "rate of the ball angle", study::Dimension::speed}, nullptr, &Trajectory::phi_dot},
+    {{"radial", "displacement from the place of rest under gravity", study::Dimension::length}, &Trajectory::radial},
+    {{"bearing_x", "force on the supports along the fixed X axis", study::Dimension::force}, &Trajectory::bearing_x},
+    {{"bearing_y", "force on the supports along the fixed Y axis, the weight included", study::Dimension::force},
+     &Trajectory::bearing_y},
+});
+
+/// One word for people's programs.
+constexpr const char* name_of(IntegrationStatus status) {
+  return status == IntegrationStatus::done ? "done" : status == IntegrationStatus::diverged ? "diverged" : "failed";
+}
 
 }  // namespace equipoise

@@ -1,57 +1,102 @@
-// How the figures of transients are told: one line each, by which tables, pages, designs and Python measure and name
-// them.
+// The figures of transients: what they are, and one line each by which all that tells of them goes.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
 
+#include "equipoise/results/column.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/transient_table.hpp"
-#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 
-/// A column of transient_columns, with what people are told of it.
-struct TransientFigure : TransientColumn {
-  study::Dimension dimension;
-  const char* title;  ///< in tables and pictures
-  /// On a page, where it has a line of its own; null: none.
-  const char* page_title = nullptr;
+/// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
+/// in R, forces in M R omega_c^2, velocities in R omega_c, energy in M R^2 omega_c^2, times in 1/omega_c. Displacements
+/// are from where the rotor rests under its weight; bearing forces hold the weight. "At the end": of the steady motion
+/// that the start came to; of an undecided start, and where that motion's own figures are not known, in the last
+/// window. What each is, its line in transient_figures says.
+struct TransientRow {
+  float peak_radial = 0.0f, peak_radial_after_release = 0.0f, peak_radial_at_end = 0.0f;
+  float peak_force = 0.0f;  ///< of springs and dampers on the support
+  float rms_force = 0.0f, rms_velocity = 0.0f;
+  float residual_unbalance = 0.0f;  ///< |lambda + sum mu_i e^{i phi_i}|
+  /// 0 without a limit; infinite: the motion at the end exceeds it, or r still did when the start was last followed.
+  float time_above = 0.0f;
+  float settling_time = 0.0f;  ///< infinite in the same cases
+  float energy = 0.0f;         ///< not-a-number if work is not asked
+  float followed_until = 0.0f;
+};
+
+/// The figures of complete sums; `lost`: the trajectory diverged or failed; `end`: figures of its motion, if known.
+TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost,
+                           const std::optional<MotionFigures>& end = std::nullopt);
+
+/// A figure of TransientRow.
+struct TransientFigure : Column {
+  float TransientRow::*value;
+  const char* title;     ///< in tables and pictures
+  bool on_page = false;  ///< has a line of its own on a page
   /// The limit without which it is not asked; null: it always is, but for the drive's work (WorkSource).
   std::optional<double> Limits::*needs = nullptr;
-  /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, the same on a page,
-  /// and what one does that had not come below it when it was last followed.
-  std::array<const char*, 3> open{"?", "", "?"};
+  /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
+  /// that had not come below it when it was last followed.
+  std::array<const char*, 2> open{"?", "?"};
 
   /// An unbalance is told over the rotor's mass, as a length.
   study::Dimension told_in() const {
-    return dimension == study::Dimension::unbalance ? study::Dimension::length : dimension;
+    return dimension == study::Dimension::unbalance ? study::Dimension::length : *dimension;
   }
 };
-inline constexpr std::array<TransientFigure, transient_columns.size()> transient_figures{{
-    {transient_columns[0], study::Dimension::length, "peak displacement", "peak displacement"},
-    {transient_columns[1], study::Dimension::length, "peak displacement after release"},
-    {transient_columns[2], study::Dimension::length, "peak displacement at the end"},
-    {transient_columns[3], study::Dimension::force, "peak bearing force", "peak force on the supports"},
-    {transient_columns[4], study::Dimension::force, "RMS bearing force at the end"},
-    {transient_columns[5], study::Dimension::velocity, "RMS velocity at the end", "RMS velocity in the end"},
-    {transient_columns[6], study::Dimension::unbalance, "residual unbalance U/M"},
-    {transient_columns[7],
-     study::Dimension::time,
+inline constexpr auto transient_figures = std::to_array<TransientFigure>({
+    {{"peak_radial", "largest radial displacement of the centre from its place at rest", study::Dimension::length},
+     &TransientRow::peak_radial,
+     "peak displacement",
+     true},
+    {{"peak_radial_after_release", "largest radial displacement from release on", study::Dimension::length},
+     &TransientRow::peak_radial_after_release,
+     "peak displacement after release"},
+    {{"peak_radial_at_end", "largest radial displacement of the motion at the end", study::Dimension::length},
+     &TransientRow::peak_radial_at_end,
+     "peak displacement at the end"},
+    {{"peak_force", "largest bearing force, the weight included", study::Dimension::force},
+     &TransientRow::peak_force,
+     "peak bearing force",
+     true},
+    {{"rms_force", "root mean square bearing force at the end, the weight included", study::Dimension::force},
+     &TransientRow::rms_force,
+     "RMS bearing force at the end"},
+    {{"rms_velocity", "root mean square velocity of the centre at the end", study::Dimension::velocity},
+     &TransientRow::rms_velocity,
+     "RMS velocity at the end",
+     true},
+    {{"residual_unbalance", "mean unbalance of rotor and balls at the end", study::Dimension::unbalance},
+     &TransientRow::residual_unbalance,
+     "residual unbalance U/M"},
+    {{"time_above", "time with the radial displacement above limits.displacement", study::Dimension::time,
+      "missing: it goes on"},
+     &TransientRow::time_above,
      "time above the limit",
-     "time above the limit",
+     true,
      &Limits::displacement,
-     {"lasting", "for good", "not over"}},
-    {transient_columns[8],
-     study::Dimension::time,
+     {"lasting", "not over"}},
+    {{"settling_time", "time from release until the radial displacement was last above limits.settled",
+      study::Dimension::time, "missing: not settled"},
+     &TransientRow::settling_time,
      "settling time",
-     "settled after release",
+     true,
      &Limits::settled,
-     {"never", "never", "not yet"}},
-    {transient_columns[9], study::Dimension::energy, "work of the drive", "work of the drive"},
-    {transient_columns[10], study::Dimension::time, "followed until"},
-}};
+     {"never", "not yet"}},
+    {{"energy", "work of the drive until the outcome was known, without what it took back in pieces of braking",
+      study::Dimension::energy, "missing: not asked"},
+     &TransientRow::energy,
+     "work of the drive",
+     true},
+    {{"followed_until", "study time up to which the start was followed", study::Dimension::time},
+     &TransientRow::followed_until,
+     "followed until"},
+});
+static_assert(sizeof(TransientRow) == transient_figures.size() * sizeof(float), "a figure has no line here");
 constexpr std::size_t figure_place(float TransientRow::*value) {
   std::size_t k = 0;
   while (transient_figures[k].value != value) ++k;

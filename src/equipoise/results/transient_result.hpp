@@ -21,7 +21,7 @@ struct TransientGroup {
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good
   std::uint64_t never = 0;           ///< whose motion exceeds limits.settled for good
-  std::array<SampleSummary, transient_columns.size()> figures{};  ///< by column
+  std::array<SampleSummary, transient_figures.size()> figures{};  ///< by column
   std::array<std::optional<Share>, transient_limits.size()>
       exceeded{};  ///< of the starts of this group; none without a limit
 
@@ -37,6 +37,10 @@ struct TransientResult {
   TransientSettings settings;
   std::uint64_t lost = 0;
   std::vector<TransientGroup> groups;  ///< all, then by outcome
+
+  bool asks(const TransientFigure& f, const Limits& limits) const {
+    return f.value == &TransientRow::energy ? settings.work != WorkSource::none : !f.needs || limits.*f.needs;
+  }
 };
 
 }  // namespace equipoise

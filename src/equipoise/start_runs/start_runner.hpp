@@ -15,6 +15,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/rotor_family/study_family.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/own_starts.hpp"
@@ -22,7 +23,6 @@
 #include "equipoise/start_runs/undecided.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/fate.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 

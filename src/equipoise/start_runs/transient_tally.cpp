@@ -46,8 +46,8 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
     line.speed += weight * std::fabs(fate.mean_speed);
     line.speed_weight += weight;
   }
-  for (std::size_t k = 0; k < transient_columns.size(); ++k)
-    if (const float value = row.*transient_columns[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
+  for (std::size_t k = 0; k < transient_figures.size(); ++k)
+    if (const float value = row.*transient_figures[k].value; !std::isnan(value)) line.figures[k].add(value, weight);
   // Whether a start exceeds a limit for good is known once its motion is.
   const bool known = fate.outcome != Outcome::undecided;
   if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;

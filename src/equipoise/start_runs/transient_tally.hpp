@@ -12,7 +12,6 @@
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/fate.hpp"
-#include "equipoise/types/transient_table.hpp"
 
 namespace equipoise {
 
@@ -46,7 +45,7 @@ class TransientTally {
     std::uint64_t count = 0;
     double weight = 0.0, weight_squared = 0.0;
     double speed = 0.0, speed_weight = 0.0;  // driven rotors: weighted |mean speed|, and the weights
-    std::array<Distribution, transient_columns.size()> figures;
+    std::array<Distribution, transient_figures.size()> figures;
     std::uint64_t lasting = 0;  ///< starts whose motion exceeds limits.displacement
     std::uint64_t never = 0;    ///< starts whose motion exceeds limits.settled
     std::array<Exceeding, transient_limits.size()> exceeding{}, undecided_within{}, undecided_beyond{};

@@ -22,32 +22,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using study::Dimension;
 
-struct Unit {
-  const char* name;
-  double size;  // in it, of the dimensionless unit
-};
+using Unit = study::ShownUnit;
 
-const char* dimensionless_unit(Dimension d) {
-  return d == Dimension::length     ? "R"
-         : d == Dimension::force    ? "M R omega_c^2"
-         : d == Dimension::velocity ? "R omega_c"
-         : d == Dimension::time     ? "1/omega_c"
-                                    : "M R^2 omega_c^2";
-}
-
-Unit unit_of(const Study& study, Dimension d) {
-  if (!study.scales) return {dimensionless_unit(d), 1.0};
-  const double si = study::scale_of(d, *study.scales);
-  return {study::words(d).shown, d == Dimension::length || d == Dimension::velocity ? 1000.0 * si : si};
-}
-Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, limit.figure().dimension); }
+Unit unit_of(const Study& study, Dimension d) { return study::shown_unit(d, study.scales); }
+Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, *limit.figure().dimension); }
 
 constexpr const char* no_bound = "?";
-
-bool applies(const TransientFigure& f, const TransientSettings& settings, const Study& study) {
-  if (f.value == &TransientRow::energy) return settings.work != WorkSource::none;
-  return !f.needs || study.limits.*f.needs;
-}
 
 std::string number(double value, double size, const char* open) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
@@ -83,7 +63,7 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
   std::string text = fmt::format("{}, {} starts\n", name, group.starts);
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    if (!applies(f, r.settings, study) || f.value == &TransientRow::followed_until) continue;
+    if (!r.asks(f, study.limits) || f.value == &TransientRow::followed_until) continue;
     const SampleSummary& s = group.figures[k];
     const Unit unit = unit_of(study, f.told_in());
     if (s.open == 0) {
@@ -91,12 +71,12 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
       continue;
     }
     const std::uint64_t for_good = group.for_good(f), later = s.open - for_good;
-    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[2] : "no end seen");
+    text += figure_line(f, s, unit, later == 0 ? f.open[0] : for_good == 0 ? f.open[1] : "no end seen");
     std::string words;
     if (for_good > 0) words = fmt::format("{}: {} of {} starts", f.open[0], for_good, s.count);
     if (later > 0)
       words +=
-          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", f.open[2], later, s.count);
+          fmt::format("{}{} when last followed: {} of {} starts", words.empty() ? "" : "; ", f.open[1], later, s.count);
     text += fmt::format("    {}{}\n", words, s.open < s.count ? "; the mean is of the others" : "");
   }
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
@@ -194,7 +174,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
     Json one = {{"name", group.name}, {"id", group.id ? Json(*group.id) : Json(nullptr)}, {"starts", group.starts}};
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const TransientFigure& f = transient_figures[k];
-      if (!applies(f, r.settings, study)) continue;
+      if (!r.asks(f, study.limits)) continue;
       Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
       if (f.needs) figure["for_good"] = group.for_good(f);
     }

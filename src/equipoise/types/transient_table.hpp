@@ -1,4 +1,4 @@
-// Sums that the time loop gathers of every trajectory, and the figures of transients they give.
+// Sums that the time loop gathers of every trajectory; figures are made of them (results/transient_figures.hpp).
 #pragma once
 
 #include <array>
@@ -121,58 +121,6 @@ struct TransientSums {
   DriveWork work;             ///< up to `end`, or to when the outcome was known
 };
 
-/// The figures of one start, as they are stored and counted; not-a-number for one that was lost. Dimensionless: lengths
-/// in R, forces in M R omega_c^2, velocities in R omega_c, energy in M R^2 omega_c^2, times in 1/omega_c. Displacements
-/// are from where the rotor rests under its weight; bearing forces hold the weight. "At the end": of the steady motion
-/// that the start came to; of an undecided start, and where that motion's own figures are not known, in the last
-/// window.
-struct TransientRow {
-  float peak_radial = 0.0f;                ///< of the centre O, over the whole run
-  float peak_radial_after_release = 0.0f;  ///< from release on
-  float peak_radial_at_end = 0.0f;
-  float peak_force = 0.0f;          ///< of springs and dampers on the support, over the whole run
-  float rms_force = 0.0f;           ///< the same, root mean square at the end
-  float rms_velocity = 0.0f;        ///< of O, root mean square of the inertial velocity at the end
-  float residual_unbalance = 0.0f;  ///< mean |lambda + sum mu_i e^{i phi_i}| at the end
-  float time_above = 0.0f;     ///< with r above the displacement limit, from t = 0; 0 without a limit; infinite: the
-                               ///< motion at the end exceeds it, or r still did when the start was last followed
-  float settling_time = 0.0f;  ///< from release until r was last above `settled`; infinite in the same cases
-  float energy =
-      0.0f;  ///< given by the drive from t = 0 until the outcome was known; not-a-number if work is not asked
-  float followed_until = 0.0f;  ///< study time
-};
-
-/// A column of TransientRow.
-struct TransientColumn {
-  const char* name;       ///< in files
-  const char* long_name;  ///< with its unit
-  float TransientRow::*value;
-};
-inline constexpr std::array<TransientColumn, 11> transient_columns{{
-    {"peak_radial", "largest radial displacement of the centre from its place at rest, in race radii",
-     &TransientRow::peak_radial},
-    {"peak_radial_after_release", "largest radial displacement from release on, in race radii",
-     &TransientRow::peak_radial_after_release},
-    {"peak_radial_at_end", "largest radial displacement of the motion at the end, in race radii",
-     &TransientRow::peak_radial_at_end},
-    {"peak_force", "largest bearing force, the weight included, in M R omega_c^2", &TransientRow::peak_force},
-    {"rms_force", "root mean square bearing force at the end, the weight included, in M R omega_c^2",
-     &TransientRow::rms_force},
-    {"rms_velocity", "root mean square velocity of the centre at the end, in R omega_c", &TransientRow::rms_velocity},
-    {"residual_unbalance", "mean unbalance of rotor and balls at the end, in M R", &TransientRow::residual_unbalance},
-    {"time_above", "time with the radial displacement above limits.displacement, in 1/omega_c; missing: it goes on",
-     &TransientRow::time_above},
-    {"settling_time",
-     "time from release until the radial displacement was last above limits.settled, in 1/omega_c; missing: not "
-     "settled",
-     &TransientRow::settling_time},
-    {"energy",
-     "work of the drive until the outcome was known, without what it took back in pieces of braking, in M R^2 "
-     "omega_c^2; missing: not asked",
-     &TransientRow::energy},
-    {"followed_until", "study time up to which the start was followed, in 1/omega_c", &TransientRow::followed_until},
-}};
-
 /// The sums of a task's trajectories, by place, handed on from one task to the next.
 struct TransientTable {
   TransientSettings settings;
@@ -189,9 +137,5 @@ struct TransientTable {
     return listed ? ends[static_cast<std::size_t>(attractor)] : unknown;
   }
 };
-
-/// The figures of complete sums; `lost`: the trajectory diverged or failed; `end`: figures of its motion, if known.
-TransientRow transient_row(const TransientSettings& settings, const TransientSums& sums, bool lost,
-                           const std::optional<MotionFigures>& end = std::nullopt);
 
 }  // namespace equipoise

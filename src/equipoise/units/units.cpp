@@ -21,23 +21,23 @@ namespace {
 
 constexpr std::array<DimensionWords, 18> all_words{{
     {"a mass", "kg", "12 kg", "kg"},
-    {"a length", "m", "0.2 mm", "mm"},
-    {"a time", "s", "10 s", "s"},
-    {"a speed of rotation", "rad/s", "3000 rpm", "rpm"},
-    {"a velocity", "m/s", "4.5 mm/s", "mm/s"},
+    {"a length", "m", "0.2 mm", "mm", "R"},
+    {"a time", "s", "10 s", "s", "1/omega_c"},
+    {"a speed of rotation", "rad/s", "3000 rpm", "rpm", "omega_c"},
+    {"a velocity", "m/s", "4.5 mm/s", "mm/s", "R omega_c"},
     {"an acceleration", "m/s2", "9.81 m/s2", "m/s2"},
-    {"a force", "N", "500 N", "N"},
+    {"a force", "N", "500 N", "N", "M R omega_c^2"},
     {"a stiffness", "N/m", "48 kN/m", "N/m"},
     {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
     {"a torque", "N m", "0.5 N m", "N m"},
     {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
     {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
-    {"an energy", "J", "20 J", "J"},
-    {"an unbalance", "kg m", "300 g mm", "g mm"},
+    {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
+    {"an unbalance", "kg m", "300 g mm", "g mm", "M R"},
     {"a density", "kg/m3", "7800 kg/m3", "kg/m3"},
     {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
     {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
-    {"an angle", "rad", "30 degree", "rad"},
+    {"an angle", "rad", "30 degree", "rad", "rad"},
 }};
 
 bool names_hertz(std::string_view unit) {
@@ -71,6 +71,15 @@ std::string trimmed(std::string_view text) {
 }  // namespace
 
 const DimensionWords& words(Dimension dimension) { return all_words.at(static_cast<std::size_t>(dimension)); }
+
+ShownUnit shown_unit(Dimension d, const std::optional<model::Scales>& scales) {
+  if (!scales) return {words(d).dimensionless, 1.0};
+  const double si = scale_of(d, *scales);
+  return {words(d).shown, d == Dimension::length || d == Dimension::velocity ? 1000.0 * si
+                          : d == Dimension::speed                            ? 30.0 / pi * si
+                          : d == Dimension::unbalance                        ? 1e6 * si
+                                                                             : si};
+}
 
 double scale_of(Dimension dimension, const model::Scales& s) {
   switch (dimension) {

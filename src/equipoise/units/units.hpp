@@ -37,8 +37,17 @@ struct DimensionWords {
   const char* si;       ///< the unit of every number inside: "kg"
   const char* example;  ///< "12 kg"
   const char* shown;    ///< the unit of an echo: "mm"
+  /// The unit of numbers that have none: "R omega_c". Of what figures and columns measure.
+  const char* dimensionless = "";
 };
 const DimensionWords& words(Dimension dimension);
+
+/// The unit in which results are shown, and the dimensionless unit in it: mm, N, mm/s, rpm of a study with scales.
+struct ShownUnit {
+  const char* name;
+  double size;
+};
+ShownUnit shown_unit(Dimension dimension, const std::optional<model::Scales>& scales);
 
 /// What one dimensionless unit of the dimension is worth in its SI unit. Of those that a dimensionless study has; all
 /// others throw std::logic_error.

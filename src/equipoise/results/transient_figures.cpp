@@ -1,5 +1,5 @@
 // Figures computed from sums.
-#include "equipoise/types/transient_table.hpp"
+#include "equipoise/results/transient_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ TransientRow transient_row(const TransientSettings& settings, const TransientSum
                            const std::optional<MotionFigures>& end) {
   TransientRow row;
   if (lost) {
-    for (const TransientColumn& column : transient_columns) row.*column.value = unknown;
+    for (const TransientFigure& figure : transient_figures) row.*figure.value = unknown;
     return row;
   }
   const TransientWindow& w = sums.window;
