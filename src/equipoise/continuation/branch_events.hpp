@@ -1,4 +1,4 @@
-// What happens on a branch between two parameter values: where, and why.
+// Where something happens on a branch between two parameter values, and why.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-/// Why a branch ends where `end` stopped; unresolved if nothing tells.
+/// Why a branch ends where `end` stopped; unresolved if nothing shows it.
 BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end);
 
 /// Changes of stability and of kind between two neighbouring points of a branch, in order of value, bracketed by
