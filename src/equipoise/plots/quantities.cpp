@@ -1,4 +1,4 @@
-// One unit for whatever stands together.
+// One unit for numbers that stand together.
 #include "equipoise/plots/quantities.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// What a dimensionless number is in; what is no number of these has none.
+// Unit of a dimensionless number; empty for other dimensions.
 const char* dimensionless_unit(Dimension d) {
   switch (d) {
     case Dimension::length:
