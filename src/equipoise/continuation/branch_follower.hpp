@@ -23,8 +23,8 @@ bool may_be_locked(const Motion& motion);
 /// The motion's name without its kind (torus, chaotic or neither).
 std::string family_of(const model::Parameters& p, const Motion& motion);
 
-/// A restless motion at one parameter value may be the one at another: same family, like excursions; or, since names of
-/// what is measured may differ by chance, excursions and rates of drift that are closely alike.
+/// Whether a restless motion at one parameter value may be the one at another: same family and similar excursions.
+/// Measured names may differ by chance; closely similar excursions and drift rates then suffice.
 bool resembles(const model::Parameters& p, const Motion& a, const Motion& b);
 
 /// How far an advance came.

@@ -19,8 +19,8 @@ std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts);
 /// Start `index` at times `step` apart until `until`.
 Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop);
 
-/// These starts over one stretch of time: until the last of them has come to its steady motion, as far as it was
-/// followed. Outcomes are left unnamed. Without those that `stop` cut short.
+/// These starts over one stretch of time, until the last of them has come to its steady motion, as far as it was
+/// followed. Outcomes are left unnamed; runs that `stop` cut short are left out.
 std::vector<ShownRun> shown_runs(const Study& study, const StartArrays& starts,
                                  const std::vector<std::uint64_t>& indices, const StopFlag* stop);
 
