@@ -1,5 +1,5 @@
-// How the figures of transients are told: one line each, by which tables, pages, designs and Python measure and name
-// them.
+// How figures of transients are presented: one line each, from which tables, pages, designs and Python take units and
+// names.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace equipoise {
 
-/// A column of transient_columns, with what people are told of it.
+/// A column of transient_columns with its presentation.
 struct TransientFigure : TransientColumn {
   study::Dimension dimension;
   const char* title;  ///< in tables and pictures
-  /// On a page, where it has a line of its own; null: none.
+  /// On a page, if it has its own line there; null: none.
   const char* page_title = nullptr;
-  /// The limit without which it is not asked; null: it always is, but for the drive's work (WorkSource).
+  /// Only asked for with this limit; null: always, except for the drive's work (WorkSource).
   std::optional<double> Limits::*needs = nullptr;
-  /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, the same on a page,
-  /// and what one does that had not come below it when it was last followed.
+  /// For a figure that may have no end: words for a start whose motion exceeds the limit for good, the same on a page,
+  /// and words for a start that had not come below it when last followed.
   std::array<const char*, 3> open{"?", "", "?"};
 
-  /// An unbalance is told over the rotor's mass, as a length.
+  /// An unbalance is shown over the rotor's mass, as a length.
   study::Dimension told_in() const {
     return dimension == study::Dimension::unbalance ? study::Dimension::length : dimension;
   }
@@ -58,13 +58,13 @@ constexpr std::size_t figure_place(float TransientRow::*value) {
   return k;
 }
 
-/// A limit whose exceedance is counted, in the order of TransientGroup::exceeded.
+/// A limit whose excess is counted, in the order of TransientGroup::exceeded.
 struct TransientLimit {
   const char* name;  ///< key of [limits]
   std::optional<double> Limits::*limit;
   float TransientRow::*value;  ///< the figure that it limits
-  const char* exceeded;        ///< behind the limit: "5 mm is exceeded on the way"
-  bool at_end = false;         ///< the others are peaks: what has been exceeded stays so
+  const char* exceeded;        ///< follows the limit: "5 mm is exceeded on the way"
+  bool at_end = false;         ///< the others are peaks, which stay exceeded
 
   const TransientFigure& figure() const { return transient_figures[figure_place(value)]; }
 };
