@@ -46,7 +46,7 @@ struct BranchEvent {
   double low = 0.0, high = 0.0;                   ///< it happens between these
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;  ///< of the branch on the side where it exists, else on the lower side
   double middle() const { return 0.5 * (low + high); }
-  /// Where it is told to be: in the middle; of a branch that was not followed further, where it was seen.
+  /// Where the event is shown: the middle; for a branch not continued further, where it was seen.
   double place() const {
     return change == BranchChange::first_seen ? high : change == BranchChange::last_seen ? low : middle();
   }
@@ -69,8 +69,8 @@ struct ValueRange {
 /// death (or the last such value).
 std::vector<ValueRange> ranges_of(const Branch& branch);
 
-/// How fast the slowest deviation grows: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov
-/// exponent; the shift in time and shifts along a continuum of balanced states are left out, for a torus both zeros.
+/// Growth rate of the slowest deviation: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov
+/// exponent. Shifts in time and along a continuum of balanced states are left out; for a torus both zeros.
 double growth_rate(const Motion& motion);
 /// Largest modulus of a Floquet multiplier, leaving out the shift in time and those along a continuum; NaN for motions
 /// without multipliers.

@@ -32,7 +32,7 @@ struct CapacityCell {
   /// does so at the least value already, or nowhere.
   std::optional<double> value;
   /// With 95 % confidence at each end: the last value at which the share is surely as large, whatever undecided starts
-  /// would come to, and the first at which it is surely smaller; the ends of the range where there are none.
+  /// would come to, and the first at which it is surely smaller. The ends of the range if there are none.
   double low = 0.0, high = 0.0;
   bool always = false;  ///< as large up to the end of the range: the capacity lies beyond
   bool never = false;   ///< smaller from the start of the range

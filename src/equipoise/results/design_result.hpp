@@ -91,9 +91,9 @@ struct DesignMargin {
   double value = 0.0, low = 0.0, high = 0.0;  ///< the chosen value; the range examined
   std::vector<DesignPoint> points;            ///< by value, without the chosen one
   DesignSample here;                          ///< the chosen one, with as many starts as these
-  /// How far it may go with all requirements kept, at the values tried: the last that keeps them on either side, and
-  /// what fails beyond; empty: nothing within the range. Without requirements: until the first objective is surely
-  /// worse.
+  /// How far the number may go while all requirements are met, at the values tried: the last value on either side that
+  /// meets them, and what fails beyond; empty: nothing within the range. Without requirements: until the first
+  /// objective is surely worse.
   double keeps_from = 0.0, keeps_to = 0.0;
   std::string fails_below, fails_above;
   double effect = 0.0;  ///< largest change of the first objective within a tenth of the range on either side
