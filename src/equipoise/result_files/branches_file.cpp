@@ -16,7 +16,7 @@ namespace equipoise {
 
 namespace {
 
-// What is told of a motion by a number; none is written where it has none.
+// A number that describes a motion; not written for motions without it.
 struct BranchColumn {
   const char* name;
   const char* meaning;
