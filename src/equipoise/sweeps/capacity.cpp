@@ -34,7 +34,7 @@ namespace {
 
 constexpr int scan = 8;  // values of the range tried first
 
-// Values are set with few digits, so that they read back to what is told.
+// Values have few digits, so that they read back as shown.
 double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 Study study_at(const SweepPlan& plan, std::size_t cell, const CapacityOptions& options, double value) {
@@ -42,7 +42,7 @@ Study study_at(const SweepPlan& plan, std::size_t cell, const CapacityOptions& o
   return plan.study_of(cell, {fmt::format("{}={}{}{}", options.key, value, space, options.unit)});
 }
 
-// What is left to do of one cell.
+// The remaining work on one cell.
 struct CellWork {
   std::size_t cell = 0;
   const std::vector<CapacityTrial>& known;  ///< made by an earlier run
@@ -51,14 +51,14 @@ struct CellWork {
   SearchLog* notes;  // of searches, or null
 };
 
-// One cell's trials, each search beginning with what the nearest earlier one found. Those of an earlier run are taken
-// when their turn comes, so that all others come out as if there had been one run.
+// One cell's trials; each search begins with what the nearest earlier one found. Trials of an earlier run are used when
+// their turn comes, so that all others come out as in a single run.
 class Boundary {
  public:
   Boundary(const SweepPlan& plan, const CapacityOptions& options, int threads, CellWork work)
       : plan_(plan), options_(options), threads_(threads), work_(std::move(work)) {}
 
-  // Of one stopped.
+  // For a stopped search.
   OpenCapacity open() const {
     OpenCapacity known;
     known.trials = trials_.size();
@@ -71,7 +71,7 @@ class Boundary {
     return known;
   }
 
-  // None if stopped.
+  // Empty if stopped.
   std::optional<CapacityCell> find() {
     // Beyond the first value at which the share is surely too small nothing matters.
     for (int k = 0; k <= scan; ++k) {
@@ -112,7 +112,8 @@ class Boundary {
     const Study study = study_at(plan_, work_.cell, options_, value);
     CapacityTrial made;
     made.value = value;
-    // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
+    // Where no balanced state attracts, no start needs to be followed. This holds only for a common rotor: with
+    // uncertain values each start has its own.
     if (study.uncertain.empty() && !analyse_balanced(study.system(), options_.stop).stable) {
       made.unstable = true;
       return is_set(options_.stop) ? std::nullopt : std::optional(made);
@@ -146,7 +147,7 @@ class Boundary {
     return found;
   }
 
-  // The first value at which it falls short, and the last before it: beyond the range where there is none.
+  // The first value at which it falls short, and the last before it; beyond the range if there is none.
   template <class Short>
   std::pair<double, double> crossing(const Short& falls_short) {
     const double outside = options_.to - options_.from;
@@ -176,7 +177,7 @@ class Boundary {
   bool stopped_ = false;
 };
 
-// All that decides what stands in the results, as text.
+// Everything that determines the results, as text.
 std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
   return plan.identity() +
          fmt::format("[capacity]\nof = {}\nunit = {}\nfrom = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.key,
@@ -248,7 +249,7 @@ class CapacityRun {
         if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
       }
     } catch (...) {
-      failed_ = true;  // what is done is kept beside the output
+      failed_ = true;  // finished work is kept beside the output
       throw;
     }
   }
@@ -277,8 +278,8 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 
 namespace {
 
-// From a fiftieth of what the balls of the cell with the least can make up for to all that those of the one with the
-// most can.
+// From a fiftieth of what the balls can cancel in the cell with the least, to all that they can cancel in the cell with
+// the most.
 std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
   const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;

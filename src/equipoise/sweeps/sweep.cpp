@@ -1,4 +1,4 @@
-// Gives blocks to threads and helping processes; takes cells in, keeps and reports them.
+// Distributes blocks to threads and helping processes; receives, keeps and reports cells.
 #include "equipoise/sweeps/sweep.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class SweepRun final : public SweepWork {
     label_attractors(result_.axes, result_.cells);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
-    if (failure_) std::rethrow_exception(failure_);  // what is done is kept beside the output
+    if (failure_) std::rethrow_exception(failure_);  // finished work is kept beside the output
     if (file_) io::finish_sweep_file(*file_, result_);
     return std::move(result_);
   }
@@ -85,7 +85,7 @@ class SweepRun final : public SweepWork {
  private:
   bool stopped() const { return is_set(options_.stop) || failed_; }
 
-  // Those of this shard in which something is missing.
+  // Lists this shard's blocks that are incomplete.
   void list_blocks() {
     for (std::size_t block = 0; block < plan_.blocks(); ++block) {
       std::size_t missing = 0;
@@ -97,8 +97,8 @@ class SweepRun final : public SweepWork {
     }
   }
 
-  // As many blocks at a time as there are threads; where there are fewer, each has several threads. Threads for which
-  // no block is left help with the cells of the others.
+  // Works on as many blocks at a time as there are threads; with fewer blocks, each has several threads. Threads
+  // without a block help with the cells of the others.
   void work() {
     const std::size_t at_once = std::min<std::size_t>(blocks_.size(), static_cast<std::size_t>(result_.threads));
     const int each = at_once > 0 ? result_.threads / static_cast<int>(at_once) : 1;
@@ -134,7 +134,7 @@ class SweepRun final : public SweepWork {
     for (std::thread& helper : helpers) helper.join();
   }
 
-  // A thread without a block, for as long as another has one.
+  // A thread without a block, while another thread has one.
   void help() {
     constexpr std::chrono::milliseconds until_a_look{5};
     guarded([&] {
@@ -143,7 +143,7 @@ class SweepRun final : public SweepWork {
     });
   }
 
-  // What one thread throws ends the work of all.
+  // An exception in one thread ends the work of all.
   template <class Call>
   void guarded(const Call& call) {
     try {
@@ -165,7 +165,7 @@ class SweepRun final : public SweepWork {
   std::unique_ptr<io::CellFile> file_;
   std::vector<std::size_t> blocks_;
   std::atomic<std::size_t> next_{0};
-  std::atomic<int> working_{0}, idle_{0};  // those at blocks; threads without one
+  std::atomic<int> working_{0}, idle_{0};  // threads at blocks; threads without one
   CellDesk desk_;
   std::atomic<bool> failed_{false};
   std::uint64_t done_ = 0, total_ = 0;

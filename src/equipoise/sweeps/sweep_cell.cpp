@@ -1,4 +1,4 @@
-// From a study and its neighbour's attractors to a cell.
+// Computes a cell from its study and its neighbour's attractors.
 #include "equipoise/sweeps/sweep_cell.hpp"
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace equipoise {
 
 namespace {
 
-// Options of a cell's ensemble, the same for all that work on it. They refer to `start`.
+// Options of a cell's ensemble, the same for everybody who works on it. They refer to `start`.
 BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   BasinOptions options;
   options.half_width = plan.request().half_width;
@@ -56,10 +56,10 @@ SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
   return cell;
 }
 
-// Where a cell's search begins: where the one before it began, if both search the same.
+// Where a cell's search begins: where the previous one began, if both search the same.
 class Chain {
  public:
-  // Before a cell's run, whether or not it is known already.
+  // Call it before a cell's run, even if the cell is already known.
   void step(const Study& study, const SweepCell* before) {
     const std::string subject = attractor_search_subject(study);
     if (before && subject != subject_) {
@@ -100,7 +100,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
     options.stop = workers.stop;
     options.discoveries = &discoveries;
     options.notes = workers.notes;
-    std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
+    std::vector<std::unique_ptr<CellDesk::Place>> places;  // one per sampling method
     const auto place_for = [&](SamplingMethod method) {
       for (const auto& place : places)
         if (place->at().method == method) return place.get();
@@ -108,7 +108,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
       return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, at)).get();
     };
     if (workers.desk) options.help = place_for;
-    // While the search goes on, which others then make too.
+    // From the search on, which others then make too.
     if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
     Catalogue catalogue;
     WarmStartLevels warm_start_levels;
