@@ -1,4 +1,4 @@
-// Design: the best balancer and the best spin-up for a machine, as far as a budget of trajectories finds them.
+// Design: the best balancer and spin-up for a machine that a budget of trajectories can find.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct DesignOptions : RunOptions {
   std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
 };
 
-/// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
-/// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The
-/// result depends on the problem alone. Stopped, it tells what the search has found by then. Throws InputError for
-/// unusable output files, RunError if the output fails later.
+/// Searches with two thirds of the budget, with the same starts for all candidates; follows the best with more of them;
+/// judges the front on starts that the search did not see; and changes each number of the chosen candidate alone. The
+/// result depends only on the problem. If stopped, it holds what the search had found. Throws InputError for unusable
+/// output files, RunError if the output fails later.
 DesignResult design(const DesignProblem& problem, const DesignOptions& options = {});
 
 }  // namespace equipoise

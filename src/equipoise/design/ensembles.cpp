@@ -1,4 +1,4 @@
-// Candidates side by side, each an ensemble from the same starts.
+// Runs candidates in parallel, each as an ensemble of the same starts.
 #include "equipoise/design/ensembles.hpp"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ namespace equipoise {
 
 namespace {
 
-// Discoveries that a thread keeps: spin-ups to one speed share one, other candidates come back to theirs soon or never.
+// Attractor searches that a thread keeps. Spin-ups to one final speed share one; other candidates rarely return to
+// theirs.
 constexpr std::size_t most_attractor_searches = 16;
 
 std::string name_of_sample(const WantedSample& w) {
@@ -39,8 +40,7 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions&
   begin_with_study();
 }
 
-// Its search is made anew by every run: what a file keeps are answers. Rotors that each start draws have searches of
-// their own.
+// Every run repeats this search, since a file keeps only answers. With uncertain values each start has its own search.
 void DesignEnsembles::begin_with_study() {
   const Study study = problem_.study_of({}, problem_.first_look(), problem_.study().sampling.seed);
   if (!study.uncertain.empty()) return;
@@ -69,7 +69,7 @@ DesignSample DesignEnsembles::one(const WantedSample& wanted, int threads, Met& 
   try {
     study = problem_.study_of(wanted.settings, wanted.starts, wanted.seed);
     check_runnable(*study, problem_.transients());
-  } catch (const InputError& e) {  // values that make a study each by itself, but not together
+  } catch (const InputError& e) {  // values that are valid one by one, but not together
     DesignSample none;
     none.note = e.what();
     return none;

@@ -18,32 +18,32 @@
 
 namespace equipoise {
 
-/// An ensemble that is wanted.
+/// An ensemble to be run.
 struct WantedSample {
   std::vector<DesignSetting> settings;
   std::uint64_t starts = 0, seed = 0;
 };
 
-/// What a design's search asks is asked again in the same order by another run of it: the number of a question names
-/// its answer in the file. Not for several threads at once.
+/// Another run of a design's search asks the same questions in the same order: the number of a question identifies its
+/// answer in the file. Not thread-safe.
 class DesignEnsembles {
  public:
-  /// `file`: what an earlier run kept, or null.
+  /// `file`: answers kept by an earlier run, or null.
   DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file);
 
-  /// In the order of `wanted`; candidates at once, threads shared among them. Throws SearchOver if stopped: what is
-  /// done is kept, and known().
+  /// Results in the order of `wanted`; candidates run in parallel and share the threads. Throws SearchOver if stopped;
+  /// finished samples are kept, see known().
   std::vector<DesignSample> run(const std::vector<WantedSample>& wanted);
 
-  /// What was run of it before, or null.
+  /// An earlier sample of it, or null.
   const DesignSample* known(const WantedSample& wanted) const;
 
-  std::uint64_t trajectories() const { return trajectories_; }  ///< followed, those of earlier runs included
+  std::uint64_t trajectories() const { return trajectories_; }  ///< trajectories followed, including earlier runs
   std::uint64_t resumed() const { return resumed_; }
   bool stopped() const { return is_set(options_.stop); }
 
  private:
-  // What a thread keeps of the final speeds it has met.
+  // A thread's knowledge of the final speeds it has met.
   struct Met {
     AttractorSearchCache discoveries;
     std::map<std::string, bool> balances;  // by attractor_search_subject(): whether a balanced state attracts
@@ -59,10 +59,10 @@ class DesignEnsembles {
   const RunOptions& options_;
   DesignFile* file_;
   int threads_;
-  // Of the study as it is: where the searches of all candidates begin.
+  // Of the original study: starting points for the searches of all candidates.
   std::vector<std::vector<double>> seeds_;
   WarmStartLevels hints_;
-  std::vector<Met> met_;  // one a thread
+  std::vector<Met> met_;  // one per thread
   std::map<std::string, DesignSample> known_;
   std::uint64_t asked_ = 0, trajectories_ = 0, resumed_ = 0;
 };
