@@ -25,13 +25,13 @@ namespace {
 
 // Parts of the budget.
 constexpr double for_search = 0.65, for_choice = 0.1, for_check = 0.15, for_margins = 0.1;
-// Of one objective so many are followed on; where there are requirements so many are checked, lest the first one
-// proves to miss them: one is chosen.
+// With one objective, this many candidates are followed further. With requirements, several are then checked, in case
+// the first turns out to miss them; one is chosen.
 constexpr std::size_t most_chosen_from = 16, most_checked = 4;
 constexpr std::uint64_t raise_by = 2;  // in the choice: more starts, interval by interval
 constexpr std::size_t most_in_front = 24;
-// Starts of one ensemble: more would not tell a figure usefully better. Fewer than the first look's would not tell what
-// the search was told, and so many do where starts are cheap.
+// Starts of one ensemble. More would not improve a figure usefully. Fewer than in the first look would know less than
+// the search did; where starts are cheap, at least this many are used.
 constexpr std::uint64_t most_starts = 100'000, fewest_starts_of_cheap = 500;
 
 class DesignRun {

@@ -50,7 +50,7 @@ class DesignEnsembles {
   };
   void begin_with_study();
   bool balances(const Study& study, Met& met) const;
-  /// Answers those of `wanted` that are `missing`, and takes them from there: what is left was not done.
+  /// Answers those of `wanted` that are `missing`, and removes them from there; the rest was not done.
   void work_off(const std::vector<WantedSample>& wanted, std::vector<std::size_t>& missing,
                 std::vector<DesignSample>& samples);
   DesignSample one(const WantedSample& wanted, int threads, Met& met, bool& complete) const;

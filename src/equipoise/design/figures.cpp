@@ -123,7 +123,7 @@ DesignEstimate quantile_of(std::vector<double>& values, double q) {
 
 DesignEstimate scaled(DesignEstimate e, double unit) { return {e.value / unit, e.low / unit, e.high / unit}; }
 
-// Of a start that was lost there is no figure, and no drive brings one into balance that does not come to it.
+// A start that was lost has no figure, and the drive's work into balance exists only for starts that come to it.
 DesignEstimate transient_quantile(const FigureSource& source, const StartArrays& starts) {
   std::vector<double> values;
   const bool until_balance = transient_columns[source.column].value == &TransientRow::energy;

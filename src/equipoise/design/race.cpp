@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t more_starts = 4;  // halves an interval
 constexpr int raises = 3;
-// A search among a few values comes to an end, though no budget is spent: after so many points in a row that were all
-// known. Batches are no measure: an optimiser that learns nothing new starts anew with ever larger ones.
+// A search among a few values ends before its budget is spent: after this many points in a row that were all known.
+// Batches are no measure: an optimiser that learns nothing new restarts with ever larger ones.
 constexpr std::size_t most_idle = 5000;
 
 }  // namespace
