@@ -37,8 +37,9 @@ class StartPixels {
  public:
   using Discovered = std::function<void(const std::vector<double>& state)>;
 
-  /// Finds the attractors. `map`: its study has a horizon. `met`: states on motions that earlier runs met, which are
-  /// listed first; `discovered` is told new ones, before the pixels that came to them. `notes`: of the search, or null.
+  /// Finds the attractors. `map`: its study must have a horizon. `met`: states on motions that earlier runs met; these
+  /// are listed first. `discovered` is told of new ones, before the pixels that came to them. `notes`: of the search,
+  /// or null.
   StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
               const Discovered& discovered, SearchLog* notes);
 
