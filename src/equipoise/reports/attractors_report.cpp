@@ -73,7 +73,7 @@ std::string aligned(const std::vector<Row>& rows, const std::vector<Alignment>& 
   return text;
 }
 
-// How rare an attractor may be and still be missed: only decided starts tell.
+// How rare an attractor may be and still be missed; only decided starts count.
 std::string search_text(const AttractorsResult& r) {
   const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
   std::string text = fmt::format("{} starts searched, {} decided", starts, decided);
@@ -91,7 +91,7 @@ std::string search_text(const AttractorsResult& r) {
 
 namespace {
 
-// What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
+// The motor on a motion: mean speed and its variation to either side, torque, power.
 Row motor_cells(const Motion& m, const TableUnits& units) {
   const MotorLoad& load = *m.motor;
   const double waver = 0.5 * (load.speed_max - load.speed_min);
@@ -115,7 +115,7 @@ std::string events_text(const Attractor& a, int balls) {
   return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
 }
 
-// What the columns of a rotor whose equations depend on its angle mean.
+// Meaning of the columns for a rotor whose equations depend on its angle.
 std::string section_text(const Study& study, const TableUnits& units) {
   const model::System system = study.system();
   if (system.autonomous()) return "";
@@ -140,7 +140,7 @@ std::string attractors_text(const AttractorsResult& r) {
                          "mean", "max", "drift of the balls" + units.drift, "stability"}};
   std::vector<Alignment> alignment{right, left, left, right, right, right, right, right, right, left, left};
   const bool driven = r.basin.study.speed.driven();
-  constexpr int motor_column = 9;  // behind r
+  constexpr int motor_column = 9;  // after r
   const auto insert = [](Row& row, const Row& cells) {
     row.insert(row.begin() + motor_column, cells.begin(), cells.end());
   };
@@ -153,7 +153,7 @@ std::string attractors_text(const AttractorsResult& r) {
     const Share& share = share_of(r, a.id).share;
     std::string drift;
     for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
-    const bool measured = m.kind == MotionKind::measured;  // of which no state is known
+    const bool measured = m.kind == MotionKind::measured;  // its state is unknown
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
     rows.push_back({fmt::format("{}", a.id), title_of(a), name_of(m.kind),
                     share.total ? percent(share.share, share.count == 0 ? 0 : digits_for(share)) : "-",

@@ -32,7 +32,7 @@ std::string sought_text(const CapacityResult& r) {
   return in_unit(r, fmt::format("{} to {}", four_digits(r.from), four_digits(r.to)));
 }
 
-// Of a cell that was begun and not done.
+// For a cell that was begun and not finished.
 std::string open_row(const OpenCapacity& open, std::size_t width) {
   const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
   return fmt::format("{:>{}}  {:<24}{:>7}\n", "open", width, fmt::format("{} and {}", end(open.low), end(open.high)),

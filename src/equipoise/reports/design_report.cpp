@@ -92,7 +92,7 @@ std::string front_table(const DesignResult& r) {
   return text;
 }
 
-// The chosen design beside the study as it is, on the same starts.
+// The chosen design beside the original study, on the same starts.
 std::string comparison_table(const DesignResult& r, const DesignCandidate& best) {
   std::size_t width = 10;
   for (const DesignFigure& f : r.figures) width = std::max(width, f.name.size());
@@ -150,7 +150,7 @@ std::string estimate_text(const DesignFigure& figure, double value) {
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
   if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
   if (figure.share) {
-    Share share;  // of as many starts as tell none, some and all apart
+    Share share;  // the fewest starts that distinguish none, some and all
     share.total = 2;
     share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
     share.low = e.low;
