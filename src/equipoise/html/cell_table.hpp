@@ -1,4 +1,4 @@
-// Tables of cells in pages: as many as two sheets of paper hold.
+// Tables of cells in pages, limited to what two sheets of paper hold.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace equipoise {
 
-/// Columns for the parameters of all axes: their titles, and a cell's values.
+/// Columns for the parameters of all axes: titles, and a cell's values.
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes);
 std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 
-/// Puts a table with a row a cell where it belongs: open where it is short, else folded, and cut where it is endless.
-/// `all`: where all cells are to be had.
+/// Adds a table with one row per cell: open if short, else folded, and cut off if very long. `all`: where to find all
+/// cells.
 void add_cell_table(Document& document, DocumentTable table, const std::string& all);
 
 /// "final speed from 1.5 to 6 (46 values); ball drag 0.05, 0.1": what varies.

@@ -1,4 +1,4 @@
-// Words, tables and drawings around a design.
+// Words, tables and drawings for a design.
 #include "equipoise/html/design_html.hpp"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ class DesignDocument {
     }
   }
 
-  // A spin-up is a sentence, which a narrow screen may break.
+  // A spin-up is a sentence, which a narrow screen may wrap.
   static DocumentCell value_cell(const StudyValue& value) {
     return value.table() ? DocumentCell{setting_text(value)} : number_cell(setting_text(value));
   }
@@ -158,7 +158,7 @@ class DesignDocument {
         {"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}, {}, "", false, {}};
     for (const DesignMargin& m : r_.margins) {
       const std::string unit = m.unit.empty() ? "" : " " + m.unit;
-      const bool ordered = has_order(m);  // choices have no ends
+      const bool ordered = has_order(m);  // choices have no order
       table.rows.push_back({{key_words(margin_name(m.key)), Tone::plain, false, true},
                             number_cell(fmt::format("{:.4g}{}", m.value, unit)),
                             number_cell(ordered ? fmt::format("{:.4g}", m.keeps_from) : "-"),
