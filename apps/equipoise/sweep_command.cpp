@@ -1,4 +1,5 @@
-// equipoise sweep: an ensemble at every combination of some parameters' values; equipoise merge: several files of one.
+// equipoise sweep: an ensemble at every combination of some parameters' values; equipoise merge: joins files of one
+// sweep.
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -101,7 +102,7 @@ void check_outputs(const SweepArguments& a, const SweepOptions& options) {
     throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
 }
 
-// One process of several that the first leads; what is wrong with the study, that one says.
+// A process led by the first; that one reports errors in the study.
 int follow(Team& team, const SweepArguments& a) {
   if (!team.agree(true)) return bad_input;
   team.follow(plan_of(a, source_of(a)), a.threads ? threads_option(a.threads) : 1, &stop_flag());
@@ -144,7 +145,7 @@ int run_sweep(const SweepArguments& a) {
                      "work of that part (start processes that have a part each without mpirun)");
   SweepOptions options;
   options.output = a.output;
-  // Of several processes on a machine each has a core of its own.
+  // Of several processes on a machine, each has its own core.
   options.threads = a.threads || team.alone() ? threads_option(a.threads) : 1;
   options.stop = &stop_flag();
   StudySource source;

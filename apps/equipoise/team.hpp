@@ -1,4 +1,4 @@
-// The processes of one job on a cluster: work handed out by the first, done by all. Without MPI there is only one.
+// The processes of one job on a cluster: the first hands out work, all do it. Without MPI there is only one.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace equipoise::app {
 
-/// What --version says of it.
+/// What --version says about MPI.
 std::string mpi_text();
 /// Whether this program is built with MPI.
 bool has_mpi();
@@ -18,7 +18,7 @@ class Post;
 
 class Team {
  public:
-  /// Joins the others if mpirun, or what does as it does, started this process and this program is built with MPI.
+  /// Joins the others if mpirun or a similar starter started this process, and this program is built with MPI.
   Team();
   /// Leaves them: once all have left, or at once if this process was stopped.
   ~Team();
@@ -29,20 +29,20 @@ class Team {
   bool leads() const { return rank_ == 0; }
   int size() const { return size_; }
 
-  /// Whether all were given the same words. If not there is no work for anybody.
+  /// Whether all were given the same words. If not, nobody works.
   bool have_same(const std::string& words);
-  /// What the first found of what was asked, known to all: whether there is work.
+  /// The first process's finding, made known to all: whether there is work.
   bool agree(bool good);
-  /// Of the first: gives blocks to the others and takes their cells until none of them has any left. Whom no block is
-  /// left for decides starts of others' cells, this process too: `threads` chunks at a time.
+  /// For the first: gives blocks to the others and receives their cells until none is left. Processes without a block,
+  /// this one included, decide starts of others' cells, `threads` chunks at a time.
   void lead(const SweepPlan& plan, SweepWork& work, int threads, const StopFlag* stop);
-  /// Of the first, if the work cannot go on: sends the others home.
+  /// For the first, if the work cannot go on: sends the others home.
   void dismiss();
-  /// Of the others: works until the first has nothing more.
+  /// For the others: works until the first has nothing more.
   void follow(const SweepPlan& plan, int threads, const StopFlag* stop);
 
  private:
-  int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
+  int rank_ = 0, size_ = 1, left_ = 0;  // left_: number of other processes that may ask again
   bool joined_ = false;
   std::unique_ptr<Post> post_;
 };
