@@ -12,9 +12,9 @@ struct Job {
 /// From the environment variables of Open MPI, MPICH and its relatives, and Slurm with PMIx.
 Job job_of_environment();
 
-/// Whether this is one of several processes, each of which would do the whole work. For programs built without MPI. The
-/// first process says so for all: it throws InputError. The others are told true, a second later: starters of jobs end
-/// all processes as soon as one has failed, and the first must have spoken by then.
+/// Whether this is one of several processes that would each do the whole work; for programs built without MPI. The
+/// first process reports this for all by throwing InputError. The others return true a second later: job starters end
+/// all processes as soon as one has failed, and the first must have reported by then.
 bool repeats_work();
 
 }  // namespace equipoise::app
