@@ -1,4 +1,4 @@
-// The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables say it.
+// The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables match it.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -94,7 +94,7 @@ TEST(StudyKeys, EachIsMeantByItsMisspelling) {
   });
 }
 
-// Of numbers, one at either end that the range has and one in it; what other keys forbid is not asked.
+// For numbers: values at both ends of the range and inside it, except those that other keys forbid.
 TEST(StudyKeys, EachIsEchoedAsItWasRead) {
   std::map<std::string, int> taken;
   for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
@@ -129,7 +129,7 @@ TEST(StudyKeys, QuantitiesAreOfTheirDimension) {
         parse_study(machine, "machine", {dotted(table, key) + "=0.25"});
         EXPECT_EQ(*key.dimension, study::Dimension::angle) << dotted(table, key);
       } catch (const InputError& e) {
-        if (e.problem().find("a plain number") == std::string::npos) continue;  // another key is in its way
+        if (e.problem().find("a plain number") == std::string::npos) continue;  // another key is in the way
         EXPECT_NE(e.problem().find(study::words(*key.dimension).example), std::string::npos) << e.what();
       }
     }
@@ -203,7 +203,7 @@ std::string guide_table(const KeyTable& table, bool physical) {
   return text;
 }
 
-// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; `./dev snapshots` writes them anew.
+// Between "<!-- keys of NAME -->" and "<!-- end of keys -->"; `./dev snapshots` renews them.
 TEST(StudyKeys, StandInTheGuide) {
   const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/study-file.md";
   std::ifstream file(path);
