@@ -9,8 +9,8 @@ namespace equipoise {
 
 using RandomWords = std::array<std::uint64_t, 4>;
 
-/// Philox 4x64-10 (Salmon and others, "Parallel random numbers: as easy as 1, 2, 3", SC 2011): the random words for a
-/// counter and a key.
+/// Philox 4x64-10 (Salmon and others, "Parallel random numbers: as easy as 1, 2, 3", SC 2011): words of a counter and
+/// key.
 RandomWords random_words(const std::array<std::uint64_t, 2>& key, const RandomWords& counter);
 
 /// The upper 53 bits of a word as a number in [0, 1).
