@@ -14,16 +14,15 @@
 namespace equipoise {
 
 /// If one axis of a slice is a parameter and the other an initial value, all pixels of a line have the same rotor. A
-/// few of them find motions that the mesh does not list; the other pixels are then recognised by these and need not be
-/// followed one by one.
+/// few of them find motions that the mesh does not list; the other pixels are then recognised by these, not followed
+/// one by one.
 class LineMotions {
  public:
   using StartAt = std::function<FamilyStart(std::uint32_t position)>;
 
   /// Whether lines of this many pixels are long enough.
   static bool pays(int pixels);
-  /// `columns`: the lines are columns, else rows; they must be long enough. `runner` must outlive this. `notes`: may be
-  /// null.
+  /// `columns`: the lines are columns, else rows, and long enough. `runner` must outlive this; `notes` may be null.
   LineMotions(const BasinSlice& map, bool columns, const StartRunner& runner, SearchLog* notes);
 
   /// Probes the lines of these pixels, unless that is done. False if stopped.

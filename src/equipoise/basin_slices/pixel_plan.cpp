@@ -10,8 +10,7 @@ namespace equipoise {
 
 namespace {
 
-// Marks of a pixel: unknown; asked for; known, but no outcome or one too many; from first_outcome on, the number of its
-// outcome.
+// Marks of a pixel: unknown; asked for; known, but no outcome or one too many; from first_outcome on: its outcome.
 constexpr std::uint8_t unknown = 0, asked = 1, alone = 2, first_outcome = 3;
 constexpr std::size_t most_outcomes = 256 - first_outcome;
 

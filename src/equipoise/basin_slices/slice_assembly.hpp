@@ -13,8 +13,7 @@
 
 namespace equipoise {
 
-/// All of a slice's codes, without shares yet: the attractors seen, with their final codes, then outcomes without
-/// attractor.
+/// A slice's codes, without shares yet: the attractors seen, with final codes, then outcomes without attractor.
 std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study);
 
 /// Reads all rows of `store` in order, fills in pixels by `plan` (if any), renames codes by `seen`, and counts. Adds to

@@ -13,8 +13,7 @@
 namespace equipoise {
 
 /// A motion with a fixed identifier has it as its code. Others get the next codes, one per name. Usual names have the
-/// same code in every slice; the rest are numbered as they are met, and in the order of pixels once a slice is
-/// complete.
+/// same code in every slice; the rest are numbered as met, and in pixel order once a slice is complete.
 class SliceNames {
  public:
   /// The motion's code; a new one if it is met for the first time.
@@ -26,8 +25,7 @@ class SliceNames {
 
   /// Records a computed pixel.
   void see(short code, std::uint32_t position);
-  /// What was seen of pixels, by the codes given so far. In a complete slice, codes given as met are renumbered in the
-  /// order of pixels.
+  /// What was seen of pixels, by the codes given so far. A complete slice renumbers them in pixel order.
   std::map<short, OutcomeShare> seen(bool whole) const;
 
  private:

@@ -46,8 +46,7 @@ class SliceStore : public PixelStore {
   void read_rows(int first, int rows, SlicePixel* pixels) const override;
 
   /// `write` receives a path and writes the results there. Then the unfinished part is removed, except for the search
-  /// log of a slice that is not `complete`. If the disk cannot take them, throws RunError and keeps everything as it
-  /// was.
+  /// log of a slice that is not `complete`. On a full disk, throws RunError and keeps everything as it was.
   void finish(const std::function<void(const std::string& path)>& write, bool complete);
 
  private:

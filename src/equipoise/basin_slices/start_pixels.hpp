@@ -20,13 +20,11 @@
 
 namespace equipoise {
 
-/// Whether all pixels are starts of the same rotor: both axes are ball angles or, if the balls are free from the start,
-/// other initial values.
+/// Whether all pixels are starts of one rotor: both axes are ball angles or, with free balls, other initial values.
 bool maps_starts(const BasinSlice& map);
 
 double balance_margin(const model::Parameters& p);
-/// Largest growth rate at isolated balanced states; NaN if the equations depend on the rotor's angle or the race is off
-/// centre.
+/// Largest growth rate at isolated balanced states; NaN if the rotor's angle matters or the race is off centre.
 double balance_growth(const model::System& system);
 
 /// The study of a pixel. Throws InputError if it is invalid.
@@ -38,8 +36,7 @@ class StartPixels {
   using Discovered = std::function<void(const std::vector<double>& state)>;
 
   /// Finds the attractors. `map`: its study must have a horizon. `met`: states on motions that earlier runs met; these
-  /// are listed first. `discovered` is told of new ones, before the pixels that came to them. `notes`: of the search,
-  /// or null.
+  /// are listed first. `discovered` is told of new ones, before the pixels that came to them. `notes` may be null.
   StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
               const Discovered& discovered, SearchLog* notes);
 
