@@ -20,15 +20,14 @@ struct CellFileKind {
 };
 
 /// Two files, as for an ensemble (basin_file.hpp). The results, `path`, are NetCDF, sealed; besides what others read
-/// they hold each cell's record (cell_netcdf.hpp). During work, `path`.part holds records as they come, one or more per
-/// cell.
+/// they hold each cell's record (cell_netcdf.hpp). Until then `path`.part holds records, one or more per cell.
 class CellFile {
  public:
   using Take = std::function<void(std::size_t cell, const std::vector<std::uint8_t>& record)>;
 
   /// Opens existing parts of the same results, or begins anew. `take` receives every record found, those of the
   /// finished file first. Throws InputError if the file cannot be written, is in use, is damaged, or holds something
-  /// else, and says which.
+  /// else.
   CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
            const Take& take);
 
@@ -42,8 +41,7 @@ class CellFile {
     notes,    ///< they hold every record
     all       ///< the unfinished part holds more than they do
   };
-  /// Lets `write` write the results, if any record is new or there is no file. Throws RunError, with everything kept as
-  /// it was.
+  /// Lets `write` write the results, if any record is new or there is no file. Throws RunError and keeps everything.
   void finish(const std::function<void(const std::string& path, const std::string& identity)>& write, Rest rest);
 
  private:

@@ -13,8 +13,8 @@
 
 namespace equipoise::io {
 
-/// The records that the program itself reads back (cell_file.hpp), one after the other, and where each ends. A missing
-/// one takes no room.
+/// Records that the program itself reads back (cell_file.hpp), one after the other, and their ends. Missing ones are
+/// empty.
 struct CellRecords {
   CellRecords(std::size_t cells, const std::function<std::vector<std::uint8_t>(std::size_t cell)>& record);
 

@@ -1,5 +1,4 @@
-// Cells of a sweep, trials of a capacity and ensembles of a design as bytes, for files and for messages between
-// processes.
+// Cells of a sweep, trials of a capacity and ensembles of a design as bytes, for files and messages.
 #pragma once
 
 #include <cstdint>

@@ -12,12 +12,10 @@ namespace equipoise {
 /// sealed: a coordinate for every parameter, one dimension per axis; outcome kinds with code, name and alias; count,
 /// share and its interval, mean decision time and figures of the motion by cell and outcome; quantiles of the
 /// transients and shares above limits by cell. Missing cells are filled. Every variable has units and long_name. Throws
-/// InputError if unfinished results stand beside it; throws RunError, with an old file as it was, if the disk cannot
-/// take it.
+/// InputError if unfinished results stand beside it; RunError, with an old file kept, if the disk is full.
 void write_sweep_file(const std::string& path, const SweepResult& result);
 
-/// The identity and content of a sweep's file of results or its unfinished part. Throws InputError for other or damaged
-/// files.
+/// Identity and content of a sweep's results or its unfinished part. Throws InputError for other or damaged files.
 struct StoredSweep {
   std::string identity;
   SweepCells cells;
@@ -28,8 +26,7 @@ namespace io {
 
 class CellFile;
 
-/// Records are cells (sweep_cells.hpp). `cells`, with an entry for every cell, receives the known ones. Throws as
-/// CellFile does.
+/// Records are cells (sweep_cells.hpp). `cells`, an entry per cell, receives the known ones. Throws like CellFile.
 std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells);
 /// Only searches of missing cells stay in the unfinished part.
 void finish_sweep_file(CellFile& file, const SweepResult& result);
