@@ -29,8 +29,7 @@ constexpr double long_patience = 4.0 * motion_patience;
 constexpr int most_searches = 4;
 // A motion that changes by more than this within half a step, in natural sizes, may be another one.
 constexpr double largest_change = 0.5;
-// A step is smooth if its two halves change the motion about equally. At a fold, where changes go like a square root,
-// they differ by 2.4.
+// A step is smooth if its two halves change the motion about equally. At a fold (a square root) they differ by 2.4.
 constexpr double uneven = 4.0, smallest_uneven = 0.02;
 constexpr double centred = 1e-9;  // off_balance() of balanced states
 
@@ -99,8 +98,7 @@ bool resembles(const model::Parameters& p, const Motion& a, const Motion& b) {
   const double size = std::max(a.r_max, b.r_max);
   const double of_max = std::fabs(a.r_max - b.r_max) / size, of_mean = std::fabs(a.r_mean - b.r_mean) / size;
   if (family_of(p, a) == family_of(p, b)) return of_max < 0.25 && of_mean < 0.15;
-  // Whether two balls drift at one rate is measured and may differ by chance at one value; then compare the motions
-  // themselves.
+  // Whether two balls drift at one rate is measured and may differ by chance; then compare the motions themselves.
   return is_restless(a) && is_restless(b) && of_max < 0.1 && of_mean < 0.05 && drift_alike(p, a, b);
 }
 

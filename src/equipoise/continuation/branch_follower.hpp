@@ -16,8 +16,7 @@ namespace equipoise {
 /// Motions that cannot be refined: tori, chaos, and motions with events.
 bool is_restless(const Motion& motion);
 
-/// A periodic motion of several turns: a torus may lock to it and continue beyond it, and chaos may have it as a
-/// window.
+/// A periodic motion of several turns: a torus may lock to it and continue beyond, and chaos may have it as a window.
 bool may_be_locked(const Motion& motion);
 
 /// The motion's name without its kind (torus, chaotic or neither).
@@ -49,8 +48,7 @@ class BranchContinuation {
   /// Continues `motion` from value `from` to `to`, at most one step of the line. Newton's steps are halved where the
   /// method fails or the motion changes abruptly or in kind, down to 2^-16 of the line's step; a motion not found then
   /// ends. Restless motions, and periodic ones locked within them, are carried by trajectories in steps down to 1/64 of
-  /// the line's, finally from several states. Random starts may find what these miss. A stopped advance has not
-  /// arrived.
+  /// the line's, finally from several states. Random starts may find what these miss. If stopped: not arrived.
   Advance advance(const Motion& motion, double from, double to) const;
 
   /// For a motion seen at end.value but found only on another branch at end.refused: narrows the bracket as far as for
