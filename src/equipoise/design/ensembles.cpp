@@ -21,8 +21,7 @@ namespace equipoise {
 
 namespace {
 
-// Attractor searches that a thread keeps. Spin-ups to one final speed share one; other candidates rarely return to
-// theirs.
+// Attractor searches that a thread keeps. Spin-ups to one final speed share one; others rarely return to theirs.
 constexpr std::size_t most_attractor_searches = 16;
 
 std::string name_of_sample(const WantedSample& w) {

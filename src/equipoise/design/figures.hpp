@@ -13,9 +13,8 @@
 namespace equipoise {
 
 /// A figure's name taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and "COLUMN.Q"
-/// (the Q-quantile over starts of a column of transient_columns), "ball_mass", "spin_up_time" and "acceleration" of the
-/// prescribed speed (less is better), or a varied number: "-balancer.mass" if less of it is better, "balancer.mass" if
-/// more is.
+/// (Q-quantile of a column of transient_columns), "ball_mass", "spin_up_time" and "acceleration" of the prescribed
+/// speed (less is better), or a varied number: "-balancer.mass" if less is better, "balancer.mass" if more is.
 struct FigureSource {
   enum class Kind { balanced, passed, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
   Kind kind = Kind::balanced;

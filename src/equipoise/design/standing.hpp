@@ -25,8 +25,7 @@ class DesignStanding {
   std::vector<double> goals(const DesignSample& sample, Side side) const;
   /// The same for an optimiser: every sample that misses a limit is worse than every sample that misses none.
   std::vector<double> worth(const DesignSample& sample) const;
-  /// Whether a is better than b: it misses less; or neither misses a limit, and a is nowhere worse and somewhere
-  /// better.
+  /// Whether a is better than b: it misses less; or neither misses a limit, and a is nowhere worse, somewhere better.
   bool beats(const DesignSample& a, Side side_a, const DesignSample& b, Side side_b) const;
   /// Indices of the samples that no other beats, by the first objective.
   std::vector<std::size_t> front(const std::vector<const DesignSample*>& samples, Side side) const;
