@@ -16,12 +16,10 @@ std::string share_words(const Share& share);
 
 /// "The rotor ends balanced in 97.1 to 98.9 % of starts (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
 /// %." Mentions undecided starts, and bounds that hold whatever they come to; omits limits that the study does not
-/// have. For a study with uncertain values it begins with what is drawn: "With unbalance drawn anew for every start,
-/// the rotor ends ...".
+/// have. With uncertain values it begins: "With unbalance drawn anew for every start, the rotor ends ...".
 std::string answer_sentence(const BasinResult& result);
 
-/// Where the rotor balances most and least often, how often at worst a limit is exceeded, how much stays undecided at
-/// most.
+/// Where the rotor balances most and least often, how often at worst a limit is exceeded, how much stays undecided.
 std::string answer_sentence(const SweepResult& result);
 
 /// The capacity with its interval, or the least and the largest, with their cells.

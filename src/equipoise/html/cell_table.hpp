@@ -14,8 +14,7 @@ namespace equipoise {
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes);
 std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 
-/// Adds a table with one row per cell: open if short, else folded, and cut off if very long. `all`: where to find all
-/// cells.
+/// Adds a table with one row per cell: open if short, else folded, cut off if very long. `all`: where all cells are.
 void add_cell_table(Document& document, DocumentTable table, const std::string& all);
 
 /// "final speed from 1.5 to 6 (46 values); ball drag 0.05, 0.1": what varies.
