@@ -51,9 +51,8 @@ class Journal {
   /// Reads part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
 
-  /// Appends a record; damage after the whole records is cut off first. The record survives a kill at once, and is on
-  /// disk within about a second of work. Throws RunError if the disk is full, and keeps the earlier records.
-  /// Thread-safe.
+  /// Appends a record, first cutting off any damage. The record survives a kill at once, and is on disk within about a
+  /// second of work. Throws RunError if the disk is full, and keeps the earlier records. Thread-safe.
   void append(Record record, const void* payload, std::size_t bytes);
   /// Removes the file, once all its content is elsewhere.
   void remove();

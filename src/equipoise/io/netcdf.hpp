@@ -67,8 +67,7 @@ class NetcdfFile {
 /// The name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
 
-/// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written everything. Throws
-/// RunError.
+/// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written all. Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
 
