@@ -21,8 +21,7 @@ struct EnsembleResult : OtherShares {
   std::vector<bool> balanced;               ///< start by start, for comparisons on common starts
   double seconds = 0.0, cpu_seconds = 0.0;  ///< over all runs
   bool complete = false;
-  /// Share of the attractor that the paper calls by this name ("balanced", "V1"); a share of no starts if it was not
-  /// met.
+  /// Share of the attractor that the paper calls by this name ("balanced", "V1"); of no starts if it was not met.
   Share share_of(const std::string& attractor) const;
 };
 
