@@ -1,6 +1,6 @@
 // A value with its partial derivatives in n directions, over any number type. Run on it, the equations give exact
-// derivatives; over intervals, bounds on a derivative over a whole box. A number type of the equations (requirements:
-// base/pack-inl.hpp).
+// derivatives; over intervals, bounds on a derivative over a whole box. A number type of the equations
+// (base/pack-inl.hpp).
 #pragma once
 
 #include <cmath>

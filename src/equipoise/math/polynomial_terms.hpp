@@ -36,8 +36,7 @@ inline double squared_distance(const std::vector<double>& a, const std::vector<d
   return sum;
 }
 
-/// Least-squares coefficients, one row per term and one column per quantity; `values` has one row for each entry of
-/// `terms`.
+/// Least-squares coefficients, one row per term and one column per quantity; rows of `values` match `terms`.
 Eigen::MatrixXd polynomial_fit(const std::vector<Eigen::VectorXd>& terms, const std::vector<Eigen::VectorXd>& values);
 
 }  // namespace equipoise

@@ -9,8 +9,7 @@
 
 namespace equipoise {
 
-/// Cholesky's factor of the leading `count` rows of `a`, in place in the lower triangle. False at the first pivot that
-/// is not positive.
+/// Cholesky's factor of the leading `count` rows of `a`, in its lower triangle. False if a pivot is not positive.
 template <std::size_t rows>
 bool factorise(std::array<std::array<double, rows>, rows>& a, int count) {
   for (int j = 0; j < count; ++j) {

@@ -22,8 +22,7 @@ struct QuadraticOnBall {
 enum class Multiplier { proves, too_small, too_large };
 
 /// Whether `multiplier` >= 0 proves it, rounding included. If not, any multiplier that does lies beyond `bound`. There
-/// the tangent at 1 of the form's Schur complement, a convex function of the multiplier, vanishes; it guides the
-/// search.
+/// the tangent at 1 of the form's Schur complement, convex in the multiplier, vanishes; it guides the search.
 template <std::size_t side>
 Multiplier judge(const QuadraticOnBall<side>& f, double multiplier, double& bound) {
   constexpr std::size_t one = side - 1;
@@ -53,8 +52,7 @@ Multiplier judge(const QuadraticOnBall<side>& f, double multiplier, double& boun
 }
 
 /// Searches from the given multiplier for one that proves all functions. Each function admits an interval of
-/// multipliers; [low, high] shrinks to their intersection, and is empty as soon as two functions or two tangents
-/// disagree.
+/// multipliers; [low, high] shrinks to their intersection, and is empty once two functions or tangents disagree.
 template <std::size_t side, std::size_t count>
 bool find_multiplier(const std::array<QuadraticOnBall<side>, count>& functions, double& multiplier) {
   double low = 0.0, high = std::numeric_limits<double>::infinity();
