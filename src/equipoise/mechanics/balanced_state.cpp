@@ -41,8 +41,7 @@ BalancedStates balanced_states(const Parameters& p) {
     }
   }
   if (lambda > 0.0 && slack <= equal_within * (lambda + total)) {
-    // Equality: a single state, all balls on one line. The largest balances the rest: lambda at angle 0, or one ball at
-    // pi.
+    // Equality: one state, all balls on one line. The largest balances the rest: lambda at 0, or one ball at pi.
     result.kind = BalancedStates::Kind::isolated;
     std::array<double, max_balls> phi{};
     for (int i = 0; i < p.balls; ++i) phi[i] = lambda == largest || p.mass[i] == largest ? pi : 0.0;

@@ -77,8 +77,8 @@ class Turning {
     return std::max(0.0, wrapped_positive(phi_[(i + 1) % ring_.size()] - phi_[i]) - ring_.apart(i));
   }
 
-  // Turns `count` balls from `first` on, whose arms sum to `group`, within their gaps to where the total is least.
-  // Returns the rotation.
+  // Turns `count` balls from `first` on, with arms summing to `group`, within their gaps to the least total; returns
+  // the turn.
   std::complex<double> turn(int first, int count, std::complex<double> group) {
     const int n = ring_.size();
     const std::complex<double> others = sum_ - group;

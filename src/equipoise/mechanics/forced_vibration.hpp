@@ -10,8 +10,7 @@ namespace equipoise::model {
 /// sqrt(kappa/(1 + N)), by direction.
 std::array<double, 2> critical_speeds(const Parameters& p);
 
-/// sqrt(2) times the higher critical speed: above it a bare undamped rotor vibrates by less than twice its
-/// eccentricity.
+/// sqrt(2) times the higher critical speed: above it a bare undamped rotor vibrates less than twice its eccentricity.
 double quiet_speed(const Parameters& p);
 
 /// Mean torque that vibration takes from the motor at constant `speed`, for one body with this unbalance. Exact if the

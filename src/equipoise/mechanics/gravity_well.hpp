@@ -38,8 +38,7 @@ class GravityWell {
   double top_ = 0.0;  // E - tau psi at the lower maximum
 };
 
-/// Whether a rotor with held balls, in a state of model/held_state.hpp, is in such a well and will never again be as
-/// fast as `speed`.
+/// Whether a rotor with held balls (state: model/held_state.hpp) is in such a well and never again as fast as `speed`.
 bool held_in_well(const System& system, const double* held, double speed);
 
 }  // namespace equipoise::model
