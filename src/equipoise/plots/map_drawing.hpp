@@ -7,8 +7,7 @@
 
 namespace equipoise {
 
-/// Outcomes by colour, listed below with their shares; lines where balance ceases to exist (dashed) or changes
-/// stability.
+/// Outcomes by colour, listed below with their shares; lines where balance ends (dashed) or changes stability.
 std::string map_svg(const BasinSlice& map);
 
 /// "initial angle of ball 1, φ1" and so on, with units if the study has them.

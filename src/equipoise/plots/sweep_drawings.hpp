@@ -17,8 +17,7 @@ std::string stacked_svg(const SweepResult& result);
 /// there is room. Values stand in order, evenly spaced.
 std::string heat_svg(const SweepResult& result, std::size_t first);
 
-/// Along one axis: the median of the peak displacement and its 90 % quantile, against the limit. Empty without
-/// transients.
+/// Along one axis: median and 90 % quantile of the peak displacement, against the limit. Empty without transients.
 std::optional<Chart> peak_chart(const SweepResult& result);
 
 }  // namespace equipoise

@@ -15,8 +15,7 @@ struct SweepLayer {
   std::string colour;         ///< the same in all pictures
   std::vector<double> share;  ///< by cell; 0 where it is missing
 };
-/// From the bottom: balanced, the other attractors that some start came to, by identifier, and outcomes without
-/// attractor.
+/// From the bottom: balanced, the other attractors met, by identifier, and outcomes without attractor.
 std::vector<SweepLayer> sweep_layers(const SweepResult& result);
 
 /// "final rotor speed Ω / critical speed", "rotor.unbalance (g mm)".
