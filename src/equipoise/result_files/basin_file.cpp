@@ -123,8 +123,7 @@ void BasinFile::State::read_journal() {
   for (const io::Journal::Record& record : journal->records()) take(record);
 }
 
-// A run killed after putting its results in place, but before removing its journal, leaves both. Records already in the
-// results are skipped.
+// A run killed between writing its results and removing its journal leaves both. Records in the results are skipped.
 void BasinFile::State::take(const io::Journal::Record& record) {
   using Kind = io::Journal::Kind;
   if (record.kind == Kind::note) return;

@@ -37,8 +37,7 @@ void require_same(const std::string& there, const std::string& here, const std::
 /// The path of results asked for at `path`, with links followed. Throws InputError unless it can be written, and is a
 /// regular file or does not exist yet.
 std::string results_path(const std::string& path, const std::string& allowed);
-/// The same for results that are written whole and replace an old file. Also throws InputError if unfinished results
-/// stand beside it.
+/// The same for results that are written whole and replace an old file. Also throws beside unfinished results.
 std::string path_for_whole_results(const std::string& path);
 
 }  // namespace io
