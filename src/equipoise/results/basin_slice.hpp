@@ -80,8 +80,8 @@ struct BasinSlice {
   std::vector<bool> computed;  ///< of a slice with blocks: whether a pixel was computed; else empty
   std::vector<float> time;     ///< study time at which the outcome was known; NaN where it was filled in
   std::vector<float> r_max;    ///< of the final motion; likewise
-  /// lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where this is >= 0. One value if all pixels share
-  /// a rotor.
+  /// lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where >= 0. One value if all pixels share a
+  /// rotor.
   std::vector<float> balance_margin;
   /// Largest real part of an eigenvalue at the more stable of the isolated balanced states; not a number where there
   /// are none. One value where all pixels share a rotor.
@@ -104,9 +104,8 @@ struct BasinSlice {
   }
 };
 
-/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed. So it does where
-/// both axes are parameters and the study does not say where the balls start: one start for all pixels would represent
-/// no other.
+/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: if both axes are
+/// parameters and the study does not say where the balls start. One start for all would represent no other.
 bool draws_starts(const BasinSlice& map);
 
 /// The axis of every `every`-th pixel of another; their centres stay in place.

@@ -72,8 +72,7 @@ std::vector<ValueRange> ranges_of(const Branch& branch);
 /// Growth rate of the slowest deviation: the largest real part of an eigenvalue, log|multiplier| / period, or Lyapunov
 /// exponent. Shifts in time and along a continuum of balanced states are left out; for a torus both zeros.
 double growth_rate(const Motion& motion);
-/// Largest modulus of a Floquet multiplier, leaving out the shift in time and those along a continuum; NaN for motions
-/// without multipliers.
+/// Largest modulus of a Floquet multiplier, without shifts in time and along a continuum; NaN without multipliers.
 double largest_multiplier(const Motion& motion);
 
 }  // namespace equipoise

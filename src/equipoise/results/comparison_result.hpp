@@ -28,8 +28,8 @@ struct ChangedFate {
 
 struct ComparisonResult {
   Study first, second;
-  /// Whether start i began alike in both: same seed, method, balls and box. Differences are then paired, else between
-  /// independent samples.
+  /// Whether start i began alike in both (same seed, method, balls and box): differences are then paired, else
+  /// independent.
   bool common = false;
   std::string why_not_common;  ///< if not
   std::uint64_t starts = 0;    ///< starts compared: if common, as many as both have

@@ -13,8 +13,7 @@
 
 namespace equipoise {
 
-/// A spin-up that is free between two speeds: piecewise linear over `points` points, then constant. Times and speeds in
-/// the design's units.
+/// A spin-up free between two speeds, piecewise linear over `points` points, then constant; in the design's units.
 struct SpinUpShape {
   int points = 1;
   double until = 0.0;            ///< latest time at which the final speed is reached

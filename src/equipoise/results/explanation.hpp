@@ -54,8 +54,7 @@ struct BalancedMotion {
     const bool one_of_many = states.kind == model::BalancedStates::Kind::continuum;
     return (less.empty() ? "" : ", " + less) + (one_of_many ? ", in the state shown of a continuum" : "");
   }
-  /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than a hundredth of its own
-  /// change.
+  /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than 1 % of its own change.
   int more_drag() const { return drag_sensitivity > 0.01 ? 1 : drag_sensitivity < -0.01 ? -1 : 0; }
   std::optional<double> slowest_if_sliding;  ///< for balls that roll: slowest_rate if they slid
 };

@@ -1,5 +1,4 @@
-// Where the starts of an ensemble end: one line for every attractor and every outcome without attractor, the same in
-// all results.
+// Where the starts of an ensemble end: one line per attractor or other outcome, the same in all results.
 #pragma once
 
 #include <array>

@@ -17,12 +17,10 @@ struct SliceFigures {
   /// The share of pixels with another outcome at distance e grows as e to this power: what more accurate starts gain in
   /// certainty. It is 2 minus the dimension (McDonald, Grebogi, Ott and Yorke, Physica D 17 (1985) 125).
   std::optional<SliceFigure> uncertainty_exponent;
-  /// Mean entropy of outcomes in boxes of 5 x 5 pixels, over all boxes and over those with more than one outcome. Above
-  /// log 2 the latter indicates a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6
-  /// (2016) 31416).
+  /// Mean entropy of outcomes in boxes of 5 x 5 pixels: all, and those with several outcomes. Above log 2 the latter
+  /// indicates a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6 (2016) 31416).
   std::optional<SliceFigure> basin_entropy, boundary_basin_entropy;
-  /// For two balls over both their angles: largest distance in rad from balanced angles within which every pixel is
-  /// balanced.
+  /// For two balls over both angles: largest distance (rad) from balanced angles within which every pixel is balanced.
   std::optional<double> balanced_radius;
 };
 

@@ -33,8 +33,8 @@ struct SweepAxis {
 /// An attractor in one cell.
 struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all cells
   int own_id = 0;                     ///< the identifier that basin() gives it in this cell
-  /// Of the motion: distance of the centre from the axis, period (0: none), mean rates of the balls; empty if only its
-  /// windows are known.
+  /// Of the motion: the centre's distance from the axis, period (0: none), mean ball rates; empty if only windows are
+  /// known.
   std::optional<double> r_min{}, r_mean{}, r_max{};
   double period = 0.0;
   std::vector<double> drift{};
@@ -70,8 +70,7 @@ struct SweepCell : OtherShares {
   WarmStartLevels warm_start_levels;  ///< for the next cell's search, besides the motions
 };
 
-/// By index; consecutive cells follow the last axis; null: not done. Pointers, since most cells of a large sweep are
-/// null.
+/// By index; consecutive cells follow the last axis; null: not done. Pointers: most cells of a large sweep are null.
 using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
 
 struct SweepResult {

@@ -1,5 +1,4 @@
-// How figures of transients are presented: one line each, from which tables, pages, designs and Python take units and
-// names.
+// How figures of transients are presented: one line each, used by tables, pages, designs and Python.
 #pragma once
 
 #include <array>
