@@ -17,8 +17,7 @@ class Reporting {
  public:
   explicit Reporting(const RunOptions& asked) : asked_(asked) {}
 
-  /// Runs `work` on another thread and serves its reports on this one until it is done. Rethrows what a callback or the
-  /// work threw.
+  /// Runs `work` on another thread and serves its reports on this one until it is done. Rethrows exceptions of both.
   void run(const std::function<void()>& work);
 
   // For the work, from any of its threads.

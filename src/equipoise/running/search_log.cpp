@@ -25,8 +25,7 @@ void NotePage::hand_on() {
   waiting_.clear();
 }
 
-// FNV-1a (Fowler, Noll, Vo): the same on every machine. The chance that two of a run's hundred pages share a number is
-// 1 in 10^15.
+// FNV-1a (Fowler, Noll, Vo): the same on every machine. Two of a run's hundred pages share a number once in 10^15 runs.
 std::uint64_t NotePage::number_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
