@@ -15,8 +15,7 @@ namespace {
 constexpr int index_bits = 48;
 using Directions = std::array<std::array<std::uint64_t, index_bits>, most_sobol_dimensions>;
 
-// Boost's engine follows the order of the Gray code, without point 0. Its output number 2^(j+1) - 2 has the code 2^j,
-// so it is direction j.
+// Boost's engine follows the Gray code, without point 0: its output 2^(j+1) - 2 has the code 2^j and is direction j.
 Directions direction_numbers() {
   Directions result;
   boost::random::sobol engine(most_sobol_dimensions);
