@@ -15,8 +15,7 @@ constexpr std::size_t bootstrap_samples = 1000;
 
 struct Sums {
   double weight = 0.0, all = 0.0, all_squared = 0.0;  // of a and b
-  // By input. sum, squares, products: b and the mixed row, which shares only that input with b. differences: a and the
-  // mixed row.
+  // By input. sum, squares, products: of b and the mixed row (that input from b). differences: a and the mixed row.
   std::vector<double> sum, squares, products, differences;
 
   explicit Sums(std::size_t inputs) : sum(inputs), squares(inputs), products(inputs), differences(inputs) {}

@@ -7,8 +7,7 @@
 
 namespace equipoise {
 
-/// Outcomes in rows of `inputs` + 2: for one draw a of all inputs, for another draw b, and for a with one input at a
-/// time taken from b.
+/// Outcomes in rows of `inputs` + 2: for a draw a of all inputs, a draw b, and a with one input at a time from b.
 struct PickFreezeRows {
   std::size_t inputs = 0;
   std::vector<double> outcomes;
