@@ -20,8 +20,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// A key of a dimensionless table: its values, the physical key behind them, and what they measure unless they are
-// dimensionless already.
+// A key of a dimensionless table: its values, the physical key behind them, and their dimension, if any.
 struct Derived {
   std::string key, from;
   Values values;
@@ -300,8 +299,7 @@ std::string physical_key(const Document& document) {
   return "";
 }
 
-// Without a mass nothing has a scale. The message names the key that makes the study physical, in case that was a
-// mistake.
+// Without a mass nothing has a scale. The message names the key that makes the study physical: it may be a mistake.
 void require_mass(const Document& document) {
   const std::string key = physical_key(document);
   if (key == "rotor.mass") return;

@@ -1,5 +1,4 @@
-// Studies in physical units: every quantity is a string with its unit, converted to the dimensionless keys that the
-// study reader takes.
+// Studies in physical units: every quantity, a string with its unit, becomes a dimensionless key of the study reader.
 #pragma once
 
 #include "equipoise/study/ball_details.hpp"
@@ -7,8 +6,7 @@
 
 namespace equipoise::study {
 
-/// Whether the study is in physical units, by keys that only such a study has, such as rotor.mass or
-/// balancer.race_radius.
+/// Whether the study is in physical units, by keys that no other study has, such as rotor.mass.
 bool is_physical(const Document& document);
 
 /// Replaces the physical keys of a physical study by dimensionless ones, in place, and sets document.scales. The

@@ -7,8 +7,7 @@
 
 namespace equipoise {
 
-/// The study with its default release stated: the default differs between studies with and without units. For a driven
-/// rotor it is the same.
+/// The study with its default release stated: the default differs with units, except for a driven rotor.
 Study stating_release(Study study);
 
 /// The resolved study as TOML in physical units, from its scales. read_study() takes it back to the same machine. If

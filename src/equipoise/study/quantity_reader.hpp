@@ -41,8 +41,7 @@ class QuantityReader : public TableReader {
 /// "a length of 0 or more, such as "0.2 mm"".
 std::string wanted_quantity(const std::vector<Dimension>& dimensions, const Range& range);
 
-/// The SI value of one value (a string or an array's entry), with its checks; `reject` throws. Angles may be plain
-/// numbers.
+/// The SI value of a value (a string or an array's entry), checked; `reject` throws. Angles may be plain numbers.
 Measured measure_value(const StudyValue& value, const std::vector<Dimension>& dimensions, const Range& range,
                        const std::function<void(const std::string&)>& reject);
 

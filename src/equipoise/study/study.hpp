@@ -81,8 +81,7 @@ struct ReleaseSetting {
 };
 
 /// [initial]: the state at t = 0 in the rotating frame. Ensembles draw phi. A study that does not state phi is read
-/// with even_angles(). Under gravity, one that states none of x, y, x_dot and y_dot is read with the rotor at rest
-/// under its weight.
+/// with even_angles(). Under gravity, one without x, y, x_dot and y_dot is read as at rest under its weight.
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};
@@ -222,8 +221,7 @@ Study with_medians(Study study);
 /// nothing uncertain. Throws InputError if these values together make no valid study.
 Study drawn_study(const Study& study, std::span<const double> values);
 
-/// Throws InputError unless read_study() would accept `study`. For studies filled in by code; simulate() and basin()
-/// call it themselves.
+/// Throws InputError unless read_study() would accept `study`. simulate() and basin() call it.
 void check(const Study& study);
 
 /// The resolved study, defaults included, as a tree that study_from() reads back to an equal study.
