@@ -9,9 +9,8 @@
 namespace equipoise {
 
 /// Motions with a fixed identifier keep it in every cell. The others are matched with those of the preceding neighbours
-/// along every axis: with the one of the same kind and kind of name that is most similar in vibration and drift, if
-/// they differ by at most a third. An unmatched motion gets the next free identifier, and a number after its name if
-/// the name is taken.
+/// along every axis: the most similar in vibration and drift of the same kind and kind of name, if they differ by at
+/// most a third. An unmatched motion gets the next free identifier, and a number if its name is taken.
 void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells);
 
 }  // namespace equipoise

@@ -278,8 +278,7 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 
 namespace {
 
-// From a fiftieth of what the balls can cancel in the cell with the least, to all that they can cancel in the cell with
-// the most.
+// From a fiftieth of what the balls can cancel in the cell with the least to all of it in the cell with the most.
 std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
   const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;

@@ -21,8 +21,7 @@ struct CapacityOptions : RunOptions {
 };
 
 /// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
-/// rotor.eccentricity. `option` names it in errors. Throws InputError for the one of the two that the study does not
-/// state.
+/// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
 std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option);
 
 struct CapacityRange {

@@ -39,8 +39,7 @@ class CellDesk {
   CellDesk(const CellDesk&) = delete;
   CellDesk& operator=(const CellDesk&) = delete;
 
-  /// The place of a cell at work, so that others can prepare. It brings an ensemble's chunks to the desk, and must not
-  /// outlive it.
+  /// A cell at work, so that others can prepare. Brings an ensemble's chunks to the desk, which must outlive it.
   class Place final : public ChunkHelp {
    public:
     Place(CellDesk& desk, CellAtWork at);

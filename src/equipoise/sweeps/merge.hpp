@@ -8,8 +8,7 @@
 
 namespace equipoise {
 
-/// Reads a file that sweep() wrote, or its unfinished part (.part), as a result. Throws InputError for other or damaged
-/// files.
+/// Reads a sweep's file, or its unfinished part (.part), as a result. Throws InputError for other or damaged files.
 SweepResult stored_sweep(const std::string& path);
 
 /// Merges the files of shards, or of any runs of one sweep, into `output`. Throws InputError if they do not belong to

@@ -30,8 +30,7 @@ struct CellRequest {
 };
 
 /// Cells form blocks along the axis with the most values. A search begins with what was found in the previous cell of
-/// its block, so a block is one piece of work. Blocks are independent: no result depends on who computes which block
-/// when.
+/// its block, so a block is one piece of work. Blocks are independent of each other and of their order.
 class SweepPlan {
  public:
   static constexpr std::size_t block_length = 8;
