@@ -19,8 +19,7 @@ struct TextFault {
 /// A study needs at most four parts. The parser and its trees recurse once per part on a limited stack.
 inline constexpr int most_key_parts = 16;
 
-/// Follows only TOML's strings and comments. Up to the first error that the parser itself would report, both see the
-/// text alike.
+/// Follows only TOML's strings and comments. Up to the parser's first error both see the text alike.
 class TextGuard {
  public:
   explicit TextGuard(std::string_view text) : text_(text) {}

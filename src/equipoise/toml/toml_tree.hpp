@@ -8,8 +8,7 @@
 
 namespace equipoise::study {
 
-/// Every value knows its line; a table's members are sorted by key. Throws TextFault (text_guard.hpp) if the text is
-/// not TOML.
+/// Every value knows its line; members are sorted by key. Throws TextFault (text_guard.hpp) if the text is not TOML.
 StudyValue parse_toml(std::string_view text);
 
 /// The shortest text that reads back to the same number, always as a TOML float.
