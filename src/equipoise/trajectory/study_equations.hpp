@@ -35,8 +35,7 @@ struct MotionState : InitialState {
 /// release_distance() is the release, and released_at() has the equations from then on. Thread-safe.
 class StudyEquations {
  public:
-  /// Throws InputError for invalid studies, uncertain values, and contact or dry friction: these need events, which
-  /// only simulate() has.
+  /// Throws InputError for invalid studies, uncertain values, and contact or dry friction: only simulate() has events.
   explicit StudyEquations(const Study& study);
   StudyEquations(const StudyEquations&);
   StudyEquations& operator=(const StudyEquations&);
@@ -75,8 +74,7 @@ class StudyEquations {
   /// d(dy/dt)/dy, exact (dual numbers), row-major: matrix[i * dimension() + k] = d(dy_i/dt)/dy_k.
   void jacobian(double t, const double* y, double* matrix) const { jacobian(piece_at(t), t, y, matrix); }
   void jacobian(std::size_t piece, double t, const double* y, double* matrix) const;
-  /// From the end of a piece into the next, in place: psi' of a prescribed motion may jump (law "published"), and u and
-  /// v with it.
+  /// From the end of a piece into the next, in place: psi' may jump (law "published"), and u and v with it.
   void cross(std::size_t piece, double* y) const;
 
   /// Mechanical energy, in M R^2 omega_c^2: model::energy().
