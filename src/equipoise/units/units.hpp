@@ -40,8 +40,7 @@ struct DimensionWords {
 };
 const DimensionWords& words(Dimension dimension);
 
-/// One dimensionless unit of the dimension in its SI unit. Throws std::logic_error for dimensions that no dimensionless
-/// study has.
+/// One dimensionless unit of the dimension in its SI unit. std::logic_error for dimensions without a scale.
 double scale_of(Dimension dimension, const model::Scales& scales);
 
 /// A value in SI units, or what is wrong with its text.
