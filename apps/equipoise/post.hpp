@@ -23,8 +23,8 @@ class Post {
  public:
   using Answer = std::function<Bytes(int from, const Bytes& question)>;
 
-  /// The answer of process `whom`, which may be this one; empty once the post is closed. Call from any thread but the
-  /// one that calls step().
+  /// The answer of process `whom`, perhaps this one; empty once the post is closed. Not for the thread that calls
+  /// step().
   Bytes ask(int whom, Bytes question);
   /// Receives a message, and answers it if it is a question. False if none has come. Call from one thread only.
   bool step(const Answer& answer);

@@ -53,8 +53,7 @@ void claim_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::cout.rdbuf(&output_buffer());
   // open() takes the lowest free descriptor. Standard input's is opened for writing and standard output's for reading,
-  // so that using them fails as on closed streams. Standard error's swallows its text: there is nowhere left to
-  // complain.
+  // so that using them fails as on closed streams. Standard error's swallows its text.
   const int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
   for (int place = 0; place < 3; ++place)
     if (fcntl(place, F_GETFD) < 0 && errno == EBADF && open("/dev/null", modes[place]) != place) return;

@@ -7,9 +7,8 @@
 
 namespace equipoise::app {
 
-/// Call this first: it ignores SIGPIPE and occupies the descriptors of closed standard streams, so that no file opened
-/// later gets one of them. Writing to a closed standard output fails, as it should. Output to std::cout goes through
-/// put().
+/// Call this first: it ignores SIGPIPE and occupies the descriptors of closed standard streams: no file opened later
+/// gets one of them. Writing to a closed standard output fails. Output to std::cout goes through put().
 void claim_streams();
 
 /// Writes to standard output. close_output() reports errors; after one, nothing more is written.

@@ -60,8 +60,7 @@ constexpr std::chrono::milliseconds rest{2};    // between two checks for messag
 constexpr std::chrono::milliseconds pause{10};  // of a process that has nothing to do
 constexpr std::chrono::seconds patience{3};     // with processes that should finish
 
-// Rank 0 answers for work and known cells, and receives finished cells. Every process with a cell at work answers for
-// its starts.
+// Rank 0 hands out work and known cells, and receives finished cells. A process with a cell hands out its starts.
 enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
 
 using CellBytes = std::vector<std::uint8_t>;

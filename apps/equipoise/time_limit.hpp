@@ -21,8 +21,7 @@ void begin_time(const std::optional<std::string>& within);
 /// Whether --within was given.
 bool time_is_limited();
 
-/// Says whether half of the time is over, for the first of two pieces of work that only count together; empty without a
-/// limit.
+/// Whether half of the time is over, for the first of two works that only count together; empty without a limit.
 std::function<bool()> half_of_the_time();
 
 /// Where a command keeps its work: "-o FILE.nc". Null: nowhere.
