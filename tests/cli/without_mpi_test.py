@@ -13,7 +13,7 @@ import unittest
 from program import PROGRAM, ROW, run
 
 SWEEP = ("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20", "--quiet")
-# What starters leave in the environment: of the first of two processes, of the second, and of one alone.
+# Environment variables set by job starters: for the first of two processes, the second, and one alone.
 STARTERS = {
     "OMPI_COMM_WORLD_SIZE": lambda size, rank: {"OMPI_COMM_WORLD_SIZE": size, "OMPI_COMM_WORLD_RANK": rank},
     "PMI_SIZE": lambda size, rank: {"PMI_SIZE": size, "PMI_RANK": rank},
@@ -37,7 +37,7 @@ class WithoutMpi(unittest.TestCase):
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
             for words in (starter, "2 processes", "built without MPI", "libopenmpi-dev", "--shard"):
                 self.assertIn(words, done.stderr)
-            # The first says it for all.
+            # The first reports it for all.
             done = started(starter, 2, 1, *SWEEP)
             self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", ""), done)
 

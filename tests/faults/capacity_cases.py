@@ -4,7 +4,7 @@ from harness import Undisturbed, kept_through_kills_and_full_disks
 
 
 def undisturbed(bench):
-    # Short searches for attractors: of three trials in the quick form, of two cells in the long one.
+    # Short attractor searches: for three trials in the quick form, for two cells in the long one.
     asked = ("balancer.drag=0.2", "0.08:0.14", 0.1, 100) if bench.quick else ("balancer.drag=0.2,0.25", "0.02:0.14", 0.01, 2000)
     over, between, precision, starts = asked
     return Undisturbed(bench, "undisturbed.nc", "capacity", bench.study, "--set", "speed.speed=5", "--over", over,
