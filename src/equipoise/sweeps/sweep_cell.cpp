@@ -59,7 +59,7 @@ SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
 // Where a cell's search begins: where the previous one began, if both search the same.
 class Chain {
  public:
-  // Call it before a cell's run, even if the cell is already known.
+  // Call it before every cell, even one that is already known.
   void step(const Study& study, const SweepCell* before) {
     const std::string subject = attractor_search_subject(study);
     if (before && subject != subject_) {
@@ -108,7 +108,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const std::function<con
       return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, at)).get();
     };
     if (workers.desk) options.help = place_for;
-    // From the search on, which others then make too.
+    // Before the search, so that others can make it at the same time.
     if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
     Catalogue catalogue;
     WarmStartLevels warm_start_levels;
