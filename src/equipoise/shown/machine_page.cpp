@@ -27,7 +27,7 @@ std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, 
     const std::vector<double>& phi = path.phi[i];
     const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
     BallOnMotion ball{phi.front(), *low, *high, drift ? drift[i] : (phi.back() - phi.front()) / duration};
-    // The end of a run counts as drift beyond half a turn; a motion knows its own drift.
+    // Where no drift is known, a ball drifts if it moved by half a turn or more.
     const bool back = drift ? std::fabs(ball.drift) < least_drift : std::fabs(phi.back() - phi.front()) < 0.5 * two_pi;
     if (back && *high - *low < two_pi) ball.drift = 0.0;
     balls.push_back(ball);
