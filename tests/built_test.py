@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# Checks that nothing of the repository is left unbuilt by `./dev test`: what nobody compiles stops compiling.
+# Checks that `./dev test` builds everything in the repository: what nobody compiles stops compiling.
 """Usage: built_test.py REPOSITORY [BUILD] | built_test.py --self-test BUILD
 
 Exits with 1 if preset `dev` leaves out a part that CMakeLists.txt offers, or if there is a C++ source that neither the
@@ -14,7 +14,7 @@ from pathlib import Path
 
 # Built by other means: an outside project (test install.outside_project_finds_and_uses_the_library).
 ELSEWHERE = {"tests/install/outside.cpp"}
-# Clang alone builds it (preset fuzz): the fuzz target with libFuzzer. GCC builds the same target with its own driver.
+# Only Clang builds it (preset fuzz): the fuzz target with libFuzzer. GCC builds the same target with its own driver.
 OTHER_COMPILERS = {"EQUIPOISE_BUILD_FUZZER"}
 FOLDERS = ("apps", "bench", "python", "src", "tests", "web/engine")
 

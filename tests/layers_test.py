@@ -1,4 +1,4 @@
-# Checks that every room of src/equipoise includes only the rooms that it may (CONTRIBUTING.md, "The house").
+# Checks that every room of src/equipoise includes only the rooms allowed to it (CONTRIBUTING.md, "The house").
 """Usage: layers_test.py REPOSITORY | layers_test.py --self-test
 
 Prints every include of a room that its line in ROOMS does not name, or of the programs under apps/, and exits with 1 if
@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 # What each room may include besides itself and base. A line names only rooms above it, so that no circle can form.
-# Whoever adds a room to a line says in CONTRIBUTING.md why.
+# Adding a room to a line needs a reason in CONTRIBUTING.md.
 ROOMS = {
     "base": "",
     "running": "",

@@ -1,4 +1,4 @@
-// equipoise attractors --along: attractors followed along a parameter.
+// equipoise attractors --along: continues attractors along a parameter.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace equipoise::app {
 
-/// What the options say, checked as far as they can be without the study.
+/// The options, checked as far as possible without the study.
 struct AlongArguments {
   std::string along, output, plot;
-  std::uint64_t starts = 0;  ///< 0: the pilot's only
+  std::uint64_t starts = 0;  ///< 0: only the pilot's
   int threads = 0;           ///< 0: all cores
   std::vector<std::vector<double>> states;
   bool json = false, quiet = false;

@@ -26,7 +26,7 @@ struct AttractorsArguments : ComputingArguments {
   bool json = false;
 };
 
-// "x,y,u,v,phi_1,..,phi_n,q_1,..,q_n" as --state takes it.
+// "x,y,u,v,phi_1,..,phi_n,q_1,..,q_n", the form of --state.
 std::vector<double> parse_state(const std::string& text, int balls) {
   std::vector<double> state;
   const std::size_t size = 4 + 2 * static_cast<std::size_t>(balls);

@@ -106,7 +106,7 @@ int run_basin(const BasinArguments& a) {
   if (a.half_width)
     options.half_width =
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
-  if (a.half_width) require_writable("-o", a.output);  // a pilot may come before the file is opened
+  if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
   options.limit_given = a.starts.has_value();
   if (a.transients) options.transients = true;
   options.output = a.output;

@@ -34,7 +34,7 @@ struct CapacityArguments : ResultForms, ComputingArguments {
 
 StudySource capacity_source(const CapacityArguments& a) {
   StudySource source{read_study_text(a.study), a.study, a.overrides};
-  // Many ensembles on the way: as many starts as locate a share of 95 % to half a percent.
+  // Many ensembles are run: enough starts to determine a share of 95 % to half a percent.
   constexpr const char* usual_starts = "10000";
   override_starts(a.starts ? a.starts : std::optional<std::string>(usual_starts), a.seed, source.overrides);
   return source;

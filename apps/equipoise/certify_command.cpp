@@ -1,4 +1,4 @@
-// equipoise certify: a proof that trajectories close to balance end balanced, and the check of such a proof.
+// equipoise certify: proves that trajectories close to balance end balanced, and checks such proofs.
 #include <array>
 #include <fstream>
 #include <memory>
@@ -29,7 +29,7 @@ struct CertifyArguments {
   bool json = false, quiet = false;
 };
 
-// Certificates take some kilobytes; what never ends, as /dev/zero, ends here.
+// Certificates take some kilobytes. An endless file such as /dev/zero stops here.
 constexpr std::size_t longest_certificates = std::size_t{64} << 20;
 
 std::string read_certificates(const std::string& path) {

@@ -1,4 +1,4 @@
-// equipoise design: the best balancer or spin-up within what may be chosen.
+// equipoise design: the best balancer or spin-up within stated bounds.
 #include <algorithm>
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-// Drawing with the program gnuplot.
+// Drawing by the program gnuplot.
 #include "gnuplot.hpp"
 
 #include <csignal>
@@ -26,7 +26,7 @@ void require_gnuplot(const char* option, const std::string& value) {
 
 namespace {
 
-// gnuplot says nothing of a disk that fills up: whether a picture is whole shows at its end.
+// gnuplot does not report a full disk: only the end of a picture shows whether it is whole.
 bool is_whole(const std::string& path) {
   const std::string end = path.ends_with(".svg") ? "</svg>" : "IEND";
   std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -43,7 +43,7 @@ bool is_whole(const std::string& path) {
 void draw(const std::string& path, const std::function<std::string(const std::string&)>& script_for) {
   io::Replacement place(path, ".new" + path.substr(path.rfind('.')));
   const std::string script = script_for(place.file());
-  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that gives up is told by its exit code
+  std::signal(SIGPIPE, SIG_IGN);  // the exit code tells that gnuplot gave up
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw RunError("gnuplot cannot be started");
   const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();

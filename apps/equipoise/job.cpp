@@ -1,4 +1,4 @@
-// What the starter of a job of several processes (mpirun, srun) tells each of them.
+// Reads how mpirun or srun started this process.
 #include "job.hpp"
 
 #include <chrono>
@@ -26,7 +26,7 @@ Job job_of_environment() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE"))
     return {number("OMPI_COMM_WORLD_SIZE", 1), number("OMPI_COMM_WORLD_RANK", 0), "OMPI_COMM_WORLD_SIZE"};
   if (std::getenv("PMI_SIZE")) return {number("PMI_SIZE", 1), number("PMI_RANK", 0), "PMI_SIZE"};
-  // PMIx names no size; Slurm, which starts processes with it, does.
+  // PMIx gives no size; Slurm, which starts processes with it, does.
   if (std::getenv("PMIX_RANK")) {
     const int rank = number("PMIX_RANK", 0);
     return {number("SLURM_STEP_NUM_TASKS", number("SLURM_NTASKS", rank + 1)), rank, "PMIX_RANK"};

@@ -1,4 +1,4 @@
-// What the starter of a job of several processes (mpirun, srun) tells each of them.
+// How mpirun or srun started this process.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,10 @@ namespace equipoise::app {
 struct Job {
   int size = 1;                    ///< processes; 1: started alone
   int rank = 0;                    ///< this one, from 0
-  const char* variable = nullptr;  ///< the environment's, that says so; null: started alone
+  const char* variable = nullptr;  ///< the environment variable that says so; null: started alone
 };
 
-/// By what Open MPI, MPICH and its kin, and Slurm with PMIx leave in the environment.
+/// From the environment variables of Open MPI, MPICH and its relatives, and Slurm with PMIx.
 Job job_of_environment();
 
 /// Whether this is one of several processes each of which would do the whole work of this command, and write its files:

@@ -32,8 +32,8 @@ StopFlag& stop_flag() {
 
 namespace {
 
-// A second Ctrl-C ends the program at once. timeout(1) and schedulers signal a program and its whole group, so that it
-// hears them twice in a moment: that is one request.
+// A second Ctrl-C ends the program at once. timeout(1) and schedulers signal a program and its whole group, so it
+// receives two signals within a moment; these count as one request.
 void ask_to_stop(int signal) {
   constexpr std::int64_t moment = 500'000'000;  // nanoseconds
   static std::atomic<std::int64_t> asked_at{0};
@@ -57,7 +57,7 @@ std::string version_text() {
       optimisers_version(), mpi_text());
 }
 
-// "help basin" is "basin --help"; of a command that there is none of the name remains, to be told so.
+// "help basin" means "basin --help". The name of an unknown command stays, to be reported.
 std::vector<char*> words_of(const CLI::App& app, int argc, char** argv) {
   static char help[] = "--help";
   std::vector<char*> words(argv, argv + argc);
@@ -117,7 +117,7 @@ int run(int given, char** arguments) {
   return bad_input;
 }
 
-// Here overrides come from --set.
+// In the program, overrides come from --set.
 InputError from_options(const InputError& e) {
   const std::string_view name = overrides_name;
   if (!e.where().starts_with(name)) return e;
@@ -144,6 +144,6 @@ int main(int argc, char** argv) {
   app::claim_streams();
   std::signal(SIGINT, app::ask_to_stop);
   std::signal(SIGTERM, app::ask_to_stop);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is reported like a full disk
   return app::close_output(app::run_guarded(argc, argv));
 }

@@ -18,7 +18,7 @@
 
 namespace equipoise::app {
 
-/// A number given as an option, decimal, checked so that a bad one gets the same kind of error as in a study.
+/// A decimal number given as an option. A bad one gets the same kind of error as in a study.
 template <class T>
 T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
   T value{};
@@ -29,7 +29,7 @@ T option_number(const char* option, const std::string& text, T low, T high, cons
   return value;
 }
 
-/// A time given as an option, in 1/omega_c: a plain number, or of a study with scales a quantity, such as "2 s".
+/// A time given as an option, in 1/omega_c: a plain number or, if the study has scales, a quantity such as "2 s".
 /// `least` and `most` bound it.
 double option_time(const char* option, const std::string& text, const Study& study, double least, double most,
                    const char* allowed);
@@ -42,24 +42,24 @@ Enumeration option_choice(const char* option, const std::string& text, const Nam
   throw InputError(option, "", display_text(text), fmt::format("must be one of: {}", fmt::join(names, ", ")));
 }
 
-/// --threads T: 0 if it is not given, for all cores. More threads than cores are made if so many are asked for.
+/// --threads T; 0 if absent, for all cores. More threads than cores are made if asked for.
 int threads_option(const std::optional<std::string>& text);
 
 /// --starts N and --seed S as overrides of the study.
 void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
                      std::vector<std::string>& overrides);
 
-/// The study with its uncertain values at their medians, for commands that draw none; says so in a line.
+/// The study with its uncertain values at their medians, for commands that draw none; says so in one line.
 Study at_medians(Study study);
 
 /// Throws InputError unless a file can be written at `path`, so that work is not lost to a missing folder. Nothing is
 /// left behind. An empty path is none.
 void require_writable(const char* option, const std::string& path);
 
-/// Throws InputError unless a path, if there is one, ends in one of the endings; `second` may be null.
+/// Throws InputError unless a path is empty or ends in one of the endings; `second` may be null.
 void require_ending(const char* option, const std::string& path, const char* first, const char* second = nullptr);
 
-/// Throws RunError, naming the file, if `text` cannot be written there whole; what was there stays then.
+/// Throws RunError, naming the file, if `text` cannot be written whole; the old content then stays.
 void write_file(const std::string& path, const std::string& text);
 
 /// --set KEY=VALUE, repeated.

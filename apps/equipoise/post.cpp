@@ -1,4 +1,4 @@
-// A question's tag is twice its number, which its answer's has and one more.
+// A question's tag is twice its number; its answer's tag is one more.
 #ifdef EQUIPOISE_MPI
 #include "post.hpp"
 
@@ -63,7 +63,7 @@ void Post::see_off() {
   sent_.clear();
 }
 
-// With the lock held. No message waits for another to be taken in.
+// Call with the lock held. No message waits for another to be received.
 void Post::send(Bytes bytes, int to, int tag) {
   Sent& sent = sent_.emplace_back(Sent{std::move(bytes), MPI_REQUEST_NULL});
   MPI_Isend(sent.bytes.data(), static_cast<int>(sent.bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD, &sent.request);

@@ -1,4 +1,4 @@
-// Questions between the processes of a job: asked from any thread, answered by the main one of the other process.
+// Questions between the processes of a job: any thread asks, the other process's main thread answers.
 #pragma once
 
 #ifdef EQUIPOISE_MPI
@@ -23,15 +23,15 @@ class Post {
  public:
   using Answer = std::function<Bytes(int from, const Bytes& question)>;
 
-  /// What that process, which may be this one, answers; empty once the post is closed. From any thread but the one of
+  /// The answer of process `whom`, perhaps this one; empty once the post is closed. Not for the thread that calls
   /// step().
   Bytes ask(int whom, Bytes question);
-  /// Takes in a message, and answers it if it is a question. False if none has come. Of one thread.
+  /// Receives a message, and answers it if it is a question. False if none has come. Call from one thread only.
   bool step(const Answer& answer);
   /// Nobody here waits for answers any more.
   void close();
   bool closed() const { return closed_; }
-  /// Waits until everything sent is on its way.
+  /// Waits until everything has been sent.
   void see_off();
 
  private:
@@ -41,10 +41,10 @@ class Post {
   };
   void send(Bytes bytes, int to, int tag);
 
-  std::mutex mutex_;  // MPI is called by one thread at a time
+  std::mutex mutex_;  // only one thread at a time calls MPI
   std::condition_variable came_;
   std::list<Sent> sent_;
-  std::map<int, std::optional<Bytes>> answers_;  // by number; none: not yet
+  std::map<int, std::optional<Bytes>> answers_;  // by number; empty: not yet answered
   int next_ = 0;
   std::atomic<bool> closed_{false};
 };

@@ -1,4 +1,4 @@
-// Drawing of progress: at most ten times a second as a bar, seldom as lines.
+// Draws progress: as a bar at most ten times a second, as lines rarely.
 #include "progress.hpp"
 
 #include <cmath>
@@ -45,7 +45,7 @@ std::function<void(const Progress&)> ProgressLine::listener() {
 void ProgressLine::update(const Progress& progress) {
   const auto now = Clock::now();
   const auto& [done, total, what, balanced, preparing] = progress;
-  // What came from an earlier run does not count towards this one's rate, nor one part of the work towards the next's.
+  // The rate counts neither work of an earlier run nor another part of the work.
   if (!before_ || done < before_->done || preparing != before_->preparing || (preparing && what != before_->what)) {
     first_ = done;
     begin_ = now;
@@ -86,7 +86,7 @@ void ProgressLine::update(const Progress& progress) {
   shown_ = true;
 }
 
-// Work a second since the present part of it began.
+// Work per second since the current part began.
 double ProgressLine::rate() const {
   const double elapsed = std::chrono::duration<double>(told_ - begin_).count();
   return elapsed > 0.0 ? static_cast<double>(before_->done - first_) / elapsed : 0.0;

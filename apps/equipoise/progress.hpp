@@ -14,28 +14,28 @@ namespace equipoise::app {
 /// "26 s", "3 min 05 s", "2 h 10 min".
 std::string duration_text(double seconds);
 
-/// How far a command came, and how long the rest takes at the rate of late; none: not known.
+/// How far a command came, and the remaining time at the current rate; empty: unknown.
 struct WorkLeft {
-  std::uint64_t done = 0, total = 0;  ///< total 0: `what` is a stage of what comes first
+  std::uint64_t done = 0, total = 0;  ///< total 0: `what` is a preparing stage
   std::string what;
   std::optional<double> seconds = {};
 };
 
-/// Between lines where standard error is no terminal: it may be a log that somebody reads.
+/// Between lines if standard error is no terminal: it may be a log that somebody reads.
 inline constexpr std::chrono::seconds lines_apart{10};
 
 class ProgressLine {
  public:
   enum class Style { none, bar, lines };
-  /// Bar if standard error is a terminal, else lines; none if `quiet`.
+  /// A bar if standard error is a terminal, else lines; none if `quiet`.
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
-  /// What a call of the library is given to report to, on this thread; not to outlive this.
+  /// A progress callback for calls of the library on this thread; it must not outlive this object.
   std::function<void(const Progress&)> listener();
-  /// Clears the bar, so that what follows starts on a clean line.
+  /// Clears the bar, so that further output starts on a clean line.
   void finish();
-  /// By the last report; none without any.
+  /// From the last report; empty without any.
   std::optional<WorkLeft> left() const;
 
  private:

@@ -1,4 +1,4 @@
-// equipoise report: the page for one machine, to be taken to a meeting.
+// equipoise report: the page for one machine.
 #include "report_command.hpp"
 
 #include <memory>

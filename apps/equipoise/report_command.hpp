@@ -1,4 +1,4 @@
-// The page for one machine, of whichever command is asked for it.
+// Writes the page for one machine, for any command.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace equipoise::app {
 
-/// Runs the ensemble and writes its page (.html). `study` is what `study_text` and `overrides` say.
+/// Runs the ensemble and writes its page (.html). `study` must result from `study_text` and `overrides`.
 MachinePage write_machine_page(const std::string& study_text, const std::string& name,
                                const std::vector<std::string>& overrides, const Study& study,
                                const BasinOptions& options, const std::string& path);

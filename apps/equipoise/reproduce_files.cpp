@@ -27,7 +27,7 @@ void copy_whole(const fs::path& from, const fs::path& to, std::error_code& error
   if (!error) place.commit();
 }
 
-// Where a Markdown report keeps its pictures.
+// The folder for pictures of a Markdown report.
 std::string pictures_beside(const std::string& report) { return report.substr(0, report.size() - 3) + "-pictures"; }
 
 }  // namespace
@@ -55,7 +55,7 @@ PictureFolder::~PictureFolder() {
 
 namespace {
 
-// A picture as PNG, and as SVG where it is kept. `script`: makes the one that draws into a path.
+// A picture as PNG, and also as SVG if it is kept. `script` makes the script that draws into a path.
 template <class Script>
 void picture(Reproduction& r, const PictureFolder& folder, const std::string& id, const std::string& title,
              const Script& script) {

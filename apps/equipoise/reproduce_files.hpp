@@ -7,8 +7,8 @@
 
 namespace equipoise::app {
 
-/// Where pictures go: into the folder of results, else beside a Markdown report, else, for a page that takes them in,
-/// into a folder that is removed afterwards.
+/// The folder for pictures: the folder of results; else one beside a Markdown report; else, for a page that embeds
+/// them, a folder that is removed afterwards.
 class PictureFolder {
  public:
   /// Either path may be empty; with both empty there is no folder.
@@ -25,8 +25,8 @@ class PictureFolder {
   bool temporary_ = false;
 };
 
-/// Draws every table, figure and map of `r` (PNG, and SVG where they are kept), lists them in r.pictures, and puts the
-/// figures' curves (CSV) and the maps (NetCDF) beside them.
+/// Draws every table, figure and slice of `r` (PNG, and SVG if they are kept), lists them in r.pictures, and puts the
+/// figures' curves (CSV) and the slices (NetCDF) beside them.
 void draw_pictures(Reproduction& r, const PictureFolder& folder);
 
 /// Writes the report (.html or .md); throws RunError if it cannot.

@@ -1,4 +1,4 @@
-// Checked before any work, made after it.
+// Checks the forms before any work, and makes them after it.
 #include "result_forms.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// What commands make of a result besides what they print: table, picture, page.
+// What commands make of a result besides printing it: table, picture, page.
 #pragma once
 
 #include <functional>
@@ -8,13 +8,13 @@
 
 namespace equipoise::app {
 
-/// What the options ask for; empty: nothing.
+/// The files asked for; empty: none.
 struct ResultForms {
   std::string output, csv, plot, report;
   bool json = false;
 };
 
-/// What the options are said to do in a command's help; null: it has none such.
+/// What a command's help says about these options; null: the command lacks the option.
 struct FormWords {
   const char* csv;
   const char* plot;
@@ -22,11 +22,10 @@ struct FormWords {
 /// --csv, --plot, --report, --json.
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words);
 
-/// Throws InputError for endings that the files must not have, for places that cannot be written, and if gnuplot is
-/// missing.
+/// Throws InputError for wrong file endings, for places that cannot be written, and if gnuplot is missing.
 void check_forms(const ResultForms& forms);
 
-/// How a result is told in each of the forms.
+/// How to make each form of a result.
 struct FormMakers {
   std::function<std::string()> text, json, csv;
   std::function<std::string(const std::string& file)> plot;  ///< a script for gnuplot that draws into the file

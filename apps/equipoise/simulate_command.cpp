@@ -42,7 +42,7 @@ std::vector<double> parse_times(const std::string& text, const Study& study) {
   return times;
 }
 
-// --at, or the grid of --every and --until; by default a hundred times until 100 after the last branch begins.
+// --at, or the grid of --every and --until; by default a hundred intervals until 100 after the last piece begins.
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
   if (!a.at.empty()) {
     std::vector<double> times;
@@ -76,7 +76,7 @@ void check_output(const std::string& path) {
   require_writable("--output", path);
 }
 
-// By time reached, which costs alike all along where the rotor turns at one speed.
+// By the time reached: at constant speed all of it costs the same.
 WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& times,
                    std::chrono::steady_clock::time_point begin) {
   WorkLeft left{trajectory.t.size(), times.size(), "rows"};

@@ -1,4 +1,4 @@
-// Errors of standard output are kept until the end; those of standard error are passed over.
+// Errors of standard output are kept until the end; those of standard error are ignored.
 #include "streams.hpp"
 
 #include <array>
@@ -21,7 +21,7 @@ namespace {
 // Of the first write that failed.
 int output_error = 0;
 
-// What the library and the reader of options write as streams.
+// Receives what the library and the option parser write to streams.
 class OutputBuffer : public std::streambuf {
  public:
   OutputBuffer() { setp(block_.data(), block_.data() + block_.size()); }
@@ -52,8 +52,8 @@ OutputBuffer& output_buffer() {
 void claim_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::cout.rdbuf(&output_buffer());
-  // open() takes the lowest place that is free. A reader's place is opened for writing and a writer's for reading:
-  // using it fails as on a closed stream. Standard error has nobody to complain to, and swallows.
+  // open() takes the lowest free descriptor. Standard input's is opened for writing and standard output's for reading,
+  // so that using them fails as on closed streams. Standard error's swallows its text.
   const int modes[] = {O_WRONLY, O_RDONLY, O_WRONLY};
   for (int place = 0; place < 3; ++place)
     if (fcntl(place, F_GETFD) < 0 && errno == EBADF && open("/dev/null", modes[place]) != place) return;
@@ -75,7 +75,7 @@ void say(const std::string& line) { put_error("equipoise: " + line + "\n"); }
 
 int close_output(int code) {
   std::cout.flush();
-  std::cout.rdbuf(nullptr);  // which is flushed once more when the program ends, after its buffer is gone
+  std::cout.rdbuf(nullptr);  // it is flushed again when the program ends, after its buffer is gone
   errno = 0;
   const bool lost = std::ferror(stdout) != 0;
   const bool closed = std::fclose(stdout) == 0;

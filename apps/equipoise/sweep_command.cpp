@@ -1,4 +1,4 @@
-// equipoise sweep: an ensemble at every combination of some parameters' values; equipoise merge: several files of one.
+// equipoise sweep: an ensemble at every combination of parameter values; equipoise merge: joins files of one sweep.
 #include <charconv>
 #include <chrono>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The processes of a job: rank 0 gives out blocks of cells and takes finished cells in. A process that gets no block is
-// sent to another one, to decide blocks of starts of the cell at work there.
+// The processes of a job. Rank 0 hands out blocks of cells and receives finished cells. A process that gets no block is
+// sent to another one, to decide starts of the cell at work there.
 #include "team.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void members(Bytes& b, T& t) {
   b(t.cell, t.more, t.start.warm_start_states, t.start.warm_start, t.start.warm_start_levels.levels,
     t.start.warm_start_levels.weights, t.method);
 }
-// The state it was left in: the process that lent the start follows it on.
+// The state it was left in: the process that lent the start follows it further.
 template <class Bytes, Like<UnlistedStart> T>
 void members(Bytes& b, T& t) {
   b(t.place, t.state);
@@ -55,19 +55,18 @@ namespace equipoise::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds rest{2};    // between two looks for messages
-constexpr std::chrono::milliseconds pause{10};  // of who has nothing to do
-constexpr std::chrono::seconds patience{3};     // with others that are to come home
+constexpr std::chrono::milliseconds rest{2};    // between two checks for messages
+constexpr std::chrono::milliseconds pause{10};  // of a process that has nothing to do
+constexpr std::chrono::seconds patience{3};     // with processes that should finish
 
-// Rank 0 answers for work and known cells, and takes finished cells. Every process with a cell at work answers for its
-// starts.
+// Rank 0 hands out work and known cells, and receives finished cells. A process with a cell hands out its starts.
 enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
 
 struct Work {
   enum class Kind : std::uint8_t { none, later, block, help } kind = Kind::none;
   std::size_t which = 0;  // block, or process
 };
-// Of a task, which is to be got ready for first.
+// Starts of a task, which the receiver prepares for first.
 struct Starts {
   enum class Kind : std::uint8_t { none, later, get_ready, decide } kind = Kind::none;
   CellDesk::Task task;
@@ -90,7 +89,7 @@ Asked asked_in(BytesIn& question) {
   return what;
 }
 
-// A default one where the post is closed.
+// A default value if the post is closed.
 template <class T>
 T answer_from(const Bytes& bytes) {
   T answer;
@@ -107,7 +106,7 @@ class Member {
   Member(Post& post, const Survey& survey, CellDesk& desk, int threads, const StopFlag* stop)
       : post_(post), survey_(survey), desk_(desk), threads_(threads), stop_(stop) {}
 
-  // Until there is nothing more for anybody.
+  // Works until nothing is left for anybody.
   void work() {
     const std::string target = cpu_target();
     for (;;) {
@@ -121,7 +120,7 @@ class Member {
     }
   }
 
-  // For one who is ready for this task: takes back what it has made of a loan, and looks for more.
+  // For a process prepared for this task: takes back its last loan, and looks for another.
   Starts lend(std::uint64_t ready, std::uint64_t loan, Chunk made) {
     if (loan != no_loan) desk_.give_back(loan, std::move(made));
     if (const auto lent = desk_.lend(ready)) return {Starts::Kind::decide, {}, *lent};
@@ -146,7 +145,7 @@ class Member {
     return answer_from<Starts>(post_.ask(whom, bytes_of(Asked::for_starts, ready, loan, made)));
   }
 
-  // Until it has no cell at work. The search for a cell's attractors is made while that one makes it, too.
+  // Helps until the other has no cell at work. Its search for a cell's attractors is repeated here meanwhile.
   void help(int whom) {
     for (Starts next = starts_of(whom, no_task); next.kind == Starts::Kind::get_ready && !is_set(stop_);
          next = starts_of(whom, no_task)) {
@@ -157,7 +156,7 @@ class Member {
     }
   }
 
-  // Until another task is to be got ready for. What could not be decided goes back as it came.
+  // Decides starts until another task is to be prepared for. Undecided loans go back unchanged.
   void decide_starts(int whom, std::uint64_t task, const EnsembleHelper& ensemble) {
     Starts next = starts_of(whom, task);
     while (next.kind == Starts::Kind::later || next.kind == Starts::Kind::decide) {
@@ -182,7 +181,7 @@ class Member {
   const StopFlag* stop_;
 };
 
-// The first process' view of all.
+// The first process's view of all processes.
 class Queue {
  public:
   // `left`: of the others, those that may ask again.
@@ -191,7 +190,7 @@ class Queue {
     all_[0].target = cpu_target();
   }
 
-  // Who has nothing to do helps the one at work that has the fewest helpers. Once nobody is at work all go home.
+  // A process with nothing to do helps the working one with the fewest helpers. Once nobody works, all go home.
   Work work_for(int rank, std::string target, bool stopped) {
     Process& one = all_[static_cast<std::size_t>(rank)];
     one.doing = Doing::nothing;
@@ -216,11 +215,11 @@ class Queue {
   enum class Doing { nothing, block, helps };
   struct Process {
     Doing doing = Doing::block;  // until it asks
-    std::string target;          // its instruction set
-    std::size_t helped = 0;      // which one, while it helps
+    std::string target;          // instruction set
+    std::size_t helped = 0;      // the process that it helps, while it does
   };
 
-  // Of its own kind: others' bits may differ.
+  // Only of its own instruction set: results of others may differ in bits.
   std::optional<std::size_t> least_helped(const std::string& target) const {
     std::optional<std::size_t> found;
     std::ptrdiff_t fewest = 0;
@@ -249,7 +248,7 @@ Bytes starts_answer(Member& own, BytesIn& question) {
   return bytes_of(own.lend(ready, loan, std::move(made)));
 }
 
-// A process' own work, beside the messages; it waits for no answer once this goes.
+// A process's own work, in parallel to messages. Destroying it stops waiting for answers.
 class Beside {
  public:
   Beside(Post& post, const std::function<void()>& work) : post_(post), work_(std::async(std::launch::async, work)) {}
@@ -290,7 +289,7 @@ Team::Team() : post_(std::make_unique<Post>()) {
   joined_ = true;
 }
 
-// Others that will not answer any more cannot be waited for.
+// Processes that no longer answer cannot be waited for.
 Team::~Team() {
   if (!joined_) return;
   if (left_ == 0) {
@@ -301,7 +300,7 @@ Team::~Team() {
   }
 }
 
-// Equal numbers have the same least and largest one, which is the complement of the least complement.
+// Numbers are equal if the least is the greatest; the greatest is the complement of the least complement.
 bool Team::have_same(const std::string& words) {
   if (!joined_) return true;
   const std::uint64_t number = std::hash<std::string>()(words);
@@ -374,7 +373,7 @@ int Team::follow(const Survey& survey, int threads, const StopFlag* stop) {
   return done;
 }
 
-// Everybody gets the empty answer: there is nothing more.
+// Everybody gets the empty answer: nothing is left.
 void Team::dismiss() {
   const Clock::time_point begin = Clock::now();
   const Post::Answer answer = [&](int, const Bytes& question) {

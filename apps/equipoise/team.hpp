@@ -1,4 +1,4 @@
-// The processes of one job on a cluster: work handed out by the first, done by all. Without MPI there is only one.
+// The processes of one job on a cluster: the first hands out work, all do it. Without MPI there is only one.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace equipoise::app {
 
-/// What --version says of it.
+/// What --version says about MPI.
 std::string mpi_text();
 /// Whether this program is built with MPI.
 bool has_mpi();
@@ -20,7 +20,7 @@ class Post;
 
 class Team {
  public:
-  /// Joins the others if mpirun, or what does as it does, started this process and this program is built with MPI.
+  /// Joins the others if mpirun or a similar starter started this process, and this program is built with MPI.
   Team();
   /// Leaves them: once all have left, or at once if this process was stopped.
   ~Team();

@@ -1,4 +1,4 @@
-// One deadline a run of the program.
+// One deadline per run of the program.
 #include "time_limit.hpp"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// CLI11 tells what it did not understand; the rest is looked up in the application.
+// CLI11 reports what it did not understand; the rest comes from the application's definition.
 #include "usage.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace equipoise::app {
 
 namespace {
 
-// Characters to add, drop or change (V. I. Levenshtein, Soviet Physics Doklady 10 (1966) 707), or to exchange with the
-// next.
+// Edits between two names: characters to add, drop, change (V. I. Levenshtein, Soviet Physics Doklady 10 (1966) 707),
+// or exchange with the next.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, row(b.size() + 1), next(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -33,7 +33,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-// " (is "basin" meant?)", or nothing where no name is near.
+// " (is "basin" meant?)", or nothing if no name is near.
 std::string meant(const std::string& typed, const std::vector<std::string>& names) {
   std::string best;
   std::size_t least = 1 + std::min<std::size_t>(2, typed.size() / 2);
@@ -65,14 +65,14 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-// The value of "--starts=5" does not count.
+// Ignores the value in "--starts=5".
 std::string unknown_option(const CLI::App& app, const std::string& place, const std::string& typed) {
   const std::string name = typed.substr(0, typed.find('='));
   return fmt::format("{}unknown option \"{}\"{}; {} --help lists all", place, display_text(name),
                      meant(name, option_names(app)), app.get_parent() ? "equipoise " + app.get_name() : "equipoise");
 }
 
-// Without a command.
+// The error for a missing command.
 std::string no_command(const CLI::App& app, int argc, char** argv) {
   const std::string allowed = fmt::format("must be one of: {}", fmt::join(command_names(app), ", "));
   if (argc < 2) return fmt::format("a command is missing; {} (equipoise --help says more)", allowed);
@@ -90,7 +90,7 @@ std::string unexpected(const CLI::App& command) {
                      display_text(words.empty() ? "" : words.front()));
 }
 
-// An option without its value, or given more than once. CLI11 names it before a colon.
+// An option without its value, or given twice. CLI11 names it before a colon.
 std::string mismatch(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() > 1 && option->get_items_expected_max() <= 1 && !option->get_positional())
@@ -103,7 +103,7 @@ std::string mismatch(const CLI::App& command, const std::string& message) {
                 : "";
 }
 
-// What must be given and is not: CLI11 begins with its name.
+// A required argument that is missing: CLI11's message begins with its name.
 std::string missing(const CLI::App& command, const std::string& message) {
   const CLI::Option* option = command.get_option_no_throw(message.substr(0, message.find(' ')));
   return option ? fmt::format("{}: {} is missing; must be a {}", command.get_name(), option->get_type_name(),
@@ -126,7 +126,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int a
 
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_expected_min() == 0) continue;  // it may do without
+    if (option->get_expected_min() == 0) continue;  // its value is optional
     for (const std::string& value : option->results())
       if (value.empty())
         throw InputError(option->get_positional() ? option->get_type_name() : option->get_name(), "", "",

@@ -1,4 +1,4 @@
-// Bad usage in one line that says what was typed, what is allowed and what may have been meant.
+// Reports bad usage in one line: what was typed, what is allowed and what was probably meant.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace equipoise::app {
 
-/// What is wrong with a command line that `app` would not take.
+/// What is wrong with a command line that `app` refuses.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);
 
-/// Throws InputError for an option that was given an empty value: none means anything.
+/// Throws InputError for an option with an empty value, which never means anything.
 void refuse_empty_values(const CLI::App& command);
 
 }  // namespace equipoise::app

@@ -1,13 +1,13 @@
-// The audit: studies drawn over all legal settings, each answered, followed on and turned over in every way that may
-// not change its answer.
+// The audit: draws studies over all legal settings, computes each result, follows its starts further, and transforms
+// the study in every way that must not change the result.
 //
 //     equipoise_audit [--studies N] [--seed S] [--only K] [--starts N] [--seconds T] [--threads T] [--folder DIR]
 //                     [--json FILE]
 //     equipoise_audit --machines STARTS [--only K] [--threads T]
 //     equipoise_audit --families STARTS [--only K] [--threads T]
 //
-// The second form decides so many starts of each of a list of machines and follows every one of them on; the third
-// decides starts that draw their rotors again, each as that of its rotor known exactly.
+// The second form decides STARTS starts of each machine in a list and follows every one further. The third decides
+// starts that draw their rotors, and decides each again with its rotor known exactly.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -115,7 +115,7 @@ int run_families(const Arguments& a) {
 }
 
 int run(const Arguments& a) {
-  // Threads beyond the machine's cores are made too: what may not depend on their number is tried with three.
+  // Threads beyond the machine's cores are made too: three are needed to test independence of their number.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     std::max<std::size_t>(3, static_cast<std::size_t>(a.settings.threads)));
   std::vector<StudyAudit> audits;

@@ -35,14 +35,14 @@ bool StudyAudit::failed() const {
 
 namespace {
 
-// Two independent samples of one law differ as much as this less than once in ten audits (40 studies, two comparisons,
-// some four kinds).
+// Two independent samples of one law differ this much less than once in ten audits (40 studies, two comparisons, about
+// four kinds).
 constexpr double improbable = 3e-4;
-// Of the same trajectories but for roundings: those that pass a boundary of basins go either way, and where transients
-// are chaotic that may be a few in a hundred.
+// For the same trajectories except for roundings: those that pass a boundary of basins may go either way. With chaotic
+// transients that may be a few in a hundred.
 constexpr double boundary_share = 0.04;
 constexpr std::size_t boundary_starts = 4;
-// From here on an answer that says nothing of why is none.
+// Beyond this share of undecided starts, a result must say why.
 constexpr double many_undecided = 0.2;
 
 class StudyChecks {
@@ -67,7 +67,7 @@ class StudyChecks {
         &StudyChecks::check_replay,  &StudyChecks::check_rotation, &StudyChecks::check_mirror,
         &StudyChecks::check_proof,   &StudyChecks::check_order,    &StudyChecks::check_physical,
         &StudyChecks::check_threads, &StudyChecks::check_processor};
-    // Where time runs out differs from study to study, so that no check is always the one passed over.
+    // Time runs out at a different check in each study, so that no check is always skipped.
     constexpr std::size_t always = 4;
     for (std::size_t k = 0; k < members.size(); ++k) {
       const std::size_t rest = members.size() - always, turn = static_cast<std::size_t>(audit_.drawn.number);
@@ -108,7 +108,7 @@ class StudyChecks {
       check.fail(fmt::format("{:.0f} % undecided, and no note says why", 100.0 * undecided.share), command(""));
   }
 
-  // Whether a line of the answer that is a note holds these letters.
+  // Whether a note in the result contains these letters.
   bool note_says(const char* letters) const {
     std::istringstream lines(basin_text(base_.result));
     for (std::string line; std::getline(lines, line);)
@@ -116,7 +116,7 @@ class StudyChecks {
     return false;
   }
 
-  // The program's command for the study; its file is written where it is needed.
+  // The program's command for the study; writes the study file that it needs.
   std::string command(const std::string& arguments, const Study* other = nullptr, const char* suffix = "") {
     const Study& study = other ? *other : study_;
     std::string name = std::filesystem::path(study_.name).stem().string() + suffix + ".toml";
@@ -130,15 +130,15 @@ class StudyChecks {
 
   std::string replay(std::size_t start) { return command(fmt::format("--start-index {}", start)); }
 
-  // Starts are followed as long as nine in ten of them have been decided `longer` times over, and the slowest twice;
-  // as long as a study's share of time allows.
+  // Starts are followed `longer` times as long as nine in ten took to be decided, and twice as long as the slowest
+  // took, within the study's share of time.
   void check_later() {
     Check& check = audit_.at(Column::later);
     const std::vector<double> decided = base_.decision_times(study_);
     if (decided.empty()) return;
     const double most = decided.back(), usual = decided[decided.size() * 9 / 10];
     const std::size_t count = std::min<std::size_t>(base_.fates.size(), is_machine() ? 100 : 200);
-    // What a processor's core does in a share of time, in units of time of one trajectory.
+    // Time units of one trajectory that a core computes in a share of time.
     const double reach = settings_.seconds * (is_machine() ? 2e4 : 4e5) / static_cast<double>(count);
     LookTimes times;
     times.length = window_length(study_);
@@ -147,7 +147,7 @@ class StudyChecks {
     times.first = std::max(0.5 * times.second, 1.02 * most);
     const std::vector<LateMotion> late = follow_late(study_, 0, count, times, settings_.threads);
     std::size_t judged = 0, wrong = 0;
-    std::map<std::string, int> told;  // one fault of a kind
+    std::map<std::string, int> told;  // one fault of each kind
     for (std::size_t i = 0; i < count; ++i) {
       if (!base_.decided(i)) continue;
       ++judged;
@@ -194,7 +194,7 @@ class StudyChecks {
     same_starts(Column::proof, run_ensemble(by_proof, starts_, options()), 0, "decided by proof", "--decide proof");
   }
 
-  // The same trajectories: no start may differ, but for `allowed`.
+  // The same trajectories: at most `allowed` starts may differ.
   void same_starts(Column column, const Ensemble& other, std::size_t allowed, const std::string& what,
                    const std::string& arguments) {
     Check& check = audit_.at(column);
@@ -217,8 +217,8 @@ class StudyChecks {
     return boundary_starts + static_cast<std::size_t>(boundary_share * static_cast<double>(other.fates.size()));
   }
 
-  // Without gravity and with equal supports nothing depends on the rotor's angle. On lanes not even a bit; a machine's
-  // angle is a state, whose rounding is another.
+  // Without gravity and with equal supports nothing depends on the rotor's angle. On lanes results are bit-identical;
+  // for a machine the angle is a state with its own rounding.
   void check_rotation() {
     if (model::depends_on_rotor_angle(study_.parameters)) return;
     Study turned = study_;
@@ -230,7 +230,7 @@ class StudyChecks {
 
   void same_shares(Column column, const Study& other, const char* what, const char* suffix) {
     Check& check = audit_.at(column);
-    // The mirrored study's fates are those of other starts: two samples.
+    // The mirrored study has other starts: these are two samples.
     const Ensemble ensemble = run_ensemble(other, starts_, options());
     const SharesApart apart = compare_shares(base_, ensemble);
     check = Check::passed(fmt::format("p {:.2g}", apart.probability));
@@ -251,7 +251,7 @@ class StudyChecks {
     same_shares(Column::order, reversed(study_), "with its balls in the opposite order", "-reversed");
   }
 
-  // Equal balls with each other's angles do each other's motion.
+  // Equal balls that exchange their angles exchange their motions.
   void exchange_balls() {
     Check& check = audit_.at(Column::order);
     check = Check::passed("exchanged");
@@ -265,7 +265,7 @@ class StudyChecks {
       const std::size_t balls = a.phi.size();
       double apart = std::fabs(a.radial[0] - b.radial[0]);
       for (std::size_t k = 0; k < balls; ++k) apart = std::max(apart, std::fabs(a.phi[k][0] - b.phi[balls - 1 - k][0]));
-      // Steps of 1e-12, grown by what twenty units of time and some impacts can do.
+      // Steps of 1e-12, amplified over twenty units of time and some impacts.
       if (!(apart < 1e-6))
         check.fail(fmt::format("exchanged balls are {:.2g} apart at {:.0f}", apart, until), replay(i));
     }
@@ -293,7 +293,7 @@ class StudyChecks {
 
   void check_threads() {
     BasinOptions one = options(), three = options();
-    one.discoveries = three.discoveries = nullptr;  // what is found beforehand may not depend on threads either
+    one.discoveries = three.discoveries = nullptr;  // results of the search must not depend on threads either
     one.threads = 1;
     three.threads = 3;
     const std::uint64_t count = std::min<std::uint64_t>(starts_, 64);
@@ -314,7 +314,7 @@ class StudyChecks {
   void check_processor() {
     const std::vector<std::string> targets = cpu_targets();
     if (targets.size() < 2 || is_machine()) return;  // machines run in plain doubles everywhere
-    // Half the speed or less: fewer starts, by the list of motions already found.
+    // At most half as fast: fewer starts, with the list of motions already found.
     const std::uint64_t count = std::min<std::uint64_t>(starts_, 100);
     const std::string& target = targets[1 + static_cast<std::size_t>(audit_.drawn.number) % (targets.size() - 1)];
     use_cpu_target(target);

@@ -14,27 +14,27 @@ namespace equipoise::audit {
 
 struct Settings {
   std::uint64_t starts = 300;          ///< of an ensemble
-  std::uint64_t machine_starts = 100;  ///< of a machine's: followed one by one in plain doubles
+  std::uint64_t machine_starts = 100;  ///< of a machine's ensemble, followed one by one in plain doubles
   int threads = 2;
-  double seconds = 40.0;  ///< CPU time a study may take before checks that are left are passed over
-  double longer = 20.0;   ///< times a decision's time for which starts are followed on
-  std::string folder;     ///< where studies that failed are written, for the commands that show it
+  double seconds = 40.0;  ///< CPU time per study; further checks are then skipped
+  double longer = 20.0;   ///< factor on the decision time up to which starts are followed
+  std::string folder;     ///< for studies that failed, and the commands that show it
 };
 
 /// The columns of the table.
 enum class Column : std::size_t {
-  later,      ///< what was said holds long after
-  horizon,    ///< nothing is decided early, three times as long: the same
-  proof,      ///< decided by proof: the same
-  rotated,    ///< the rotor's angle at the start does not matter
+  later,      ///< what was said still holds long after
+  horizon,    ///< the same if nothing is decided early, over three times the time
+  proof,      ///< the same if decided by proof
+  rotated,    ///< the rotor's initial angle does not matter
   mirror,     ///< everything turns the other way
   order,      ///< balls in the opposite order
   physical,   ///< in SI units
-  threads,    ///< one thread and three: the same bits
+  threads,    ///< bit-identical with one thread and with three
   processor,  ///< another instruction set
   replayed,   ///< single starts again
-  figures,    ///< signs, units and sums of what is printed
-  undecided,  ///< at most a fifth, or the message says why
+  figures,    ///< signs, units and sums of printed figures
+  undecided,  ///< at most a fifth, or a message says why
 };
 inline constexpr std::size_t column_count = 12;
 extern const std::array<const char*, column_count> column_names;

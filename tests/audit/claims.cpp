@@ -1,4 +1,4 @@
-// Names and listed statistics against late statistics.
+// Compares names and listed figures with figures measured late.
 #include "claims.hpp"
 
 #include <algorithm>
@@ -15,23 +15,23 @@ namespace equipoise::audit {
 
 namespace {
 
-// What balls and unbalance together could do to the rotor: displacements are judged in it.
+// Size of what balls and unbalance together can do to the rotor: the unit for displacements.
 double natural_size(const model::Parameters& p) { return p.eccentricity + p.total_mass(); }
 
-// Errors of trajectories at the ensemble's tolerance of 1e-6 a step add up to some ten of it.
+// At the ensemble's tolerance of 1e-6 per step, errors of trajectories add up to some ten times that.
 constexpr double noise = 1e-4;
 
-// A ball that does not wind stays within a turn of where it was.
+// A captured ball stays within a turn of where it was.
 bool winds(const LateMotion& late, int ball) { return std::fabs(late.turned[ball]) > 1.25 * two_pi; }
 
-// Drift rates seen over a span are known to the ball's swing about them: a turn at most.
+// Drift rates over a span are uncertain by the ball's swing about them: at most a turn.
 double rate_error(const LookTimes& times) { return two_pi / times.span(); }
 
 std::string not_balanced(const Study& study, const LateMotion& late, const LookTimes& times) {
   const model::Parameters& p = study.parameters;
   const double size = natural_size(p);
   for (int i = 0; i < p.balls; ++i) {
-    // Balls that rest swing at most about their place, under gravity; on the slow way into balance they turn less and
+    // Balls at rest swing at most about their place, under gravity. On the slow way into balance they turn less and
     // less.
     const bool slower = std::fabs(late.rate_late[i]) < 0.5 * std::fabs(late.rate_early[i]);
     if (std::fabs(late.turned[i]) > 1.0 && !slower)
@@ -43,7 +43,7 @@ std::string not_balanced(const Study& study, const LateMotion& late, const LookT
   if (exact && late.after.high > noise * size && !shrinks)
     return fmt::format("r reaches {:.3g}, {:.3g} before, where exact balance exists", late.after.high,
                        late.before.high);
-  // Less than half of what the rotor does without balls: what "balanced" means where nothing is exact.
+  // Less than half of what the rotor does without balls: the meaning of "balanced" where nothing is exact.
   if (late.after.high > 0.5 * bare_response(p, late.speed) + noise * size && !shrinks)
     return fmt::format("r reaches {:.3g}; without balls it is {:.3g}", late.after.high, bare_response(p, late.speed));
   if (late.after.high > 1.5 * late.before.high && late.after.high > noise * size)
@@ -51,7 +51,7 @@ std::string not_balanced(const Study& study, const LateMotion& late, const LookT
   return {};
 }
 
-// How many balls a name says are captured; -1: it does not say.
+// Number of captured balls by name; -1 if the name does not say.
 int captured_in(const std::string& kind, int balls) {
   if (kind == "one captured" || (kind == "captured" && balls == 1)) return 1;
   if (kind == "both captured") return 2;
@@ -85,14 +85,14 @@ std::string not_as_named(const Study& study, const std::string& kind, const Late
 }
 
 std::string range_differs(const RadiusRange& seen, const Motion& said, double size) {
-  // A periodic orbit is listed to rounding and comes through 500 samples; extremes of a torus and of chaos fill slowly.
+  // A periodic orbit is listed to rounding and sampled at 500 points; a torus or chaos fills its extremes slowly.
   const double part = said.kind == MotionKind::chaotic ? 0.4 : said.kind == MotionKind::quasi_periodic ? 0.15 : 0.03;
   const double room = part * said.r_max + noise * size;
   if (std::fabs(seen.high - said.r_max) <= room && seen.low >= said.r_min - room) return {};
   return fmt::format("r from {:.4g} to {:.4g}, listed {:.4g} to {:.4g}", seen.low, seen.high, said.r_min, said.r_max);
 }
 
-// A motion that is listed with its figures.
+// A motion listed with its figures.
 std::string not_as_listed(const Study& study, const Motion& said, const LateMotion& late, const LookTimes& times) {
   const model::Parameters& p = study.parameters;
   std::vector<double> seen(late.rate.begin(), late.rate.begin() + p.balls);
@@ -117,7 +117,7 @@ std::string contradiction(const Study& study, const Ensemble& ensemble, std::siz
   if (late.lost) return "it diverged or failed later";
   const bool driven = study.speed.driven();
   const double stall = driven ? std::fabs(study.stall_speed()) : 0.0;
-  // Mean speeds are steady to half a per cent when a rotor is called steady.
+  // Mean speeds of a steady rotor vary by less than half a per cent.
   if (fate.outcome == Outcome::stalled)
     return std::fabs(late.speed) < 1.01 * stall
                ? std::string()
@@ -135,7 +135,7 @@ std::string contradiction(const Study& study, const Ensemble& ensemble, std::siz
   }
   if (kind == "balanced") return not_balanced(study, late, times);
   if (std::string named = not_as_named(study, kind, late, times); !named.empty()) return named;
-  // Of rotors that differ the figures listed are another's.
+  // For rotors that differ, the listed figures belong to another rotor.
   if (a->motion.kind == MotionKind::measured || ensemble.own_rotors) return {};
   return not_as_listed(study, a->motion, late, times);
 }

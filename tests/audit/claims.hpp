@@ -1,4 +1,4 @@
-// Whether what was said of a start still holds long after: judged by its late motion alone.
+// Whether a start's result still holds long after, judged by its late motion alone.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace equipoise::audit {
 
-/// `study`: the start's own. Empty if what `ensemble` says of start `i` agrees with what the start does late; else what
-/// does not.
+/// `study`: the start's own. Empty if what `ensemble` says of start `i` agrees with its late motion; else the
+/// contradiction.
 std::string contradiction(const Study& study, const Ensemble& ensemble, std::size_t i, const LateMotion& late,
                           const LookTimes& times);
 

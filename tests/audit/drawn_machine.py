@@ -197,7 +197,7 @@ def motor(d, strength):
     no_load = d.even(2.0, 4.0)
     taken = (2.0 * unbalance) ** 2 / zeta
     inertia = d.scale(0.3, 2.0)
-    # Strong enough for a run-up within some hundred units of time, whatever shaking takes.
+    # Strong enough for a run-up within some hundred units of time, whatever vibration takes.
     stall = max(strength * taken / (1.0 - 1.0 / no_load), inertia * no_load / d.scale(30.0, 300.0))
     tables["rotor"]["inertia"] = f"{rounded(inertia * mass * race**2, 4)} kg m2"
     tables["speed"] = {

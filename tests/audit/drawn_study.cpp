@@ -1,4 +1,4 @@
-// The kinds of settings, one function each, and what is added to them by chance.
+// One function for each kind of study, and random additions to it.
 #include "drawn_study.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace equipoise::audit {
 
 namespace {
 
-// The standard's distributions differ between libraries; its generators do not.
+// The standard library's distributions differ between libraries; its generators do not.
 class Dice {
  public:
   Dice(std::uint64_t seed, int number) : bits_(seed * 1000003 + static_cast<std::uint64_t>(number)) {
     bits_.discard(16);
   }
   double even(double low, double high) { return low + (high - low) * 0x1p-53 * static_cast<double>(bits_() >> 11); }
-  // Even in the logarithm.
+  // Uniform in the logarithm.
   double scale(double low, double high) { return std::exp(even(std::log(low), std::log(high))); }
   int whole(int low, int high) { return low + static_cast<int>(even(0.0, 1.0) * (high - low + 1)); }
   bool chance(double p) { return even(0.0, 1.0) < p; }
@@ -34,7 +34,7 @@ class Dice {
   std::mt19937_64 bits_;
 };
 
-// Three digits: a study that failed is read, and typed, by people.
+// Three digits: people read and type a study that failed.
 double rounded(double value) {
   if (value == 0.0) return 0.0;
   const double unit = std::pow(10.0, 2.0 - std::floor(std::log10(std::fabs(value))));
@@ -71,7 +71,7 @@ void unequal(Study& s, Dice& d) {
   }
 }
 
-// The mean stays 1: so does the unit of time, whether the study is in physical units or not.
+// The mean stays 1, and so does the unit of time, whether the study is in physical units or not.
 void anisotropic(Study& s, Dice& d) {
   const double part = 0.01 * d.whole(2, 25);
   s.parameters.stiffness = {1.0 - part, 1.0 + part};
@@ -89,13 +89,13 @@ void ordinary_driven(Study& s, Dice& d) {
   driven(s, d, 0.0);
 }
 
-// A torque that falls to nothing at `slowest` to 4 critical speeds.
+// A torque that falls to zero at `slowest` to 4 critical speeds.
 void falling_torque(Study& s, Dice& d, double slowest) {
   s.speed.torque.slope = -rounded(d.scale(0.02, 0.2));
   s.speed.torque.constant = rounded(-s.speed.torque.slope * d.even(slowest, 4.0));
 }
 
-// That a torque needs to bring rotor and balls to 1.8 to 4 critical speeds.
+// Time that a torque needs to bring rotor and balls to 1.8 to 4 critical speeds.
 double time_to_speed(const Study& s, Dice& d, double torque) {
   return rounded(d.even(1.8, 4.0) * (s.parameters.inertia + s.parameters.total_mass()) / torque);
 }
@@ -282,7 +282,7 @@ const Kind kinds[] = {
      }},
 };
 
-// What may be added to any study.
+// Random additions to any study.
 void season(Study& s, Dice& d) {
   const bool at_rest = s.speed.driven() || s.speed.profile != Profile::constant;
   if (d.chance(0.12) && s.parameters.balls > 1) unequal(s, d);
@@ -314,7 +314,7 @@ DrawnStudy draw_study(std::uint64_t seed, int number) {
   kind.draw(drawn.study, dice);
   season(drawn.study, dice);
   drawn.study.sampling.seed = static_cast<std::uint64_t>(1 + number);
-  // As a study file has it: what is not stated is the default.
+  // As in a study file: what is not stated takes its default.
   const std::string name = fmt::format("audit-{}-{}.toml", seed, number);
   drawn.study = parse_study(to_toml(drawn.study), name);
   return drawn;

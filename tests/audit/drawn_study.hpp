@@ -1,4 +1,4 @@
-// Studies drawn over the whole space of legal settings, each a function of a seed and its number.
+// Studies drawn over the whole space of legal settings, each determined by a seed and its number.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@ namespace equipoise::audit {
 
 struct DrawnStudy {
   int number = 0;
-  std::string kind;  ///< what it was drawn for, in a few words
+  std::string kind;  ///< the kind it was drawn for, in a few words
   Study study;
 };
 
-/// Study `number` of `seed`. Numbers go round through all kinds of settings (kind_count of them), so that any
-/// kind_count successive ones hold each; what else a study has is drawn.
+/// Study `number` of `seed`. Numbers cycle through all kinds of studies (kind_count), so that any kind_count successive
+/// numbers include each. Everything else is drawn.
 DrawnStudy draw_study(std::uint64_t seed, int number);
 
 extern const int kind_count;

@@ -1,4 +1,4 @@
-// Running, naming, comparing.
+// Runs, names and compares ensembles.
 #include "ensemble.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One run of an ensemble with every start's fate kept, and comparisons of two of them.
+// One ensemble with every start's fate kept, and comparisons of two ensembles.
 #pragma once
 
 #include <cstdint>
@@ -20,29 +20,29 @@ struct Ensemble {
 
   /// What became of start i: the attractor's name, "undecided", "stalled", "diverged", "failed".
   std::string name(std::size_t i) const;
-  /// The same without what tells motions of one kind apart: number, period, quasi-periodic, chaotic.
+  /// The same without what distinguishes motions of one kind: number, period, quasi-periodic, chaotic.
   std::string kind(std::size_t i) const;
   bool decided(std::size_t i) const;
   /// Starts by kind().
   std::map<std::string, std::uint64_t> kinds() const;
-  /// Of the decided, since the last branch began and the balls were free; in ascending order.
+  /// Times of decided starts since the last piece began and the balls were free, ascending.
   std::vector<double> decision_times(const Study& study) const;
 };
 
 /// Starts 0 .. starts - 1 of `study`.
 Ensemble run_ensemble(Study study, std::uint64_t starts, const BasinOptions& options);
 
-/// "co-drifting, quasi-periodic (2)" is a "co-drifting".
+/// "co-drifting" for "co-drifting, quasi-periodic (2)".
 std::string kind_of_name(const std::string& name);
 
-/// Pairs of the same start in two runs, as far as both are decided.
+/// Pairs of the same start in two runs, where both are decided.
 struct Pairs {
   std::size_t compared = 0, differ = 0, first_difference = 0;
 };
 Pairs compare_pairs(const Ensemble& a, const Ensemble& b, bool undecided_too);
 
-/// The least probability, over all kinds, of shares that differ as much as these if both samples are independent and
-/// of one law; and the kind.
+/// The smallest probability, over all kinds, of shares that differ this much if both samples are independent and of one
+/// law; and the kind.
 struct SharesApart {
   double probability = 1.0;
   std::string kind;

@@ -1,4 +1,4 @@
-// A search for every rotor drawn.
+// Makes a search for every rotor drawn.
 #include "families.hpp"
 
 #include <algorithm>
@@ -24,12 +24,12 @@ namespace equipoise::audit {
 namespace {
 
 constexpr std::uint64_t drawn_starts = 50000;  // over all values
-constexpr std::uint64_t most_rotors = 200;     // whose shares are averaged,
-constexpr std::size_t starts_of_rotor = 1000;  // of so many starts each
+constexpr std::uint64_t most_rotors = 200;     // number of rotors whose shares are averaged,
+constexpr std::size_t starts_of_rotor = 1000;  // with this many starts each
 
 using Shares = std::map<std::string, double>;
 
-// One rotor, known exactly, as basin() decides its starts.
+// Decides starts of one rotor, known exactly, as basin() does.
 class KnownRotor {
  public:
   explicit KnownRotor(const Study& study) : runner_(study, {}) {}
@@ -40,7 +40,7 @@ class KnownRotor {
     return settled(decided).front();
   }
 
-  // Of starts that no other rotor is asked about.
+  // Shares of starts that no other rotor is asked about.
   Shares shares(std::uint64_t rotor) {
     Decided decided;
     runner_.run(rotor * starts_of_rotor, starts_of_rotor, decided);
@@ -49,8 +49,8 @@ class KnownRotor {
     return shares;
   }
 
-  // Whether starts beside this one end otherwise: on both sides of each ball, at distances that two integrations of one
-  // start come to lie apart by on a long way.
+  // Whether neighbouring starts end otherwise: on both sides of each ball, at distances to which two integrations of
+  // one start may diverge on a long way.
   bool ends_otherwise_beside(const InitialState& start, int balls) {
     const std::string here = kind(start);
     for (const double aside : {1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4})
@@ -76,7 +76,7 @@ class KnownRotor {
   StartRunner runner_;
 };
 
-// A kind's share over all values and the mean of the rotors' own, both with their errors.
+// A kind's share over all values, and the mean over rotors, both with their errors.
 void compare(const Ensemble& drawn, const std::vector<Shares>& rotors, FamilyAudit& audit) {
   const double n = static_cast<double>(drawn.fates.size()), m = static_cast<double>(rotors.size());
   Shares all;
@@ -92,9 +92,9 @@ void compare(const Ensemble& drawn, const std::vector<Shares>& rotors, FamilyAud
       squares += s * s;
     }
     const double mean = sum / m;
-    // What none of the rotors showed may be all that a few others do.
+    // A kind that no rotor showed may be all that a few others do.
     const double between = sum > 0.0 ? std::max(0.0, squares / m - mean * mean) / std::max(1.0, m - 1.0) : share / m;
-    // A kind that one of the two never showed has an error all the same.
+    // A kind that one of the two never showed still has an error.
     const double least = 1.0 / n, error = std::sqrt(between + std::max(share * (1.0 - share), least) / n);
     const double deviation = (share - mean) / error;
     if (std::fabs(deviation) < std::fabs(audit.deviation)) continue;

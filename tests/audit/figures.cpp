@@ -47,7 +47,7 @@ void check_transients(const Json& transients, std::vector<std::string>& faults) 
       }
     }
     const auto above = [&](const char* more, const char* less) {
-      // Single precision.
+      // Rounding of single precision.
       if (largest.count(more) && largest.count(less) && largest[less] > largest[more] * (1.0 + 1e-6))
         faults.push_back(
             fmt::format("{}: largest {} {} exceeds {} {}", name, less, largest[less], more, largest[more]));
@@ -96,13 +96,13 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   const std::map<std::string, double> units{{"mm", 1e3 * u.length},       {"N", u.force()},
                                             {"mm/s", 1e3 * u.velocity()}, {"s", u.time()},
                                             {"ms", 1e3 * u.time()},       {"J", u.torque()}};
-  // Medians: a start or two that chance sends elsewhere after a rounding move a mean by much.
+  // Medians: a start or two that a rounding sends elsewhere change a mean by much.
   const auto median = [](const Json& figure) -> std::optional<double> {
     for (const Json& q : figure.value("quantiles", Json::array()))
       if (number(q, "probability") == 0.5) return number(q, "value");
     return std::nullopt;
   };
-  // What a balanced rotor is left with is rounding: 1e-5 of a unit.
+  // What remains in a balanced rotor is rounding: 1e-5 of a unit.
   const auto least = [&](const std::string& unit) { return 1e-5 * units.at(unit); };
   constexpr double apart = 0.05;
   const Json& first = a["transients"]["groups"][0]["figures"];

@@ -1,4 +1,4 @@
-// Whether what is printed of an ensemble has the sign, the unit and the sums it should.
+// Checks signs, units and sums of an ensemble's printed figures.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace equipoise::audit {
 
-/// One line for each figure that cannot be.
+/// One line for each impossible figure.
 std::vector<std::string> impossible_figures(const BasinResult& result);
 
-/// One line for each figure of a machine in SI units that is not its dimensionless one times its unit.
+/// One line for each figure of a machine in SI units that does not equal its dimensionless figure times its unit.
 std::vector<std::string> wrong_units(const BasinResult& dimensionless, const BasinResult& physical);
 
 }  // namespace equipoise::audit

@@ -1,4 +1,4 @@
-// Lanes are taken from time to time with the ensemble's kernels.
+// Samples lanes from time to time, with the ensemble's kernels.
 #include "late_motion.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class Looker {
  public:
   Looker(const model::Parameters& p, LateMotion& motion) : p_(p), motion_(motion) {}
 
-  // `second`: of the second window.
+  // `second`: in the second window.
   void sample(bool second, double t, double psi, const double* z) {
     const double sag = model::static_sag(p_);
     const double r = std::hypot(z[0] - sag * std::sin(psi), z[1] - sag * std::cos(psi));
@@ -81,7 +81,7 @@ class Looker {
   std::array<double, model::max_balls> phi_{}, middle_phi_{}, last_phi_{}, low_{}, high_{};
 };
 
-// When samples are taken, relative to settled(): first window, then second.
+// Sample times relative to settled(): first window, then second.
 std::vector<std::pair<double, bool>> sample_times(const LookTimes& times) {
   std::vector<std::pair<double, bool>> list;
   for (const auto& [begin, second] : {std::pair{times.first, false}, std::pair{times.second, true}})
@@ -89,9 +89,9 @@ std::vector<std::pair<double, bool>> sample_times(const LookTimes& times) {
   return list;
 }
 
-// Of the ensemble's kernels: others round otherwise, and where the way to an attractor is chaotic that is soon another
-// way, to another attractor as well. Up to the first look the steps are the ensemble's own too, so that what was
-// decided is followed on from the very state it was decided in.
+// A rule that never decides, for the ensemble's kernels. Others round differently, and where the way to an attractor is
+// chaotic that soon leads to another attractor. Up to the first sample the steps are the ensemble's own too, so that
+// starts are followed from the very state in which they were decided.
 ClassificationRule rule_that_never_decides(int balls) {
   ClassificationRule rule;
   rule.balls = balls;
@@ -99,7 +99,7 @@ ClassificationRule rule_that_never_decides(int balls) {
   return rule;
 }
 
-// Starts first .. first + motions.size() - 1; `family`: of a study with uncertain values, else null.
+// Starts first .. first + motions.size() - 1; `family`: for a study with uncertain values, else null.
 class Followers {
  public:
   Followers(const Study& study, const StudyFamily* family, const SpinUp& source, std::size_t first,
@@ -170,8 +170,8 @@ class Followers {
     }
   }
 
-  // The rotor's angle: as prescribed, part of the state, or by the mean of the speeds at both ends of a step between
-  // samples, in which the speed hardly changes.
+  // The rotor's angle: as prescribed; part of the state; or from the mean of the speeds at both ends of a step between
+  // samples, during which the speed hardly changes.
   void turn(std::size_t i, double time) {
     if (task_.layout().speed < 0)
       psi_[i] = (starts_.rotors.empty() ? task_.segment : starts_.rotors[i].segment).psi_at(time);

@@ -1,4 +1,4 @@
-// Studies of the repository and what may be added to them.
+// Studies of the repository, and additions to them.
 #include "machines.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ const std::vector<Machine> machines{
     {"balls that stick", "paper/table-2-omega-2.4.toml", {"balancer.rolling=0.001"}},
     {"angle grinder", "examples/angle-grinder.toml", {}},
     {"motor, touch and stick", "paper-rotor-with-motor.toml", {"balancer.contact_angle=0.3", "balancer.rolling=0.001"}},
-    // Each start with values of its own.
+    // Each start has its own values.
     {"unbalance", "paper/table-2-omega-2.4.toml", {unbalance}},
     {"five values", "paper/table-2-omega-2.4.toml", {narrow, damping, mass, drag, speed}},
     {"fast, unbalance", "paper/table-2-omega-4.0.toml", {unbalance}},
@@ -62,7 +62,7 @@ LookTimes look_times(const Study& study, const Ensemble& ensemble, double longer
   if (decided.empty()) return times;
   audit.decided = decided.size();
   audit.usual = decided[decided.size() * 9 / 10];
-  // The slowest, a few of many, twice as long as they took.
+  // The slowest, a few of many, are followed twice as long as they took.
   times.second = std::max(longer * audit.usual, 2.0 * decided.back() + 2.0 * times.length);
   times.first = std::max(0.5 * times.second, 1.02 * decided.back());
   audit.looked = times.second;
@@ -93,7 +93,7 @@ MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& 
   const Study with_end = with_horizon(study);
   const std::optional<StudyFamily> family =
       study.uncertain.empty() ? std::nullopt : std::optional<StudyFamily>(with_end);
-  constexpr std::uint64_t part = 20000;  // what is held in memory at a time
+  constexpr std::uint64_t part = 20000;  // held in memory at a time
   for (std::uint64_t first = 0; first < starts && audit.decided > 0; first += part) {
     const auto count = static_cast<std::size_t>(std::min(part, starts - first));
     const std::vector<LateMotion> late = follow_late(study, first, count, times, settings.threads);

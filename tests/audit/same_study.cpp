@@ -46,7 +46,7 @@ std::optional<Study> mirrored(const Study& study) {
     t.constant = t.stall;
     t.slope = -t.stall / t.no_load_speed;
   }
-  if (m.speed.driven() && m.speed.stalled_below) return std::nullopt;  // a bound on a speed that has a sign
+  if (m.speed.driven() && m.speed.stalled_below) return std::nullopt;  // a bound on a signed speed
   turn_back(m.speed);
   turn_back(m.speed.torque);
   if (m.release.speed) m.release.speed = -*m.release.speed;
@@ -60,7 +60,7 @@ std::optional<Study> mirrored(const Study& study) {
   turn_back(m.sampling.box.y_dot);
   turn_back(m.sampling.box.phi_dot);
   if (study.parameters.gravity != 0.0) {
-    // What is left is right, but down stays down: angles count from the other side of the horizontal.
+    // Left becomes right, but down stays down: angles count from the other side of the horizontal.
     s.psi = 3.14159265358979323846 + s.psi;
     // phi -> -phi with psi -> pi - psi: the mirror's plane is vertical.
   }
@@ -223,7 +223,7 @@ std::string numbers_differ(const Study& a, const Study& b) {
       char *x_end, *y_end;
       const double u = std::strtod(x, &x_end), v = std::strtod(y, &y_end);
       const bool numbers = x_end != x && y_end != y;
-      // Some ten roundings; 0 comes through any scaling as 0.
+      // About ten roundings; 0 stays 0 under any scaling.
       if (numbers ? !(std::fabs(u - v) <= 1e-12 * std::fabs(u)) : *x != *y) return line + " | " + other;
       x = numbers ? x_end : x + 1;
       y = numbers ? y_end : y + 1;

@@ -1,4 +1,4 @@
-// Other forms of a study that must have the same answer.
+// Other forms of a study that must have the same result.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace equipoise::audit {
 
-/// Seen in a mirror: everything turns the other way. None where a file cannot say it (a motor's stall torque).
+/// Mirrored: everything turns the other way. Empty where a file cannot express it (a motor's stall torque).
 std::optional<Study> mirrored(const Study& study);
 
 /// The balls in the opposite order.
 Study reversed(const Study& study);
 
-/// A machine in SI units whose dimensionless form is `study`. None unless the mean stiffness is 1, the unit that
-/// machines in physical units have.
+/// A machine in SI units whose dimensionless form is `study`. Empty unless the mean stiffness is 1, the unit of
+/// machines in physical units.
 std::optional<std::string> physical_text(const Study& study, const model::Scales& scales);
 
-/// Empty if both studies, with their releases stated, hold the same numbers but for 1e-12, units apart; else the first
-/// line that differs.
+/// Empty if both studies, with their releases stated, have the same numbers to 1e-12, whatever the units; else the
+/// first line that differs.
 std::string numbers_differ(const Study& a, const Study& b);
 
 }  // namespace equipoise::audit

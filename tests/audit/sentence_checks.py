@@ -23,7 +23,7 @@ class NoAnswer(Exception):
 class Examination:
     """One machine, what `explain` says of it, and trajectories of it and its variants."""
 
-    patience = 60.0  # seconds that one command may take
+    patience = 60.0  # seconds per command
 
     def __init__(self, program, machine, folder, starts):
         self.program, self.machine, self.folder, self.starts = program, machine, folder, starts
@@ -116,7 +116,7 @@ def bare_vibration(e):
         return
     seen = [amplitude(axis) for axis in e.bare()]
     told = [axis["dimensionless"] for axis in e.said["without_balls"]["displacement"]]
-    # 128 samples a turn miss a peak by 3e-4; what is left of the start is e^-14.
+    # 128 samples per turn miss a peak by 3e-4; e^-14 of the start is left.
     yield "without balls", all(abs(a - b) <= 1e-3 * b for a, b in zip(seen, told)), f"{told} told, {seen} seen"
 
 
@@ -200,7 +200,7 @@ def stability(e):
         return
     longest = 4000.0
     if abs(rate) * longest < 3.0 or overlapping(e, motion["angles"]):
-        return  # too slow to be told from rest within reasonable time; or such balls cannot be put there
+        return  # too slow to be distinguished from rest in reasonable time; or such balls cannot be placed there
     angles = beside(motion)
     span = min(longest, (5.0 if rate > 0.0 else 9.0) / abs(rate))
     times = np.arange(0.0, span, min(0.5, span / 400))
@@ -210,13 +210,13 @@ def stability(e):
         left = motion["displacement_left"]["dimensionless"]
         moved = max(np.abs(seen[f"phi_{k + 1}"] - a).max() for k, a in enumerate(angles))
         r = seen["radial"][-len(d) // 4:].max()
-        # Samples may miss the largest displacement of a turn; e^-6 of what the start was off by is left.
+        # Samples may miss the largest displacement of a turn; e^-6 of the start's deviation is left.
         yield "what is left in balance", not motion["stable"] or 0.5 * left < r < 1.1 * left + 1e-5, \
             f"{left:.3g} told, {r:.3g} seen; balls moved by {moved:.3g}"
         return
     first, last = d[: len(d) // 4].max(), d[-len(d) // 4:].max()
     if rate > 0.0:
-        # The slowest pair holds a part of the deviation only: a growth of e^3.7 between the quarters is seen as 3.
+        # The slowest pair has only a part of the deviation: growth of e^3.7 between the quarters shows as 3.
         yield "balance is unstable", last > 3.0 * first, f"deviation {first:.3g}, then {last:.3g}; rate {rate:.3g}"
     else:
         yield "balance is stable", last < 0.1 * first, f"deviation {first:.3g}, then {last:.3g}; rate {rate:.3g}"
@@ -296,7 +296,8 @@ def run_up(e):
     if shaken is None:
         yield "the rotor stalls", there is None, reached
     elif shaken < end:
-        # Losses are those of steady running at each speed: what is passed within few turns takes less and rings after.
+        # Losses are those of steady running at each speed: a quick passage absorbs less, and vibration rings on after
+        # it.
         yield "run-up time", there is not None and 0.98 * alone <= times[there] <= 1.15 * shaken, \
             f"{reached}; told {alone:.5g} without losses, {shaken:.5g} with the unbalance's"
 
@@ -313,7 +314,7 @@ def lasting_loss(e):
 
 def late(e, start, begin, length, aside=0.0):
     """The run of a start, or of one `aside` of it in its balls' angles, seen for `length` from `begin` on."""
-    # As many times as a command line takes, at no whole part of a turn.
+    # As many times as a command line takes, not at whole parts of a turn.
     count = int(min(2000, length / min(0.5, 2.0 * math.pi / abs(e.speed or 3.0) / 12.0)))
     angles = [float(a) + aside for a in np.atleast_1d(start.phi.values)]
     return e.simulate(e.machine, "", begin + length / count * np.arange(count), [f"initial.phi={angles}"])
@@ -344,17 +345,17 @@ def fates(e):
             r = seen["radial"].max()
             passed += np.mean(seen["psi_dot"]) > answer.get("passed", {"above": 0.0})["above"]
             if outcome > 0 and (r < 0.5 * bare) != (outcome == 1):
-                # Chaos on the way makes another fate of rounding: then starts a hair aside differ too, and nothing is
-                # learnt of the sentence.
+                # With chaos on the way, rounding may change the fate. Then starts a hair aside differ too, and nothing
+                # is learnt about the sentence.
                 aside = [late(e, start, begin, 60.0, d)["radial"].max() < 0.5 * bare for d in (-1e-8, 1e-8, 1e-7, 1e-6)]
                 if len(set(aside)) > 1 or aside[0] != (r < 0.5 * bare):
                     continue
             name = f"start {i}: {outcome}"
-            # Balanced motions under gravity or on a race off its centre shake a little, and less than half as much as
-            # no balls at all; what is still on its way is followed on.
+            # Balanced motions under gravity or in an off-centre race vibrate a little: less than half as much as
+            # without balls. Anything still on its way is followed further.
             if outcome == 1:
                 yield f"{name}, balanced", r < 0.5 * bare, f"r reaches {r:.3g}, {bare:.3g} without balls"
-            elif outcome == 0:  # chaos on the way may last longer here than there: judged by all of them
+            elif outcome == 0:  # chaos on the way may last longer here than there: judged together
                 undecided += 1
                 quiet += r < 0.02 * bare
             elif outcome == -3 or outcome > 1:
@@ -369,7 +370,7 @@ def fates(e):
         yield "note that none can balance", balanced["count"] == 0, note
 
 
-LATER = 100.0  # after the decision: time units in which what was decided has to show
+LATER = 100.0  # time units after the decision within which it must show
 
 CHECKS = [bare_vibration, static_sag, held_resonance, below_resonance, stability, more_or_less_drag, capacity, run_up,
           fates]

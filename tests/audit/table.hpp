@@ -1,4 +1,4 @@
-// An audit as a table for people and as JSON.
+// An audit as a table and as JSON.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace equipoise::audit {
 std::string table_head();
 /// A study's line.
 std::string table_line(const StudyAudit& audit);
-/// What failed, each with the command that shows it; empty if nothing did.
+/// All failures, each with the command that shows it; empty if there are none.
 std::string faults_text(const StudyAudit& audit);
 std::string audits_json(const std::vector<StudyAudit>& audits, std::uint64_t seed);
 

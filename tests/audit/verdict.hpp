@@ -1,4 +1,4 @@
-// What a check of one study came to.
+// The result of one check of one study.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace equipoise::audit {
 enum class Verdict {
   passed,
   failed,
-  not_asked,  ///< does not apply to this study, or its turn did not come within the study's share of time
+  not_asked,  ///< does not apply to this study, or the study's share of time was used up
 };
 
 /// One check.
@@ -20,7 +20,7 @@ struct Check {
   std::string seen;  ///< a few words for the table: "200 of 200", "2 flips"
 
   struct Fault {
-    std::string what, command;  ///< one line each; the command shows it
+    std::string what, command;  ///< one line each; the command shows the fault
   };
   std::vector<Fault> faults;
 
@@ -30,7 +30,7 @@ struct Check {
     if (faults.size() < most_faults) faults.push_back({std::move(what), std::move(command)});
   }
 
-  static constexpr std::size_t most_faults = 3;  ///< told; more of them say the same
+  static constexpr std::size_t most_faults = 3;  ///< shown; further ones say the same
 };
 
 }  // namespace equipoise::audit

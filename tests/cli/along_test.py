@@ -83,7 +83,7 @@ class Files(Case):
         self.assertEqual(code, 130)
         found = json.loads(out)
         self.assertTrue(found["partial"])
-        for branch in found["branches"]:  # what was not followed to its end is not said to end
+        for branch in found["branches"]:  # a branch not continued to its end must not be said to end
             at_line = [branch["exists"][0] == found["values"][0], branch["exists"][1] == found["values"][-1]]
             changes = {e["change"] for e in found["events"] if e["id"] == branch["id"]}
             ends = [at_line[0] or "birth" in changes, at_line[1] or "death" in changes]

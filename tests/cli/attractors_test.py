@@ -33,13 +33,13 @@ class Attractors(Case):
         self.assertEqual(len(by_id[2]["multipliers"]), 8)
         self.assertAlmostEqual(by_id[2]["multipliers"][0][0], 1.0, places=8)
         self.assertLess(by_id[2]["residual"], 1e-10)
-        # One drift and one libration: two zero exponents, to the 2e-4 that some thousand time units give.
+        # One drift and one libration: two zero exponents, to the 2e-4 that some thousand time units allow.
         self.assertLess(abs(by_id[3]["exponents"][0]) + abs(by_id[3]["exponents"][1]), 1e-3)
         self.assertLess(by_id[3]["radial"]["min"], by_id[3]["radial"]["mean"])
         self.assertLess(by_id[3]["radial"]["mean"], by_id[3]["radial"]["max"])
 
     def test_what_windows_alone_show_has_no_figures(self):
-        # Light balls that touch, in hardly any oil: gravity leaves them creeping beside balance.
+        # Light touching balls, in hardly any oil: gravity leaves them creeping near balance.
         study = """[rotor]
 mass = "0.553 kg"
 stiffness = "2870 N/m"

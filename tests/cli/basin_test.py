@@ -16,7 +16,7 @@ import unittest
 
 from program import DRIVE, PROGRAM, ROW, STUDIES, Case, answer, interrupted, run, started, with_xarray
 
-# Of a file with xarray: everything in it, what has no words, and what stands for the run and not for its answer.
+# What xarray finds in a file: everything, what has no words, and what concerns the run rather than its result.
 XARRAY = """
 import json, sys, xarray
 def told(path):
@@ -117,7 +117,7 @@ class Basin(Case):
         run(*command, "60", "-o", parts)
         again = json.loads(run(*command, "150", "-o", parts).stdout)
         self.assertEqual(again["resumed_from"], 60)
-        self.assertEqual(once["outcomes"], again["outcomes"])  # also what is left by starts that were read
+        self.assertEqual(once["outcomes"], again["outcomes"])  # also the unbalance left by starts read from the file
         a, b = with_xarray(XARRAY, whole, parts)
         self.assertEqual(a, b)
 
@@ -267,8 +267,8 @@ horizon = "20 s"
     def test_lines_of_progress_where_standard_error_is_no_terminal(self):
         process = subprocess.Popen([PROGRAM, "basin", ROW, "--starts", "100000000"], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True, cwd=self.folder)
-        lines = (line for line in process.stderr if "of 100000000" in line)  # after those of the search
-        next(lines)  # on a busy machine the first comes before there is a rate to tell
+        lines = (line for line in process.stderr if "of 100000000" in line)  # after the lines of the search
+        next(lines)  # on a busy machine the first comes before there is a rate
         line = next(lines)
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
@@ -277,7 +277,7 @@ horizon = "20 s"
     def test_interrupted_run_says_what_is_known_so_far(self):
         output = self.path("out.nc")
         process = started("basin", ROW, "--starts", "100000000", "--json", "-o", output)
-        next(line for line in process.stderr if "of 100000000" in line)  # of progress: starts have been counted
+        next(line for line in process.stderr if "of 100000000" in line)  # progress: starts have been counted
         out, _, code = interrupted(process)
         self.assertEqual(code, 130)
         found = json.loads(out)
@@ -286,7 +286,7 @@ horizon = "20 s"
         self.assertGreater(os.path.getsize(output), 1000)
 
     def test_a_long_search_for_attractors_is_told_and_can_be_ended(self):
-        # Several lines long, of five seconds each, for eight balls under gravity, before the first start is followed.
+        # Eight balls under gravity: several lines, five seconds apart, before the first start is followed.
         study = self.file("eight.toml", "[rotor]\neccentricity = 0.01\ndamping = 0.05\ngravity = 0.001\n"
                           "[balancer]\nballs = 8\nmass = 0.005\ndrag = 0.02\n"
                           "[speed]\nprofile = \"constant\"\nspeed = 2.4\n")
@@ -296,7 +296,7 @@ horizon = "20 s"
                 self.assertIn("looking for attractors: ", process.stderr.readline())
                 began = time.monotonic()
                 self.assertEqual(interrupted(process)[2], 130)
-                self.assertLess(time.monotonic() - began, 10.0)  # about one, on a machine with nothing else to do
+                self.assertLess(time.monotonic() - began, 10.0)  # about one second on an idle machine
 
     def test_bar_on_a_terminal(self):
         pid, terminal = pty.fork()

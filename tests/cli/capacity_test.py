@@ -50,9 +50,9 @@ class Capacity(Case):
         self.assertEqual((none_does["never"], none_does["value"]), (True, None))
 
     def test_an_unbalance_has_a_range_of_its_own_which_the_answer_tells(self):
-        # In grams, so that the sentence has no exponent; three decisions of a few starts are enough to be told where.
+        # In grams, so that the sentence has no exponent; three decisions of a few starts suffice for a place.
         few = ["--starts", "5", "--precision", "0.1", "--at-least", "0.3"]
-        balls = 4 * 7.8e-3 * math.pi / 6 * 38 ** 3 * 250  # g mm: what they can make up for
+        balls = 4 * 7.8e-3 * math.pi / 6 * 38 ** 3 * 250  # g mm: what they can cancel
         by_length = self.file("length.toml", text_of(WASHER).replace('unbalance = "100 kg mm"', 'eccentricity = "2.5 mm"'))
         for path, key, unit, most in ((WASHER, "rotor.unbalance", "g mm", balls),
                                       (by_length, "rotor.eccentricity", "mm", balls / 40000),
@@ -76,7 +76,7 @@ class Capacity(Case):
 class DrawnValues(Case):
     def test_a_trial_is_what_basin_says_of_drawn_rotors(self):
         drawn = ["--set", "rotor.damping={uniform=[0.4,0.6]}"]
-        found = answer(*QUICK, *drawn, "--set", "rotor.eccentricity={uniform=[0.01,0.02]}")  # which --of takes the place of
+        found = answer(*QUICK, *drawn, "--set", "rotor.eccentricity={uniform=[0.01,0.02]}")  # replaced by --of
         trial = found["cells"][0]["trials"][0]
         alone = answer("basin", ROW, *QUICK[2:6], "--starts", "200", *drawn, "--set", f"rotor.eccentricity={trial['value']}")
         self.assertEqual(trial["count"], alone["outcomes"][0]["count"])
@@ -85,7 +85,7 @@ class DrawnValues(Case):
         self.assertIn("drawn with each start: rotor.damping uniform, 0.4 to 0.6", text)
 
     def test_rotors_that_can_balance_count_where_that_of_the_medians_cannot(self):
-        # Two balls of 0.06 make up for an eccentricity of 0.08, two of 0.03 or 0.02 do not: a third of the starts balances.
+        # Two balls of 0.06 cancel an eccentricity of 0.08; two of 0.03 or 0.02 do not: a third of the starts balances.
         found = answer("capacity", ROW, *QUICK[2:6], "--set", "balancer.mass={values=[0.02,0.03,0.06]}", "--at-least", "0.2",
                        "--between", "0.08:0.16", "--precision", "0.1", "--starts", "90")
         trial = found["cells"][0]["trials"][0]

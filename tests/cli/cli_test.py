@@ -33,7 +33,8 @@ class Explain(Case):
 class Cost(Case):
     """What explain says that basin takes, against what it takes."""
 
-    # Predicted on as many starts as basin follows here it is out by what else the machine does; a factor of three for that.
+    # Predicted on as many starts as basin follows here. The error is other work on the machine; a factor of three for
+    # that.
     def test_it_is_within_a_factor_of_three(self):
         for study, more in ((ROW, ["--set", "sampling.starts=200000"]), (WASHER, [])):
             cost = json.loads(run("explain", study, "--cost", "--within", "60s", "--json", *more).stdout)["cost"]
@@ -42,7 +43,7 @@ class Cost(Case):
             self.assertTrue(taken / 3 < cost["cpu_seconds"] < taken * 3, (study, cost, taken))
 
     def test_what_did_not_end_in_time_is_said(self):
-        # Its search takes 10 s and more.
+        # Its search takes at least 10 s.
         self.assertIn("basin takes           more than", run("explain", GRINDER, "--cost", "--within", "1s").stdout)
         self.assertIn("basin takes           about", run("explain", ROW, "--cost", "--within", "60s").stdout)
 
@@ -105,7 +106,7 @@ class Examples(Case):
         for study in self.studies():
             found = answer("basin", study, "--starts", "20")
             self.assertEqual(found["starts"], 20)
-            # What is lost or undecided would not be an example of anything.
+            # A lost or undecided start would be a bad example.
             for status in ("undecided", "diverged", "failed"):
                 self.assertEqual(found[status]["count"], 0, status)
             everything = found["transients"]["groups"][0]
@@ -152,7 +153,7 @@ class Simulate(Case):
     def test_states_do_not_depend_on_which_times_are_asked_for(self):
         few = self.rows(ROW, "--at", "7.3,20", "--set", "initial.phi=[1.0,4.0]")
         many = self.rows(ROW, "--every", "0.1", "--until", "20", "--set", "initial.phi=[1.0,4.0]")
-        # Dense output: the steps are the same but for the last, which ends at the last time in both.
+        # Dense output: the steps are the same except the last, which ends at the last time in both.
         for row in few:
             same = min(many, key=lambda r: abs(r["t"] - row["t"]))
             for key in ("x", "y", "phi_1", "phi_2"):

@@ -14,7 +14,7 @@ class Compare(Case):
         found = answer("compare", ROW, ROW, "--starts", "2000", "--set-second", "balancer.drag=0.06")
         balanced = found["differences"][0]
         self.assertEqual(balanced["name"], "balanced")
-        # 60.4 % becomes 99.7 %, of 2000 pairs to 1.1 % each.
+        # 60.4 % becomes 99.7 %, each to 1.1 % with 2000 pairs.
         self.assertTrue(0.36 < balanced["low"] < balanced["difference"] < balanced["high"] < 0.43, balanced)
         self.assertEqual(found["changed"], sum(c["starts"] for c in found["changes"]))
         self.assertIn("more often", found["verdict"])

@@ -9,7 +9,7 @@ import unittest
 
 from program import ROW, STUDIES, Case, answer, rows_of, run, text_of, with_xarray
 
-# Spin-ups to one speed share their search for attractors: an ensemble costs its starts alone.
+# Spin-ups to one speed share their attractor search: an ensemble costs only its starts.
 DESIGN = """
 [design]
 objective = {objective}
@@ -91,7 +91,7 @@ class Design(Case):
         self.assertIn("No candidate keeps all requirements: spin_up_time must be below 30 and is at best", done.stdout)
 
     def test_designs_of_the_examples_are_problems(self):
-        # With a budget too small for any work they are refused for that alone.
+        # A budget too small for any work is the only reason for refusing them.
         for name in sorted(os.listdir(os.path.join(STUDIES, "examples"))):
             done = run("design", os.path.join(STUDIES, "examples", name), "--trajectories", "1000", "--set", "limits.settled=5 um")
             self.assertEqual(done.returncode, 2, name)

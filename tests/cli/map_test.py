@@ -79,7 +79,7 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(found["ties"][0]["offset"], 1.0471975512, delta=1e-9)
 
     def test_pixels_without_a_start_are_named(self):
-        # 16 pixels a turn are 0.393 rad apart: balls overlap on the diagonal alone.
+        # 16 pixels per turn are 0.393 rad apart: balls overlap only on the diagonal.
         touching = run("map", ROW, "--size", "16x16", "--json", "--quiet", "--set", "balancer.contact_angle=0.3")
         outcomes = {o["name"]: o["pixels"] for o in json.loads(touching.stdout)["outcomes"]}
         self.assertEqual(outcomes["balls would overlap, or failed"], 16)

@@ -122,7 +122,7 @@ class Machines(Case):
         self.assertEqual(found["starts"], 300)
         self.assertIn("transients", found)
         first = Page(page).lead
-        # From the file alone, without a start computed anew.
+        # From the file alone, without computing a start again.
         again = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
         self.assertEqual(json.loads(again.stdout)["resumed_from"], 300)
         self.assertEqual(Page(page).lead, first)
@@ -130,7 +130,7 @@ class Machines(Case):
     def test_interrupted_it_says_so(self):
         path = self.path("page.html")
         process = started("report", ROW, "--starts", "100000000", "-o", path, "--quiet")
-        time.sleep(6.0)  # the search for attractors takes one or two
+        time.sleep(6.0)  # the attractor search takes one or two seconds
         self.assertEqual(interrupted(process)[2], 130)
         self.assertIn("Stopped before all starts were done", Page(path).text)
 
@@ -229,7 +229,7 @@ class OtherPages(Case):
                 page, _ = self.page_of(*command, *drawn)
                 self.assertTrue(page.lead.startswith(both), page.lead)
                 self.assertIn("uniform 0.005, 0.015", page.text)
-        # What is varied is not drawn.
+        # A varied value is not drawn.
         page, _ = self.page_of("sweep", ROW, "--over", "rotor.damping=0.5,0.6", "--starts", "20", *drawn)
         self.assertTrue(page.lead.startswith("With eccentricity drawn anew for every start, "), page.lead)
         page, _ = self.page_of("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20")

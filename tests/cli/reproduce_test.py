@@ -62,7 +62,7 @@ class Tables(unittest.TestCase):
         done, found = answers(self.folder, "table-5", "--starts", "600")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(numbers(found), numbers(self.answer))
-        self.assertEqual(found["cpu_seconds"], self.answer["cpu_seconds"])  # what they cost when they were computed
+        self.assertEqual(found["cpu_seconds"], self.answer["cpu_seconds"])  # their cost when they were computed
         self.assertLess(time.monotonic() - begin, 30)
 
     def test_pictures_are_kept(self):

@@ -13,7 +13,7 @@ import unittest
 
 from program import PROGRAM, ROW, Case, run
 
-# A stable balanced state whose discovery takes a second.
+# A stable balanced state whose attractor search takes a second.
 FEW = ("--starts", "10", "--quiet")
 
 
@@ -57,17 +57,17 @@ class LostOutput(Case):
                                    text=True)
         time.sleep(3)
         program.send_signal(signal.SIGINT)
-        time.sleep(0.001)  # for two that come together are one to the system already
+        time.sleep(0.001)  # the system merges two signals that come together
         program.send_signal(signal.SIGINT)
         self.assertIn("PARTIAL", program.communicate(timeout=60)[0])
         self.assertEqual(program.returncode, 130)
 
     def test_nobody_hearing_standard_error_does_not_end_the_work(self):
-        # A line of progress comes after five seconds. The run is stopped by a time limit, as by Ctrl-C.
+        # A line of progress comes after five seconds. A time limit stops the run, like Ctrl-C.
         for target in ("2>/dev/full", "2> >(head -c 1 >/dev/null)"):
             with self.subTest(target=target):
                 done = shell(f"timeout --signal=INT 8 $E basin $S --starts 1000000000 {target}")
-                self.assertEqual(done.returncode, 124)  # what timeout says of a program that it stopped
+                self.assertEqual(done.returncode, 124)  # timeout's code for a program that it stopped
                 self.assertIn("PARTIAL", done.stdout)
 
 
@@ -83,7 +83,7 @@ class Usage(Case):
         self.refused("basin", "/dev/zero", words=["/dev/zero: cannot be read (more than 16 MiB)"])
         self.refused("certify", "--check", "/dev/zero", words=["more than 64 MiB"])
         self.assertLess(time.monotonic() - begin, 30)
-        done = shell("cat $S | $E explain /dev/stdin")  # read once: the text is needed twice
+        done = shell("cat $S | $E explain /dev/stdin")  # a pipe can be read only once, but the text is needed twice
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_study_with_any_file_name_gives_valid_json_on_one_line(self):

@@ -38,7 +38,7 @@ class Sweep(Case):
         for cell in (sweep["cells"][2], sweep["cells"][4]):
             alone = answer("basin", ROW, "--starts", "800", "--set", f"speed.speed={cell['at']['speed.final']}",
                            "--set", f"balancer.drag={cell['at']['balancer.drag']}")
-            # The search begins elsewhere; starts are the same and come to the same.
+            # The search begins elsewhere; the starts are the same and must have the same outcomes.
             self.assertEqual(counts(cell["outcomes"]), counts(alone["outcomes"]), cell["at"])
             self.assertEqual(cell["starts"], 800)
 
@@ -47,11 +47,11 @@ class Sweep(Case):
         done = run("sweep", ROW, "--over", "balancer.drag=0.05:0.07:0.002", "--starts", "10")  # eleven cells
         elapsed = time.monotonic() - begin
         self.assertEqual(done.returncode, 0)
-        # Of the first cell, and at most two more, of cells and of progress, every ten seconds.
+        # One line for the first cell, and at most two more, for cells and progress, every ten seconds.
         self.assertTrue(1 <= done.stderr.count("\n") <= 1 + 2 * int(elapsed / 10), (elapsed, done.stderr))
 
     def test_a_neighbours_search_changes_no_outcome(self):
-        # Motions come and go from one to the next: an orbit, a torus that becomes chaos, one captured.
+        # Motions appear and vanish between cells: an orbit, a torus that becomes chaos, one captured.
         sweep = answer("sweep", ROW, "--over", "speed.final=2,2.2,2.4,2.5,3.2", "--starts", "3000")
         for cell in sweep["cells"]:
             alone = answer("basin", ROW, "--starts", "3000", "--set", f"speed.speed={cell['at']['speed.final']}")
@@ -85,7 +85,7 @@ class Sweep(Case):
         sweep = answer("sweep", WASHER, "--over", "rotor.unbalance=50 kg mm:100 kg mm:50 kg mm", "--starts", "60", "-o", path)
         self.assertEqual(sweep["over"][0]["unit"], "kg mm")
         light, heavy = (c["transients"] for c in sweep["cells"])
-        # Twice the unbalance shakes more on the way through resonance.
+        # Twice the unbalance vibrates more on the way through resonance.
         self.assertGreater(heavy["peak_radial"]["quantiles"][0]["low"], light["peak_radial"]["quantiles"][0]["high"])
         self.assertIn("displacement", heavy["exceeded"])
 

@@ -12,7 +12,7 @@ import unittest
 
 from program import ROW, WASHER, Case, answer, content, run
 
-# Work of a minute and more for every command that computes.
+# At least a minute's work for every command that computes.
 LONG = {
     "basin": ("basin", ROW, "--starts", "100000000"),
     "attractors": ("attractors", ROW, "--starts", "100000000"),
@@ -87,7 +87,7 @@ class GoingOn(Case):
             goes_on = "the same command goes on from " + self.parts in done.stderr
             self.assertTrue(goes_on or not kept, "what was kept is lost: " + done.stderr)
             kept = goes_on
-            seconds *= 1.05  # a slow or busy machine may not come to anything that is kept in time
+            seconds *= 1.05  # a slow or busy machine may have nothing to keep in time
         return self.fail("never done")
 
     def same_file(self, seconds, *arguments):
@@ -98,7 +98,7 @@ class GoingOn(Case):
     def test_a_map(self):
         self.same_file(0.5, "map", ROW, "--size", "400x400")
 
-    # Longer than any of the runs, so that it has to go on where it was.
+    # Longer than any of the runs, so that it has to continue where it was.
     def test_a_search(self):
         self.same_file(0.4, "map", ROW, "--x", "rotor.eccentricity", "--x-range", "0.008:0.012", "--y", "initial.phi_1",
                        "--size", "24x24")
@@ -114,7 +114,7 @@ class GoingOn(Case):
         self.same_file(0.3, "capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9",
                        "--between", "0.08:0.14", "--precision", "0.05", "--starts", "5000")
 
-    # An ensemble's file also tells how long it took and how often it was resumed: what it holds is compared.
+    # An ensemble's file also states how long it took and how often it was resumed: only its results are compared.
     def test_an_ensemble(self):
         command = ("basin", ROW, "--starts", "400000", "--json")
         whole = json.loads(run(*command, "--quiet", "-o", self.whole).stdout)
@@ -136,12 +136,12 @@ class Bounds(unittest.TestCase):
     def test_of_a_map_each_outcome_has_as_much_as_could_be(self):
         whole = answer("map", ROW, "--size", "200x200")
         found, seconds = None, 1.5
-        while not found:  # a busy machine may not come to the first pixel in time
+        while not found:  # a busy machine may not reach the first pixel in time
             done = limited(seconds, "map", ROW, "--size", "3000x3000")[0]
             self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
             found = re.search(r"^ +1  balanced +\d+ +([\d.]+) to ([\d.]+) %$", done.stdout, re.M)
             seconds *= 2
-        # The coarse map's share is within a per cent of the fine one's: its boundary is no wider than some pixels.
+        # The coarse slice's share is within a per cent of the fine one's: the boundary is only some pixels wide.
         share = 100 * next(o["share"] for o in whole["outcomes"] if o["id"] == 1)
         self.assertTrue(float(found[1]) - 1 < share < float(found[2]) + 1, (found[0], share))
 

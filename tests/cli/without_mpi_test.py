@@ -13,7 +13,7 @@ import unittest
 from program import PROGRAM, ROW, run
 
 SWEEP = ("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20", "--quiet")
-# What starters leave in the environment: of the first of two processes, of the second, and of one alone.
+# Environment variables set by job starters: for the first of two processes, the second, and one alone.
 STARTERS = {
     "OMPI_COMM_WORLD_SIZE": lambda size, rank: {"OMPI_COMM_WORLD_SIZE": size, "OMPI_COMM_WORLD_RANK": rank},
     "PMI_SIZE": lambda size, rank: {"PMI_SIZE": size, "PMI_RANK": rank},

@@ -1,4 +1,4 @@
-// The search for attractors: what is found unaided, what states given by hand add, and that it depends on nothing else.
+// The attractor search: what it finds unaided, what given states add, and that the result depends on nothing else.
 #include <unistd.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ constexpr auto rest = MotionKind::equilibrium, orbit = MotionKind::periodic, tor
 TEST_P(Attractors, AreFoundUnaided) {
   const Case& c = GetParam();
   const AttractorsResult result = attractors(rotor(c.drag, c.speed, 3000), searching(3000));
-  std::vector<const Attractor*> met;  // tiny ones besides may or may not be met
+  std::vector<const Attractor*> met;  // tiny ones may or may not be met as well
   for (const Attractor& a : result.attractors)
     for (const Expected& e : c.attractors)
       if (a.id == e.id) met.push_back(&a);
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {6, "pair drift", "", orbit, .0008, .0097}}}),
     [](const auto& info) { return info.param.label; });
 
-// States near V4 and near the motion of five times its period that lives beside it, at Omega = 4.4.
+// States near V4 and near the motion of five times its period beside it, at Omega = 4.4.
 const std::vector<double> near_v4{0.0528067, -0.0762854, 0.277856,   0.165906,
                                   1.9580073, 2.1527421,  -1.0849954, -0.6289745};
 const std::vector<double> near_period_20{0.0305819, -0.0883728, 0.3280828,  0.1462239,
@@ -132,7 +132,7 @@ TEST(AttractorsGiven, StatesBringRareAttractorsIntoTheList) {
   ASSERT_TRUE(beside);
   EXPECT_EQ(beside->name, "one captured, period 20");
   EXPECT_NEAR(beside->motion.period, 81.2408, 5e-5);
-  // Independent of shooting: integrated for a period, the state comes back but for whole turns.
+  // Independent of shooting: integrated over a period, the state returns up to whole turns.
   Study once = rotor(0.05, 4.4, 1);
   const Eigen::VectorXd& z = beside->motion.state;
   once.initial.x = z[0];
@@ -165,8 +165,8 @@ TEST(AttractorsGiven, ResultsDoNotDependOnThreads) {
   }
 }
 
-// V4 at Omega = 4.4, about one start in 30 000, is first met during the run: it is listed, and a run that was
-// interrupted and resumed lists it just so.
+// V4 at Omega = 4.4, about one start in 30 000, is first met during the run. It is listed, and an interrupted and
+// resumed run lists it in the same way.
 TEST(AttractorsMetLate, AreListedAndSurviveResumption) {
   const Study study = rotor(0.05, 4.4, 60'000);
   const BasinResult whole = basin(study);

@@ -1,4 +1,5 @@
-// Ensembles of scrambled Sobol starts and on grids: same bits, files, what is chosen for a half-width, known shares.
+// Ensembles of scrambled Sobol starts and on grids: bit-identical results, files, the choice for a half-width, known
+// shares.
 #include <unistd.h>
 
 #include <cmath>
@@ -99,7 +100,7 @@ TEST_P(EvenSampling, InterruptedRunsResumeToTheSameResult) {
 }
 
 // Reference: 60.495 +- 0.005 % balanced, 3.908 +- 0.003 % V1 (docs/numerics.md). Five claimed standard errors, which
-// themselves are known to 18 %.
+// are themselves known to 18 %.
 TEST_P(EvenSampling, FindsTheKnownShares) {
   const BasinResult r = basin(row(GetParam(), 16384));
   const Share &balanced = r.attractors[0].share, &v1 = r.attractors[1].share;
@@ -126,7 +127,7 @@ TEST(Grid, UsesExchangeOnlyOfBallsThatAreAlike) {
   study = row(SamplingMethod::grid, 1000);
   study.initial.phi_dot = {0.0, 0.1};
   EXPECT_FALSE(balls_exchange(study));
-  study.sampling.box.phi_dot = {-1.0, 1.0};  // drawn alike for both
+  study.sampling.box.phi_dot = {-1.0, 1.0};  // the same distribution for both
   EXPECT_TRUE(balls_exchange(study));
 }
 
@@ -156,7 +157,7 @@ TEST(HalfWidth, ChoosesSobolStartsWhereTheyAreCheaper) {
   EXPECT_NEAR(a.choice->random_starts, 57370, 500);
   EXPECT_LT(static_cast<double>(a.starts), 0.8 * a.choice->random_starts);
   for (const OutcomeShare& s : a.attractors) EXPECT_LE(s.share.half_width(), 0.004);
-  // The file is one of Sobol starts, as if asked for: the same command reads it, and more of them extend it.
+  // The file has Sobol starts, as if asked for: the same command reads it, and more of them extend it.
   EXPECT_EQ(basin(study, two).resumed_from, b.starts);
   BasinOptions longer;
   longer.output = two.output;
@@ -179,7 +180,7 @@ TEST(HalfWidth, AnInterruptedPilotTellsWhatItCountedAndBeginsNoFile) {
   EXPECT_FALSE(std::filesystem::exists(options.output));
 }
 
-// An interrupted run that goes on past its pilot is taken up by the same command.
+// The same command resumes an interrupted run that continues past its pilot.
 TEST(HalfWidth, ResumesWhatItChose) {
   BasinOptions options;
   options.half_width = 0.002;

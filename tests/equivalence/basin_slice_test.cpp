@@ -1,5 +1,5 @@
-// Plane maps: the same bits whatever the threads, pixels against trajectories followed alone and long, borders of
-// balance, errors, file and picture.
+// Basin slices: bit-identical for any threads; pixels against single long trajectories; limits of balance, errors, file
+// and picture.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -50,7 +50,7 @@ BasinSliceSettings angle_plane(int columns, int rows) {
   return s;
 }
 
-// Eccentricity and mass: every pixel has a rotor of its own.
+// Eccentricity and mass: every pixel has its own rotor.
 BasinSliceSettings mass_plane(int columns, int rows) {
   BasinSliceSettings s;
   s.x = {"rotor.eccentricity", 0.0, 0.1, columns};
@@ -58,7 +58,7 @@ BasinSliceSettings mass_plane(int columns, int rows) {
   return s;
 }
 
-// Every pixel a start of one rotor: these go together on lanes.
+// Every pixel is a start of one rotor: these share lanes.
 BasinSliceSettings both_angles(int columns, int rows) {
   BasinSliceSettings s;
   s.x = {"initial.phi_1", 0.0, two_pi, columns};
@@ -110,14 +110,14 @@ TEST(BasinSlice, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
             motion_from({study.parameters, 2.4}, model::centred_state(study.parameters, study.initial.phi.data()),
                         *study.numerics.horizon);
         const std::size_t at = map.at(column, row);
-        // What has not shown a motion alone by the horizon may be chaos, which windows tell.
+        // A motion not recognised alone by the horizon may be chaos, which windows can tell.
         if (alone || name_of(map, at).find("chaotic") == std::string::npos) {
           const std::string name = alone ? motion_name(study.parameters, *alone).name : "undecided";
           EXPECT_EQ(name_of(map, at), name) << column << ", " << row;
         }
-        // Orbits are refined to 1e-11; tori and chaos are measured. Of rotors that differ the last window tells: it is
-        // believed once windows agree to 2 % (ClassificationRule::sameness), while what is left may still be dying out.
-        // Beside a period doubling that was measured to be 1.2 %.
+        // Orbits are refined to 1e-11; tori and chaos are measured. For rotors that differ the last window decides: it
+        // is trusted once windows agree to 2 % (ClassificationRule::sameness), while a remainder may still be dying
+        // out. Beside a period doubling 1.2 % was measured.
         if (alone && alone->kind <= MotionKind::periodic) {
           const double tolerance = maps_starts(map) ? 1e-8 : 0.02 * alone->r_max + 1e-8;
           EXPECT_NEAR(map.r_max[at], alone->r_max, tolerance) << column << ", " << row;
@@ -126,7 +126,7 @@ TEST(BasinSlice, PixelsComeToWhatTheirTrajectoriesComeToAlone) {
   }
 }
 
-// Some motors come to their speed, some hang below it.
+// Some motors reach their speed, some hang below it.
 BasinSlice motors() {
   const Study study = parse_study(
       "[rotor]\neccentricity = 0.05\ndamping = 0.1\ninertia = 0.5\n"
@@ -140,7 +140,7 @@ BasinSlice motors() {
   return basin_slice(study, s);
 }
 
-// The last tenth of a trajectory three times as long as the map's horizon, at a thousandth of its tolerance.
+// The last tenth of a trajectory three times as long as the slice's horizon, at a thousandth of its tolerance.
 double r_max_after_long(Study study) {
   study.numerics.tolerance = 1e-12;
   std::vector<double> times;
@@ -149,7 +149,7 @@ double r_max_after_long(Study study) {
   return *std::max_element(trajectory.radial.begin(), trajectory.radial.end());
 }
 
-// Compares the pixels whose largest r is a number to compare; returns how many. `slack`: what has not died out by then.
+// Compares the pixels whose largest r is a number; returns how many. `slack`: what has not died out by then.
 int compare_with_long(const BasinSlice& map, double slack) {
   // Samples 0.1 apart miss a peak of angular frequency 3 by 1 - cos(0.15) = 1.1 % at most.
   constexpr double tolerance = 0.012;
@@ -164,7 +164,7 @@ int compare_with_long(const BasinSlice& map, double slack) {
       const double r = r_max_after_long(study);
       ++compared;
       if (agrees(r)) continue;
-      // Beside a boundary of basins what a start comes to hangs on the last digits, and neighbours say what it may.
+      // Beside a boundary of basins the last digits decide; neighbours show what the outcome may be.
       bool beside = false, one_agrees = false;
       for (const double aside : {-1e-6, 1e-6, -1e-5, 1e-5}) {
         study.initial.phi[0] += aside;
@@ -179,7 +179,7 @@ int compare_with_long(const BasinSlice& map, double slack) {
   return compared;
 }
 
-// What some pixels of a line come to names the others: it saves work and must not change what is found. Here a motion
+// What some pixels of a line come to names the others. That saves work and must not change what is found. Here a motion
 // that the mesh does not list takes a third of every column.
 TEST(BasinSlice, WhatPixelsOfALineTellOneAnotherIsWhatTheyComeToAlone) {
   BasinSliceSettings settings = angle_plane(2, 64);
@@ -187,7 +187,7 @@ TEST(BasinSlice, WhatPixelsOfALineTellOneAnotherIsWhatTheyComeToAlone) {
   settings.x.high = 0.0470;
   const BasinSlice together = basin_slice(rotor(), settings);
   for (int column = 0; column < 2; ++column) {
-    BasinSliceSettings line = both_angles(1, 64);  // starts of one rotor: its own search lists what it has
+    BasinSliceSettings line = both_angles(1, 64);  // starts of one rotor: its own search lists its motions
     line.x = {"initial.phi_dot_1", -0.001, 0.001, 1};
     line.y = settings.y;
     line.links = settings.links;
@@ -233,7 +233,7 @@ struct Lines {
   const StartRunner runner;
 };
 
-// Balls that are captured, each in its own way, are what the mesh of so few starts does not list.
+// Balls captured in different ways are missed by a mesh of so few starts.
 TEST(BasinSlice, LooksAlongLinesThatAreLongEnoughToPay) {
   EXPECT_FALSE(LineMotions::pays(31));
   EXPECT_TRUE(LineMotions::pays(32));
@@ -252,7 +252,7 @@ TEST(BasinSlice, LooksAlongLinesThatAreLongEnoughToPay) {
   EXPECT_FALSE(captured.look_along(none, stopped));
 }
 
-// Near no eccentricity balance comes slowly but surely; at 0.0705 most starts are on chaos long after the horizon.
+// At small eccentricity balance comes slowly but surely; at 0.0705 most starts are chaotic long after the horizon.
 TEST(BasinSlice, FollowsOnBeyondTheHorizonWhereALineComesToSomething) {
   for (const auto& [eccentricity, comes] : {std::pair{0.0010, true}, {0.0705, false}}) {
     const Lines line(eccentricity, eccentricity + 1e-6);
@@ -273,7 +273,7 @@ TEST(BasinSlice, LongAccurateTrajectoriesShakeAsTheMapSays) {
 
 TEST(BasinSlice, OfMotorsShakesAsLongAccurateTrajectories) {
   const BasinSlice map = motors();
-  // What a weak motor lets approach slowly is at 9000 still 1e-4 away.
+  // Under a weak motor a slow approach is still 1e-4 away at 9000.
   EXPECT_GE(compare_with_long(map, 1e-4), 6);
   std::set<std::string> names;
   for (int row = 0; row < map.y.pixels; ++row)
@@ -315,7 +315,7 @@ TEST(BasinSlice, CountsEveryPixelOnce) {
   for (std::size_t k = 0; k < 9; ++k) EXPECT_EQ(map.code[k] > 0, std::isfinite(map.r_max[k]));
 }
 
-// A grid of pixels is a sample of starts too: where its boundary is fractal, of chance.
+// A grid of pixels is also a sample of starts: where its boundary is fractal, a random one.
 TEST(BasinSlice, OverBothAnglesHasTheSharesOfBasin) {
   const BasinSlice map = basin_slice(rotor(), both_angles(128, 128));
   ASSERT_EQ(map.codes.front().id, balanced_id);
@@ -323,7 +323,7 @@ TEST(BasinSlice, OverBothAnglesHasTheSharesOfBasin) {
   EXPECT_NEAR(map.codes.front().share.share, 0.604, 0.012);
 }
 
-// Planes of initial values ride on lanes, others do not: the same starts, the same ends.
+// Planes of initial values use lanes, others do not: the same starts must end the same way.
 TEST(BasinSlice, LanesAndSingleTrajectoriesAgree) {
   BasinSliceSettings moved = both_angles(5, 5), turning = moved;
   moved.x = {"initial.x", -0.2, 0.2, 5};
@@ -341,7 +341,7 @@ TEST(BasinSlice, LanesAndSingleTrajectoriesAgree) {
   }
 }
 
-// A rotor that says nothing of its balls, and hardly differs from pixel to pixel.
+// A study that says nothing of its balls, with rotors that hardly differ between pixels.
 BasinSliceSettings one_rotor(int columns, int rows) {
   BasinSliceSettings s;
   s.x = {"rotor.eccentricity", 0.00999, 0.01001, columns};
@@ -349,7 +349,7 @@ BasinSliceSettings one_rotor(int columns, int rows) {
   return s;
 }
 
-// Balls that all pixels start in one place never part there, and tell nothing of other starts.
+// Balls that all pixels start in one place never part there, and represent no other starts.
 TEST(BasinSlice, OverParametersDrawsAStartAtEveryPixel) {
   const BasinSlice map = basin_slice(parse_study(constant_speed, "rotor"), one_rotor(24, 20));
   EXPECT_TRUE(draws_starts(map));
@@ -361,7 +361,7 @@ TEST(BasinSlice, OverParametersDrawsAStartAtEveryPixel) {
       EXPECT_NEAR(c.share.share, 0.039, 4.0 * 0.0088);
     }
   }
-  EXPECT_FALSE(map.figures.basin_entropy || map.figures.box_dimension);  // they would tell of chance
+  EXPECT_FALSE(map.figures.basin_entropy || map.figures.box_dimension);  // they would only show chance
 }
 
 TEST(BasinSlice, DrawsStartsBySeedAndPixel) {
@@ -385,19 +385,19 @@ TEST(BasinSlice, TakesOneStartWhereItIsStatedOrVaried) {
   map.y.key = "balancer.drag";
   map.study = parse_study(constant_speed, "rotor", {"initial.phi=[1.0, 1.0]"});
   EXPECT_FALSE(draws_starts(map));
-  // Said, even if it is what would hold anyway.
+  // Stated, even if it is the default.
   map.study = parse_study(constant_speed, "rotor", {"initial.phi=[0.0, 3.14159265358979323846]"});
   EXPECT_FALSE(draws_starts(map));
   map.study = parse_study(constant_speed, "rotor");
   EXPECT_TRUE(draws_starts(map));
-  map.study.initial.phi[0] = 1.0;  // by code
+  map.study.initial.phi[0] = 1.0;  // set by code
   EXPECT_FALSE(draws_starts(map));
   map.study = parse_study(constant_speed, "rotor");
   map.y.key = "initial.phi_1";
   EXPECT_FALSE(draws_starts(map));
 }
 
-// Whose balls are free because it says nothing of them.
+// Its balls are free because it says nothing of them.
 TEST(BasinSlice, VariesTheReleaseOfAMachine) {
   const Study machine =
       parse_study(machine_rotor + "[speed]\nprofile=\"ramp\"\nfinal=\"2000 rpm\"\nduration=\"5 s\"\n", "machine");
@@ -477,7 +477,7 @@ TEST(BasinSlice, FileHoldsWhatTheMapHolds) {
   std::filesystem::remove(path);
 }
 
-// Ctrl-C after a few pixels, over and over: what is kept goes on to the very file of a run that nothing disturbs.
+// Ctrl-C after a few pixels, again and again: the kept parts lead to the same file as an undisturbed run.
 TEST(BasinSlice, StoppedAndResumedItLeavesTheSameFile) {
   BasinSliceSettings blocks = both_angles(60, 50);
   blocks.block = 8;
@@ -535,7 +535,7 @@ TEST(BasinSlice, AFinishedOneIsReadAndAnotherIsRefused) {
   EXPECT_NE(refusal(rotor(), settings).find("finished.nc"), std::string::npos);
 }
 
-// What is filled in lies within edges of one outcome, and what is computed is what it is without blocks.
+// Filled-in pixels lie within edges of one outcome, and computed ones are the same as without blocks.
 TEST(BasinSlice, BlocksLeaveOutWhatIsWithinOneBasin) {
   for (BasinSliceSettings settings : {both_angles(96, 80), mass_plane(12, 12)}) {
     const BasinSlice whole = basin_slice(rotor(), settings);
@@ -548,8 +548,8 @@ TEST(BasinSlice, BlocksLeaveOutWhatIsWithinOneBasin) {
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < map.code.size(); ++k) {
       wrong += map.code[k] != whole.code[k];
-      // Orbits that pixels of a line tell one another are recognised sooner: some pixels are decided only just before
-      // the horizon.
+      // Pixels of a line that share motions recognise orbits sooner: some pixels are decided only just before the
+      // horizon.
       if (map.computed[k] && map.code[k] != undecided_code && whole.code[k] != undecided_code) {
         EXPECT_EQ(map.code[k], whole.code[k]);
       }
@@ -558,7 +558,7 @@ TEST(BasinSlice, BlocksLeaveOutWhatIsWithinOneBasin) {
   }
 }
 
-// Thirds of a pixel: every ninth pixel is there already.
+// Thirds of a pixel: every ninth pixel is known already.
 TEST(BasinSlice, AFinerOneTakesPixelsOver) {
   BasinSliceSettings settings = both_angles(12, 10);
   settings.output = scratch_file("coarse.nc");

@@ -1,4 +1,4 @@
-// Ensembles: same bits however they are cut, outcomes that mean what they say, files that resume.
+// Ensembles: bit-identical however they are cut, outcomes that mean what they say, files that can be resumed.
 #include <unistd.h>
 
 #include <filesystem>
@@ -44,7 +44,7 @@ void expect_same(const std::vector<Fate>& a, const std::vector<Fate>& b) {
     ASSERT_EQ(a[i].outcome, b[i].outcome) << "start " << i;
     ASSERT_EQ(a[i].attractor, b[i].attractor) << "start " << i;
     ASSERT_EQ(a[i].by, b[i].by) << "start " << i;
-    ASSERT_EQ(a[i].time, b[i].time) << "start " << i;  // every bit: one instruction set does one arithmetic
+    ASSERT_EQ(a[i].time, b[i].time) << "start " << i;  // every bit: one instruction set has one arithmetic
   }
 }
 
@@ -83,7 +83,7 @@ TEST_P(SameBits, ForOneThreadAndTwoAndForAStartAlone) {
   }
 }
 
-// A smooth row, a row with a fractal boundary, a ramp released on the way (two branches with free balls).
+// A smooth row, a row with a fractal boundary, a ramp with a release on the way (two pieces with free balls).
 INSTANTIATE_TEST_SUITE_P(Rows, SameBits,
                          testing::Values("table-2-omega-2.4", "table-1-beta-0.01-omega-4.0", "table-5-t0-300"));
 
@@ -109,7 +109,7 @@ TEST(Basin, AReplayedStartKnowsTheRegionsThatItsEnsembleKnew) {
   for (std::uint64_t i = 0; i < times.size(); i += 30) EXPECT_EQ(replay_start(study, i, hinted).fate.time, times[i]);
 }
 
-// Three grounds of decision, one answer: row 2.4 has a smooth boundary, on which no start changes sides.
+// Three grounds of decision, one result: row 2.4 has a smooth boundary, on which no start changes sides.
 TEST(Basin, EveryGroundOfDecisionGivesTheSameFates) {
   Study study = paper_row("table-2-omega-2.4", 2000);
   study.numerics.horizon = 3000.0;  // all are decided by then, and one of three runs goes on to the end
@@ -207,7 +207,7 @@ TEST(Basin, AnInterruptedRunKeepsAPrefixAndResumesToTheSameResult) {
   EXPECT_THROW(basin(other, options), InputError);
 }
 
-// What a file says of itself is true of all that it holds, whatever was asked for last.
+// What a file states is true of all that it holds, whatever was asked for last.
 void expect_consistent(const std::string& path, const Study& study, std::uint64_t starts, bool complete) {
   const BasinFile file(path, basin_file_header(study, true));
   EXPECT_EQ(file.stored(), starts);
@@ -274,7 +274,7 @@ TEST(Basin, AFileOfResultsThatComeOutOtherwiseHereIsRefusedBeforeAnyAreAdded) {
   expect_consistent(options.output, study, 300, true);
 }
 
-// What depends on the rotor's angle, and machines, have no proofs.
+// Systems that depend on the rotor's angle, and machines, have no proofs.
 TEST(Basin, RefusesWhatItCannotDecide) {
   Study study = paper_row("table-2-omega-2.4", 10);
   study.numerics.decide = ClassificationMode::proof;
@@ -287,7 +287,7 @@ TEST(Basin, RefusesWhatItCannotDecide) {
   colliding.parameters.contact_angle = 0.1;
   refuses(colliding, "numerics.decide");
   vertical.numerics.decide = ClassificationMode::validated;
-  vertical.speed.speed = 0.0;  // never comes round again
+  vertical.speed.speed = 0.0;  // it never completes a turn
   refuses(vertical, "speed.speed");
 }
 

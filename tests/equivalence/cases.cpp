@@ -34,7 +34,7 @@ void make_anisotropic(Study& s) {
   s.parameters.stiffness = {1.0, 1.3};
 }
 
-// Moving already at t = 0; the balls too where they are free.
+// In motion at t = 0, and so are free balls.
 void set_in_motion(Study& s, bool balls) {
   s.initial.psi = 0.7;
   s.initial.x = 0.03;

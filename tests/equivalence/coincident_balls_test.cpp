@@ -1,6 +1,6 @@
-// The periodic motion with both balls in one place (V1): period, amplitude, and the exact law that a small distance
-// delta between equal balls obeys, delta'' + beta delta' + k(t) delta = 0, so that the two transverse Floquet
-// multipliers multiply to exp(-beta T).
+// The periodic motion with both balls in one place (V1): period, amplitude, and the exact law for a small distance
+// delta between equal balls, delta'' + beta delta' + k(t) delta = 0. By it the product of the two transverse Floquet
+// multipliers is exp(-beta T).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ constexpr double beta = 0.05;
 
 model::Parameters rotor(int balls) { return equipoise::base_rotor(balls, beta, 0.1 / balls); }
 
-// State and the derivative of the state with respect to where it started.
+// A state, and its derivative with respect to the initial state.
 template <int n>
 class Variational {
  public:
@@ -76,7 +76,7 @@ Flight fly(const VectorXd& start, double w, double duration) {
 }
 
 struct Orbit {
-  VectorXd state;  // x, y, u, v, phi = 0, q of the one ball of twice the mass that two coincident ones are
+  VectorXd state;  // x, y, u, v, phi = 0, q of the single ball of twice the mass that replaces two coincident ones
   double period;
 };
 
@@ -143,7 +143,7 @@ TEST_P(CoincidentBalls, MoveOnTheRecordedOrbitAndObeyTheTransverseLaw) {
   EXPECT_NEAR(flight.smallest, recorded.smallest_r, 1e-4);
   EXPECT_NEAR(flight.largest, recorded.largest_r, 1e-4);
 
-  // Half difference of the balls: (phi1 - phi2)/2, (q1 - q2)/2 decouple from the rest by the exchange symmetry.
+  // Half the difference of the balls: (phi1 - phi2)/2, (q1 - q2)/2 decouple from the rest by the exchange symmetry.
   MatrixXd mode = MatrixXd::Zero(8, 2);
   mode(4, 0) = mode(6, 1) = 1.0;
   mode(5, 0) = mode(7, 1) = -1.0;

@@ -1,6 +1,6 @@
-// Attractors followed along the speed (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05): where an
-// earlier, independent code had seen them, tighter figures recorded with this one, and what must hold of branches
-// however they are found.
+// Attractors continued along the speed (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05): where an
+// earlier, independent code saw them, more accurate figures recorded with this code, and properties of branches however
+// they are found.
 #include "equipoise/continuation/continuation.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ const BranchEvent* event(const Branch& b, BranchChange change) {
   return at == b.events.end() ? nullptr : &*at;
 }
 
-// A state on the motion of coincident balls at 4.4: at this speed starts with coincident balls come to other motions.
+// A state on the motion of coincident balls at 4.4, where starts with coincident balls come to other motions.
 std::vector<double> coincident_at_4_4() {
   const model::Parameters p = study().parameters;
   Eigen::VectorXd start = Eigen::VectorXd::Zero(8);
@@ -75,13 +75,13 @@ TEST(Branches, OneCapturedIsBornInAFoldAt29043) {
   // the step wide, and Newton's method may fail a little before the fold.
   EXPECT_NEAR(birth->middle(), 2.904337, 2e-6);
   EXPECT_LT(birth->high - birth->low, 0.05 / 16);
-  // The motion of coincident balls and balance are there all along, with the identifiers they have everywhere.
+  // The motion of coincident balls and balance exist throughout, with their usual identifiers.
   for (const int id : {1, 2}) {
     ASSERT_TRUE(branch(result, id));
     EXPECT_EQ(branch(result, id)->points.size(), result.values.size());
     EXPECT_TRUE(branch(result, id)->events.empty());
   }
-  // An isola of its own between 2.73 and 3.06, of the same name but larger: first met here, so a regression test.
+  // A separate isola between 2.73 and 3.06, of the same name but larger. It was first met here: a regression test.
   const Branch* isola = branch(result, 8);
   ASSERT_TRUE(isola);
   EXPECT_EQ(isola->name, "one captured (2)");
@@ -101,7 +101,7 @@ TEST(Branches, LoseStabilityWhereTheyDidBefore) {
   EXPECT_LT(pitchfork->high, 4.42);
   EXPECT_LE(pitchfork->high - pitchfork->low, 0.05 / 16);
   EXPECT_EQ(coincident->points.size(), 2u);
-  EXPECT_FALSE(coincident->points.back().motion.stable);  // followed through instability
+  EXPECT_FALSE(coincident->points.back().motion.stable);  // continued through instability
 
   const Branch* period_four = branch(result, 5);
   ASSERT_TRUE(period_four);
@@ -127,7 +127,7 @@ TEST(Branches, TorusThatTurnsChaoticAndLocksKeepsItsIdentifier) {
   EXPECT_EQ(kind->cause, BranchCause::torus_to_chaos);
   EXPECT_GT(kind->low, 2.45);
   EXPECT_LT(kind->high, 2.5);
-  // Plain searches find it at 2.54 (0.3 % of 6000 starts), and not at 2.55.
+  // Plain searches find it at 2.54 (0.3 % of 6000 starts), but not at 2.55.
   EXPECT_EQ(death->cause, BranchCause::attraction_ends);
   EXPECT_GT(death->low, 2.54);
   EXPECT_LE(death->high, 2.55);
@@ -139,7 +139,7 @@ TEST(Branches, TorusThatTurnsChaoticAndLocksKeepsItsIdentifier) {
 }
 
 // With little drag the torus has a thin basin. It attracts from 2 (4.4 % of 3000 starts) through 2.0156 (0.4 %) to
-// beyond 2.0234 (1.8 % of 15 000), and one trajectory carried over 0.0125 leaves it.
+// beyond 2.0234 (1.8 % of 15 000), and a trajectory carried over 0.0125 leaves it.
 TEST(Branches, ThinBasinOfATorusIsFollowedThrough) {
   Study s = study();
   s.parameters.drag.fill(0.01);
@@ -154,7 +154,7 @@ TEST(Branches, ThinBasinOfATorusIsFollowedThrough) {
   EXPECT_EQ(death->cause, BranchCause::attraction_ends);
   EXPECT_GE(death->high, 2.0234);
   EXPECT_LT(death->high, 2.025);
-  // Followed from a state just inside it stays.
+  // Followed from a state just inside it, it stays.
   const BranchPoint& inside = b->points.back();
   const auto later = motion_from({s.parameters, inside.value}, inside.motion.state, 4.0 * motion_patience);
   ASSERT_TRUE(later);
@@ -187,7 +187,7 @@ TEST(Branches, RangeThatWasNotFollowedToItsEndSaysSo) {
   EXPECT_EQ(ranges_of(b).back().end, 2.0625);
   const auto has = [&](const char* words) { return branches_text(result).find(words) != std::string::npos; };
   EXPECT_TRUE(has("seen from 2 to 2.062, not followed further above ")) << branches_text(result);
-  EXPECT_TRUE(has("2.0625 and 2.0657 ")) << branches_text(result);  // two digits of what lies between
+  EXPECT_TRUE(has("2.0625 and 2.0657 ")) << branches_text(result);  // two digits between the bounds
   result.branches[0].events[0].change = BranchChange::death;
   result.branches[0].events[0].cause = BranchCause::fold;
   EXPECT_TRUE(has("  2 to 2.064 ")) << branches_text(result);
@@ -198,7 +198,7 @@ TEST(Branches, RangeThatWasNotFollowedToItsEndSaysSo) {
   EXPECT_FALSE(has("not followed")) << branches_text(result);
 }
 
-// What is stable at two neighbouring values may not be so between.
+// A motion stable at two neighbouring values need not be stable between them.
 TEST(Branches, StabilityLostAndGainedBetweenTwoValuesMakesTwoRanges) {
   Branch b;
   Motion motion;
@@ -212,7 +212,7 @@ TEST(Branches, StabilityLostAndGainedBetweenTwoValuesMakesTwoRanges) {
   EXPECT_FALSE(ranges[1].stable);
   EXPECT_EQ(ranges[2].begin, 1.7);
   EXPECT_EQ(ranges[2].end, 2.0);
-  // Likewise between a point and an end.
+  // The same between a point and an end.
   b.events.insert(b.events.begin(), {1, BranchChange::stability_gained, BranchCause::hopf, 0.9, 0.9, 0.0, 0.0, 0.0});
   b.events.insert(b.events.begin(), {1, BranchChange::birth, BranchCause::fold, 0.8, 0.8, 0.0, 0.0, 0.0});
   const auto more = ranges_of(b);
@@ -222,8 +222,8 @@ TEST(Branches, StabilityLostAndGainedBetweenTwoValuesMakesTwoRanges) {
   EXPECT_EQ(more[1].begin, 0.9);
 }
 
-// At 1.775 the drift of this torus is measured to be of two rates, and it has another name there: 14 % of 6000 starts
-// come to it, as 13 % do at 1.7765 and 12 % at 1.779, where it is pair drift.
+// At 1.775 this torus's drift is measured as two rates, so it has another name there. 14 % of 6000 starts come to it,
+// as 13 % do at 1.7765 and 12 % at 1.779, where it is pair drift.
 TEST(Branches, TorusNamedOtherwiseAtOneValueIsStillTheSame) {
   const model::Parameters p = study().parameters;
   Motion pair;
@@ -267,10 +267,10 @@ TEST(Branches, DoNotDependOnThreads) {
   EXPECT_EQ(branches_csv(one), branches_csv(two));
 }
 
-// No motion is on two branches; events of a branch lie in its order.
+// No motion is on two branches; events of a branch are in order.
 TEST(Branches, AreDisjointAndOrdered) {
   const ContinuationResult result = along("balancer.drag=0.05:0.1:0.05");
-  ASSERT_GE(result.values.size(), 2u);  // and 0.075, if something lives there only
+  ASSERT_GE(result.values.size(), 2u);  // and 0.075, if something exists only there
   EXPECT_EQ(result.values.front(), 0.05);
   EXPECT_EQ(result.values.back(), 0.1);
   for (const Branch& a : result.branches) {

@@ -32,7 +32,7 @@ std::vector<Fate> fates_of(const Study& study, std::size_t count) {
 
 bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
 
-// The level is one that was tried, not one so small that its remainder could be estimated: half of four balls' starts
+// The level was tried; it is not one so small that its remainder could be estimated. Half of four balls' starts
 // balance.
 TEST(ContinuumDecisions, AreQuickAndHold) {
   Study study = rotor(4);
@@ -54,10 +54,10 @@ TEST(ContinuumDecisions, AreQuickAndHold) {
     }
   }
   ASSERT_GT(balanced, sized(30, 3));
-  EXPECT_LT(sum / balanced, 700.0);  // 600 measured; 940 at levels so small that linear theory vouches for them
+  EXPECT_LT(sum / balanced, 700.0);  // 600 measured; 940 at levels so small that linear theory guarantees them
 }
 
-// The state that stands for the continuum is one that attracts wherever any does.
+// The state that represents the continuum attracts wherever any member does.
 TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
   for (const int balls : {4, sized(6, 4)}) {
     const AttractorSearch search = search_attractors(rotor(balls), {.threads = 2});
@@ -71,7 +71,7 @@ TEST(ContinuumDecisions, TheCatalogueListsAnAttractingMember) {
   }
 }
 
-// Gravity and anisotropic supports: balance is known by a level set, or by the way to it, never by its windows.
+// Gravity and anisotropic supports: balance is recognised by a level set, or on the way to it, never by windows.
 TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
   for (const double gravity : {0.0, 0.01}) {
     Study study = rotor(2);
@@ -90,8 +90,8 @@ TEST(ContinuumDecisions, BalanceIsNotToldByWindows) {
   }
 }
 
-// Supports that differ turn the motions of four balls into slow tori, and leave balance a continuum: the horizon that
-// is chosen waits for the ones, a level set catches the other. (By 3000 two thirds are decided by nothing.)
+// Anisotropic supports turn the motions of four balls into slow tori, and leave balance a continuum. The chosen horizon
+// waits for the tori; a level set catches balance. (By 3000 two thirds are undecided.)
 TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   Study study = rotor(4);
   study.parameters.stiffness = {1.0, 1.48};
@@ -109,10 +109,10 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   EXPECT_GT(balanced, sized(0, -1));
 }
 
-// Three balls on supports that differ, whose ways into balance are long and chaotic (every other kernel, every other
-// tolerance takes some of the starts elsewhere): a rule that decides nothing changes no bit of them, and from the
-// states in which they were caught they come to rest on the axis. What is followed here is accurate enough that only
-// its rounding is left of the deviations, and they began at up to a radian.
+// Three balls on anisotropic supports have long, chaotic ways into balance: another kernel or tolerance takes some
+// starts elsewhere. A rule that decides nothing changes none of their bits, and from the states in which they were
+// caught they come to rest on the axis. The integration here is so accurate that only rounding is left of deviations
+// that began at up to a radian.
 TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
   Study study = rotor(3);
   study.parameters.eccentricity = 0.035;
@@ -145,7 +145,7 @@ TEST(ContinuumDecisions, WhatIsCaughtComesToRest) {
     BatchTask alone = source.task(0, again);
     alone.end = fates[i].time;
     ASSERT_TRUE(classify_batch(alone, never, open, nullptr));
-    // The last step ends at the decision's time, which rounding may put beside where the step before ended.
+    // The last step ends at the time of decision, which rounding may place beside the end of the step before.
     for (std::size_t k = 0; k < size; ++k) EXPECT_NEAR(again[k], state[k], 1e-10) << i;
     alone = source.task(0, later);
     alone.segment.psi = source.segments().back().psi_at(fates[i].time);

@@ -1,4 +1,4 @@
-// V as members near by tell it, against V of the member that a state comes to.
+// V estimated from nearby members, against V of the member that a state comes to.
 #include "equipoise/trapping_regions/continuum_estimate.hpp"
 
 #include <utility>
@@ -13,7 +13,7 @@
 namespace equipoise {
 namespace {
 
-// Four balls under gravity, far above the critical speed: all of their continuum attracts.
+// Four balls under gravity, far above the critical speed: their whole continuum attracts.
 model::System grinder() {
   Study study = read_study(EQUIPOISE_SOURCE_DIR "/studies/examples/angle-grinder.toml", {"balancer.contact=false"});
   study.release = {};
@@ -44,7 +44,7 @@ TEST(ContinuumEstimate, NeverErrsByTwiceWhatItSays) {
     if (!depth) continue;
     ++seen;
     EXPECT_GT(*depth * 2.0 * errors.shortfall, 1.0);
-    // Equal balls by any other name.
+    // Equal balls, renumbered.
     Eigen::VectorXd renamed = state;
     std::swap(renamed[model::index::phi(0)], renamed[model::index::phi(3)]);
     std::swap(renamed[model::index::q(0, 4)], renamed[model::index::q(3, 4)]);

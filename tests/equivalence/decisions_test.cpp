@@ -1,4 +1,4 @@
-// Early decisions against long integration: the same trajectories, bit for bit, followed far past their decision.
+// Early decisions against long integration: bit-identical trajectories, followed far past their decision.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,8 +27,8 @@ Study study_of(const Row& row) {
   return study;
 }
 
-// Centred rotor, resting balls. Rates of approach are at least 0.004 here, so by the ends below a balanced start is
-// within e^-12 of balance, and no other motion of these rows comes closer than r = 1e-3 with all balls at rest.
+// Centred rotor, resting balls. Rates of approach are at least 0.004 here, so by the end times below a balanced start
+// is within e^-12 of balance. No other motion of these rows comes closer than r = 1e-3 with all balls at rest.
 bool at_balance(const double* z, int balls) {
   bool resting = std::hypot(z[0], z[1]) < 1e-4;
   for (int i = 0; i < balls; ++i) resting = resting && std::fabs(z[model::index::q(i, balls)]) < 1e-4;
@@ -40,8 +40,7 @@ struct Verdicts {
   std::size_t falsely_balanced = 0, falsely_elsewhere = 0, another_attractor = 0, unconfirmed = 0;
 };
 
-// Fates decided early against where the very same trajectories are at `end`: by the kernel that decides, which then
-// decides nothing before.
+// Compares early fates with the very same trajectories at `end`, from the deciding kernel without decisions.
 Verdicts compare(const Study& study, std::size_t count, double end) {
   const StartRunner runner(study, {.threads = 2});
   Decided decided;
@@ -85,9 +84,9 @@ Verdicts compare(const Study& study, std::size_t count, double end) {
   return v;
 }
 
-// Starts that take longer than 3000: circling a balanced state that is barely unstable (beta 0.01, Omega 2), wandering
-// between two tori (beta 0.01, Omega 4) or on chaos whose windows differ by more than its neighbours' do (beta 0.05,
-// Omega 1.5). tests/equivalence/horizon_test.cpp has them at the horizon that is chosen.
+// Starts that take longer than 3000: circling a barely unstable balanced state (beta 0.01, Omega 2), wandering between
+// two tori (beta 0.01, Omega 4), or on chaos whose windows vary more than its neighbours differ (beta 0.05, Omega 1.5).
+// tests/equivalence/horizon_test.cpp tests them at the chosen horizon.
 double most_undecided(const Row& row) {
   if (row.drag == 0.01 && row.speed == 2.0) return 0.1;
   if (row.drag == 0.01 && row.speed == 4.0) return 0.03;
@@ -148,7 +147,7 @@ TEST(DecisionsFor, OtherBallCountsAgreeWithLongIntegration) {
   }
 }
 
-// Narrow level sets: balance has to be told as soon one way round as the other.
+// Narrow level sets: balance must be recognised equally soon in both senses of rotation.
 TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
   constexpr std::size_t count = 256;
   const auto mean_time = [&](double speed) {
@@ -163,7 +162,7 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
     for (const Fate& fate : decided.fates) sum += fate.time;
     return sum / count;
   };
-  // Times scatter by about their mean: of two samples of 256 the means differ by 9 % at random. Without the descent
+  // Times scatter by about their mean: the means of two samples of 256 differ by 9 % at random. Without the descent
   // they are 130 and 900.
   EXPECT_NEAR(mean_time(-2.0) / mean_time(2.0), 1.0, 0.3);
 }

@@ -1,5 +1,5 @@
-// Designs on ensembles: the same bits for any threads and after any stop; what is told of a candidate is what basin()
-// says of it; what cannot be met is said.
+// Designs on ensembles: bit-identical for any threads and after any stop; a candidate's figures are those of basin();
+// impossible requests are refused.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -21,7 +21,7 @@
 namespace equipoise {
 namespace {
 
-// Spin-ups to one speed share their search for attractors: an ensemble costs its starts alone.
+// Spin-ups to one speed share their attractor search: an ensemble costs only its starts.
 const std::string small_design = rotor_and_balancer + R"([speed]
 profile = "constant"
 speed = 2.0
@@ -119,12 +119,12 @@ TEST(Design, FiguresOfTheChosenOneAreThoseOfItsStudy) {
   EXPECT_EQ(told.figures[0].low, basins.attractors.front().share.low);
   EXPECT_EQ(told.undecided.value, basins.undecided.share);
   EXPECT_NE(result.search_seed, result.held_out_seed);
-  // At this constant speed about 45 % of starts do not balance; a spin-up can do better than that.
+  // At this constant speed about 45 % of starts do not balance; a spin-up can do better.
   EXPECT_GT(told.figures[0].low, result.before->figures[0].high);
 }
 
-// At constant speed 55 % of starts balance: half of all have an energy, nine tenths have none. Spun up, each costs the
-// rotor's spin at least, iota Omega^2/2.
+// At constant speed 55 % of starts balance: the median start has an energy, the 90 % quantile has none. After a spin-up
+// each costs at least the rotor's spin energy, iota Omega^2/2.
 TEST(Design, EnergyIsThatOfStartsThatBalance) {
   std::string study = small_design;
   study.replace(study.find("damping = 0.5"), 13, "damping = 0.5\ninertia = 0.3");
@@ -140,8 +140,8 @@ TEST(Design, EnergyIsThatOfStartsThatBalance) {
   }
 }
 
-// Two balls of m at 50 mm cancel up to m times 100 mm: of unbalances from 100 to 400 g mm, all alike probable, two
-// thirds with 3 g and all with 4.5 g, in thin enough a film of oil.
+// Two balls of mass m at 50 mm cancel up to m times 100 mm. For unbalances uniform from 100 to 400 g mm that is two
+// thirds with 3 g and all with 4.5 g, in a thin enough film of oil.
 TEST(Design, HoldsOverWhatEachStartDraws) {
   const DesignProblem problem = problem_of(R"([rotor]
 mass = "10 kg"
@@ -185,7 +185,7 @@ balanced = { above = 0.95 }
   EXPECT_EQ(samples[1].figures[balanced].value, 1.0);
   EXPECT_EQ(samples[0].figures[mass].value, 3.0);
   EXPECT_NE(samples[1].figures[peak].value, samples[2].figures[peak].value);  // other draws
-  // The study of a candidate draws like the one that it came from.
+  // A candidate's study draws like the original one.
   const Study study = problem.study_of(with("4.5 g"), starts, 5);
   EXPECT_EQ(study.uncertain.values.size(), 1u);
   BasinOptions options;
@@ -237,7 +237,7 @@ TEST(Design, StoppedSearchTellsWhatItHadFound) {
   EXPECT_GT(result.front[*result.chosen].search.starts, 0u);
 }
 
-// What an interrupted batch left in the file is all that a search of dear candidates has to tell.
+// When a search of expensive candidates is interrupted, the finished ensembles in the file are all it can report.
 TEST(Design, StoppedAmidItsFirstBatchTellsWhatWasDoneOfIt) {
   const Folder folder;
   const std::string file = folder.file("amid.nc");

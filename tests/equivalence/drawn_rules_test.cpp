@@ -52,7 +52,7 @@ TEST(CriticalSpeedRule, HeldBallsShakeMostWhereItSays) {
   }
 }
 
-// What docs/rules-of-thumb.md states of 3000 rotors holds of these 600 within three standard errors of both.
+// Statements in docs/rules-of-thumb.md about 3000 rotors hold for these 600 within three standard errors of both.
 TEST(RulesOfThumb, AreRightAsOftenAsTheirPageSays) {
   Draw draw;
   int stable = 0, within_two = 0, drags = 0, best_inside = 0, from_inside = 0, to_inside = 0;

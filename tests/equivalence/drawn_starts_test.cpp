@@ -1,5 +1,5 @@
-// Starts that draw their rotor: the same fates as plain studies give their starts, whatever the threads, kept in files;
-// and what balance depends on.
+// Starts that draw their rotor: the same fates as from plain studies, whatever the threads, kept in files; and what
+// balance depends on.
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -20,7 +20,7 @@
 namespace equipoise {
 namespace {
 
-// Half of its starts balance, half co-drift; both are told within a few hundred units of time.
+// Half of its starts balance, half co-drift; both are decided within a few hundred units of time.
 const std::string rotor =
     rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 1.8\nduration = 20.0\n[sampling]\nstarts = 120\n";
 
@@ -56,7 +56,7 @@ TEST(DrawnStarts, OfOneRotorHaveThatRotorsFatesAndTransients) {
   const Ensemble plain = run(study_with({"limits.displacement=0.1"}));
   const Ensemble drawn = run(study_with({"limits.displacement=0.1", "rotor.eccentricity={values=[0.01]}"}));
   EXPECT_GE(drawn.result.attractors.size(), 2u);
-  // Near a boundary of basins one of a thousand starts may come out otherwise at another step's error.
+  // Near a boundary of basins one start in a thousand may end otherwise with another step error.
   EXPECT_LE(differences(plain.outcomes, drawn.outcomes), 1u);
   const StartArrays &a = *plain.result.every_start, &b = *drawn.result.every_start;
   EXPECT_EQ(a.phi, b.phi);
@@ -77,7 +77,7 @@ TEST(DrawnStarts, OfHardlyDifferentRotorsHaveTheSharesOfOne) {
       if (a.name != b.name) continue;
       EXPECT_LE(b.share.low, a.share.share) << a.name;
       EXPECT_GE(b.share.high, a.share.share) << a.name;
-      // Of common starts only a chaotic way can end elsewhere: two or three of a hundred here go one.
+      // Of common starts only chaotic ones can end elsewhere: two or three in a hundred here.
       EXPECT_NEAR(static_cast<double>(a.share.count), static_cast<double>(b.share.count), 3.0) << a.name;
     }
 }
@@ -125,7 +125,7 @@ TEST(DrawnStarts, AreTheSameWithAnyThreadsResumedAndReplayed) {
 }
 
 TEST(DrawnStarts, OfMachinesKeepTheirUnits) {
-  // A heavier rotor on the same supports runs on a slower clock: times of all draws are those of the medians.
+  // A heavier rotor on the same supports has slower units of time: times of all draws are those of the medians.
   const std::string machine = R"([rotor]
 mass = "12 kg"
 stiffness = "48 kN/m"
@@ -155,7 +155,7 @@ starts = 4
     ++lights;
     const StartReplay plain = replay_start(light, i, options);
     EXPECT_EQ(drawn.name, plain.name);
-    // R is the same; the peak between steps is known to a thousandth.
+    // R is the same; the peak between steps is accurate to a thousandth.
     EXPECT_NEAR(drawn.transients->peak_radial, plain.transients->peak_radial, 1e-3 * plain.transients->peak_radial);
     const double newton = plain.transients->peak_force * light.scales->force();
     EXPECT_NEAR(drawn.transients->peak_force * draws.scales->force(), newton, 1e-3 * newton);
@@ -183,8 +183,8 @@ TEST(Sensitivity, IsOfTheStartWhereTheRotorHardlyVaries) {
   ASSERT_EQ(one.inputs.size(), 2u);
   EXPECT_EQ(one.inputs[0].key, start_input);
   EXPECT_EQ(one.evaluations, 160u);
-  // Whoever draws the start draws the outcome: of each row's pair the mixed start is the other one, or at most one
-  // start in a thousand on a boundary.
+  // The draw of the start determines the outcome: in each row's pair the mixed start equals the other one, except for
+  // at most one start in a thousand on a boundary.
   EXPECT_NEAR(one.inputs[0].indices.first.value, 1.0, 0.1);
   EXPECT_NEAR(one.inputs[1].indices.total.value, 0.0, 0.1);
   options.threads = 2;

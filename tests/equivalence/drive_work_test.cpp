@@ -1,5 +1,5 @@
-// The work of what drives a rotor, as transients gather it, against the torque that single trajectories need:
-// prescribed speeds with the balls held and free, motors on lanes and from event to event.
+// The drive's work, as gathered in transients, against the torque that single trajectories need: prescribed speeds with
+// the balls held and free, motors on lanes and from event to event.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@
 namespace equipoise {
 namespace {
 
-// Of the order of a disc's: what the rotor's spin takes is a tenth of all and more.
+// About a disc's: the rotor's spin takes at least a tenth of all.
 const std::string inertia = "inertia = 0.3\n";
 const std::string heavy =
     "[rotor]\neccentricity = 0.01\ndamping = 0.5\n" + inertia + "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n";
@@ -36,13 +36,13 @@ std::vector<double> state_of(const Trajectory& one, std::size_t k) {
 }
 
 struct Work {
-  double drive = 0.0;    // of the torque, pieces in which more was taken back than given left out
-  double net = 0.0;      // of the torque in all
-  double balance = 0.0;  // stored and taken in all
+  double drive = 0.0;    // of the torque, without pieces in which more was returned than supplied
+  double net = 0.0;      // of the torque in total
+  double balance = 0.0;  // stored and dissipated in total
 };
 
-// Until `until`, of samples 400 a unit of time: straight between them, the work is told to 1e-5 of what goes to and
-// fro.
+// Until `until`, with 400 samples per unit of time: linear interpolation gives the work to 1e-5 of what goes back and
+// forth.
 Work torque_work(const Study& study, double until) {
   const model::Parameters& p = study.parameters;
   std::vector<model::Segment> segments = model::segments(study.speed_profile(), study.release_time());
@@ -87,7 +87,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class DriveWorkOfSpeeds : public testing::TestWithParam<Case> {};
 
-// As transients_test.cpp does: followed for `horizon` after the last branch begins.
+// As in transients_test.cpp: followed for `horizon` after the last piece begins.
 TEST_P(DriveWorkOfSpeeds, IsThatOfTheTorqueThatTheyNeed) {
   const Case& c = GetParam();
   Study study = parse_study(c.study, c.name);
@@ -110,8 +110,8 @@ TEST_P(DriveWorkOfSpeeds, IsThatOfTheTorqueThatTheyNeed) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const Work work = torque_work(study, source.settled() + horizon);
     const double told = transient_row(asked, table.rows[i], false).energy;
-    // Cubics through four samples of a step know what dampers and drag take to 1e-4 of it, lanes of tolerance 1e-6
-    // their states to less.
+    // Cubics through four samples per step give the losses of dampers and drag to 1e-4; lanes at tolerance 1e-6 give
+    // their states more accurately.
     EXPECT_NEAR(told, work.drive, 2e-4 * work.drive) << c.name << ", start " << i;
     EXPECT_NEAR(work.net, work.balance, 2e-5 * work.drive) << c.name << ", start " << i;
   }
@@ -130,17 +130,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"gravity and unequal supports, let go on the way", skew + "[release]\ntime = 30.0\n" + ramp}),
     [](const auto& param) { return std::to_string(param.index); });
 
-// A drive that brakes takes nothing back.
+// A braking drive recovers nothing.
 TEST(DriveWork, IsNotGivenBackByBraking) {
   const auto work = [&](const std::string& speed) {
     return torque_work(parse_study(heavy + "[release]\ntime = 0.0\n" + speed, "braking"), 60.0 + 1e-3);
   };
   const Work down = work(overshoot);
-  // Of what the rotor's spin gives up the greater part comes back; dampers and drag have the rest.
+  // Of what the rotor's spin gives up, most comes back; dampers and drag take the rest.
   EXPECT_GT(down.drive, down.net + 0.5 * (0.5 * 0.3 * (16.0 - 4.0)));
 }
 
-// The torque of a motor is its law, whatever its balls do. `phi`, where the start has it, is that of the replay.
+// A motor's torque is its law, whatever its balls do. `phi` comes from the replay if the start has it.
 double motor_work(Study study, const StartReplay& replay, double until) {
   study.initial = replay.start;
   std::vector<double> times;
@@ -167,7 +167,7 @@ void expect_motor_work(const std::string& text) {
     const StartReplay replay = replay_start(study, i, options);
     ASSERT_TRUE(replay.transients);
     const double work = motor_work(study, replay, replay.fate.time);
-    // Straight across the step in which balls are let go, and ways that differ by the lanes' tolerance.
+    // Linear across the step in which balls are let go; ways differ by the lanes' tolerance.
     EXPECT_NEAR(replay.transients->energy, work, 1e-3 * work) << text << i;
   }
 }
@@ -186,13 +186,13 @@ TEST(DriveWorkOfMotors, IsKnownWithContact) {
   expect_motor_work(heavy + "contact_angle = 0.3\n[release]\ntime = 0.0\n" + motor);
 }
 
-// What is not known is not told.
+// Unknown work is not reported.
 TEST(DriveWork, IsAskedWhereItIsKnown) {
   const auto known = [](const std::string& text) { return knows_energy(parse_study(text, "known")); };
   EXPECT_TRUE(known(constant_speed));
   EXPECT_TRUE(known(heavy + ramp));
   EXPECT_FALSE(known(rotor_and_balancer + ramp));               // no inertia
-  EXPECT_FALSE(known(heavy + "contact_angle = 0.3\n" + ramp));  // what impacts take
+  EXPECT_FALSE(known(heavy + "contact_angle = 0.3\n" + ramp));  // the loss at impacts
   EXPECT_TRUE(known(heavy + "contact_angle = 0.3\n" + motor));
   const Study study = parse_study(rotor_and_balancer + ramp, "unknown");
   BasinOptions options;

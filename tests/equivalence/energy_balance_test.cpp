@@ -90,8 +90,8 @@ std::vector<double> initial_state(const Case& c, double w, int extra) {
 using At = std::function<void(const model::Segment& segment, double t, const double* z)>;
 using Jump = std::function<void(const model::Segment& before, const model::Segment& after, const double* z)>;
 
-// Walks the case's segments to t = 100 with the works: `at` after every accepted step, `jump` between segments, with
-// the state just before.
+// Walks the case's segments to t = 100 with the works: `at` after every accepted step, `jump` between segments with the
+// state just before.
 void walk(const Case& c, const At& at, const Jump& jump) {
   using System = StateAndWork;
   const model::Parameters& p = c.study.parameters;
@@ -176,14 +176,14 @@ TEST_P(EnergyBalance, AgreesWithEnergyAndPowersInFixedAxes) {
       },
       [](auto&&...) {});
   RecordProperty("largest_difference", fmt::format("{:.2g}", difference / size));
-  // Rounding: angles of 250 rad are known to 3e-14, and tens of terms are summed.
+  // Rounding: angles of 250 rad are accurate to 3e-14, and tens of terms are summed.
   EXPECT_LT(difference, 1e-12 * size);
 }
 
 INSTANTIATE_TEST_SUITE_P(Case, EnergyBalance, testing::ValuesIn(cases::all()),
                          [](const auto& info) { return info.param.name; });
 
-// A motor, gravity, a race off its centre; its state, psi and psi', and the works of motor, supports and ball drag.
+// A motor, gravity, an off-centre race; its state, psi and psi', and the works of motor, supports and ball drag.
 class DrivenAndWork {
  public:
   static constexpr int dimension = model::largest_state + 2;  // the largest size
@@ -212,7 +212,7 @@ class DrivenAndWork {
   const int state;
 };
 
-// Over ten thousand units, through resonance and on.
+// Over ten thousand units, through resonance and beyond.
 TEST(EnergyBalanceOfMotors, ClosesOverALongTime) {
   for (const bool rolls : {false, true}) {
     model::Parameters p;
@@ -245,7 +245,7 @@ TEST(EnergyBalanceOfMotors, ClosesOverALongTime) {
     const double change = model::full_energy(p, z.data()) - before;
     RecordProperty(rolls ? "rolls" : "slides",
                    fmt::format("{:.2g}", std::fabs(change - (z[state] - z[state + 1] - z[state + 2])) / z[state]));
-    // Of the work done, what machines are promised to keep to; steps are good to 1e-13 each, and errors of both signs.
+    // Relative to the work done, as promised for machines; steps are accurate to 1e-13 each, with errors of both signs.
     EXPECT_NEAR(change, z[state] - z[state + 1] - z[state + 2], 1e-9 * z[state]);
   }
 }

@@ -1,5 +1,5 @@
 // Starts of systems with events, decided by attractor, against the same starts followed twenty times as long without
-// decisions; what unbalance stuck balls leave, against a direct run.
+// decisions; unbalance left by stuck balls, against a direct run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ TEST_P(EventFates, HoldTwentyTimesLater) {
   for (std::size_t i = 0; i < starts; ++i) {
     const int then = late.every_start->outcome[i], now = early.every_start->outcome[i];
     undecided += now == 0;
-    if (now == 0 || then == 0) continue;  // what the horizon cannot name is no contradiction
+    if (now == 0 || then == 0) continue;  // unnamed at the horizon is no contradiction
     EXPECT_EQ(now, then) << "start " << i;
   }
   EXPECT_LE(undecided, 1);
@@ -84,7 +84,7 @@ TEST_P(EventFates, HoldTwentyTimesLater) {
 
 INSTANTIATE_TEST_SUITE_P(Of, EventFates, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
 
-// Every start followed by itself, in doubles, until its balls rest.
+// Every start followed alone, in doubles, until its balls rest.
 TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
   const Study study = parse_study(heavy + two + sticks + constant, "stuck");
   constexpr std::uint64_t starts = 120;
@@ -107,7 +107,7 @@ TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
   }
   ASSERT_EQ(left.size(), balanced->share.count);
   std::sort(left.begin(), left.end());
-  // A ball's stopping place follows from its whole way, and lanes follow it to 1e-6 a step: 1e-3 where ways diverge.
+  // A ball's stopping place depends on its whole way, and lanes err by 1e-6 per step: 1e-3 where ways diverge.
   for (std::size_t k = 0; k < unbalance_quantiles.size(); ++k) {
     const auto rank =
         static_cast<std::size_t>(std::ceil(unbalance_quantiles[k] * static_cast<double>(left.size()))) - 1;
@@ -115,7 +115,7 @@ TEST(UnbalanceLeft, HasTheQuantilesOfADirectRun) {
   }
 }
 
-// Attractors along a parameter: contact ends where balls become small, stuck balls stay one motion.
+// Attractors along a parameter: contact ends where balls become small; stuck balls remain one motion.
 TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   const Study study = parse_study(heavy + two + sticks + constant, "along");
   ContinuationOptions options;

@@ -1,4 +1,4 @@
-// Motions of systems with events: multipliers through impacts by saltation matrices, motions without touch, stuck
+// Motions of systems with events: multipliers through impacts by saltation matrices, motions without contact, stuck
 // balls.
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ TEST(MultipliersThroughImpacts, AreThoseOfSaltationMatrices) {
   derivative = flight->tangents * derivative;
   VectorXd back = flight->end - impacts->state;
   for (int i : {4, 5}) back[i] = wrapped(back[i]);
-  EXPECT_LT(back.lpNorm<Eigen::Infinity>(), 1e-8);  // two impacts carry the errors of integration on
+  EXPECT_LT(back.lpNorm<Eigen::Infinity>(), 1e-8);  // two impacts propagate the errors of integration
 
   std::vector<std::complex<double>> expected;
   const Eigen::VectorXcd values = derivative.eigenvalues();
@@ -129,7 +129,7 @@ TEST(MultipliersThroughImpacts, AreThoseOfSaltationMatrices) {
   EXPECT_NEAR(slowest, std::abs(impacts->spectrum[1]), 1e-5);
 }
 
-// Where nothing touches, the motion is that of balls that pass each other, to the last bit.
+// Where nothing touches, the motion is bit-identical to that of passing balls.
 TEST(MotionsWithoutTouch, AreThoseOfPassingBalls) {
   const Study study =
       study_of("balls = 2\nmass = 0.05\ndrag = 0.05\ncontact_angle = 0.3\n", "profile = \"constant\"\nspeed = 2.4");
@@ -145,7 +145,7 @@ TEST(MotionsWithoutTouch, AreThoseOfPassingBalls) {
 
 class StuckForGood : public testing::TestWithParam<std::string> {};
 
-// From the first time that balls are said to be stuck none moves for 3000 units more, some hundred decay times.
+// Once balls are said to be stuck, none moves for 3000 units more, some hundred decay times.
 TEST_P(StuckForGood, NoBallEverMovesAgain) {
   const std::string motor = "profile = \"torque\"\ninitial = 0.0\ntorque = { constant = 0.3, slope = -0.1 }";
   const std::string constant = "profile = \"constant\"\nspeed = 2.4";
@@ -172,7 +172,7 @@ TEST_P(StuckForGood, NoBallEverMovesAgain) {
     VectorXd later = z;
     ASSERT_EQ(follow_events(system, later, step * std::round(3000.0 / step), 1e-9, log), IntegrationStatus::done);
     EXPECT_EQ(log.count, 0) << k;
-    // The rotor comes where it was said to come; errors of steps, 1e-9 of the unbalances, many times over.
+    // The rotor comes where predicted, up to many times the steps' errors of 1e-9 of the unbalances.
     EXPECT_LT((later - end->state).head(4).lpNorm<Eigen::Infinity>(), 1e-7) << k;
     const Motion motion = describe_stuck(system, *end);
     EXPECT_EQ(motion.balanced, halves_the_shaking(study.parameters, motion.speed, end->r_mean));

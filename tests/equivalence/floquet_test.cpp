@@ -1,5 +1,5 @@
-// Derivatives along trajectories, Floquet frames and Lyapunov exponents against ways that share nothing with them:
-// differences of whole trajectories, Liouville's theorem, eigenvalues, two neighbouring trajectories.
+// Derivatives along trajectories, Floquet frames and Lyapunov exponents against independent methods: differences of
+// whole trajectories, Liouville's theorem, eigenvalues, two neighbouring trajectories.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ struct Case {
   double speed, phi1, phi2, settling, period;
 };
 
-// Starts that end on each of the two-ball system's periodic motions, and about how long these last.
+// Starts that end on each of the two-ball system's periodic motions, and about how long they take.
 constexpr Case cases[] = {{"coincident", 2.4, 1.0, 1.0, 400.0, 3.98},
                           {"captured", 3.4, 2.049, 1.781, 1500.0, 4.69},
                           {"period_four", 4.4, 1.17174, 1.00534, 6000.0, 16.25}};
@@ -63,7 +63,7 @@ TEST_P(Orbits, HaveTheMonodromyMatrixThatDifferencesOfTrajectoriesGive) {
   MatrixXd differences(z.size(), z.size());
   const double step = 1e-4;
   for (int k = 0; k < z.size(); ++k) {
-    // Fourth order: at this step truncation is below what steps of 1e-12 leave, divided by the step: 1e-8.
+    // Fourth order: at this step truncation is below the error of steps of 1e-12 divided by the step, 1e-8.
     VectorXd sum = VectorXd::Zero(z.size());
     for (const auto& [at, weight] : {std::pair{1, 8.0 / 12.0}, std::pair{2, -1.0 / 12.0}}) {
       VectorXd up = z, down = z;
@@ -77,7 +77,7 @@ TEST_P(Orbits, HaveTheMonodromyMatrixThatDifferencesOfTrajectoriesGive) {
   const double error = (flight->tangents - differences).cwiseAbs().maxCoeff();
   EXPECT_LT(error, 1e-8);
   RecordProperty("largest_difference", fmt::format("{:.2g}", error));
-  // The orbit's own multipliers are this matrix's eigenvalues, made another way (across the motion, arc by arc).
+  // The orbit's own multipliers are this matrix's eigenvalues, computed differently (across the motion, arc by arc).
   const Eigen::VectorXcd values = flight->tangents.eigenvalues();
   for (const std::complex<double>& multiplier : orbit.multipliers)
     EXPECT_LT((values.array() - multiplier).abs().minCoeff(), 1e-9);  // steps of 1e-12, times the values' condition
@@ -90,7 +90,7 @@ TEST_P(Orbits, ContractVolumeByTheIntegralOfTheDivergence) {
   for (const VectorXd& z : states) integral += model::jacobian(p, speed, z.data()).trace() * orbit.period / 512;
   const std::complex<double> determinant = orbit.multipliers.prod();
   const double relative = std::abs(determinant / std::exp(integral) - 1.0);
-  // Each multiplier is good to about 1e-12 of the largest; the smallest, 0.02, sets the relative error.
+  // Each multiplier is accurate to about 1e-12 of the largest; the smallest, 0.02, sets the relative error.
   EXPECT_LT(relative, 1e-10);
   RecordProperty("relative_difference", fmt::format("{:.2g}", relative));
 }
@@ -141,10 +141,10 @@ TEST_P(Orbits, DeviationsShrinkInTheFrameAtItsRates) {
 }
 
 TEST_P(Orbits, HaveExponentsThatAreTheMultipliersLogarithms) {
-  const double duration = 300.0 * orbit.period;  // whole periods: what remains is that vectors turn within the frame
+  const double duration = 300.0 * orbit.period;  // whole periods: only the vectors' turning within the frame remains
   const auto exponents = lyapunov_exponents({p, speed}, orbit.nodes[0], duration, 8);
   ASSERT_EQ(exponents.size(), 8u);
-  // How the vectors lie among the modes at both ends changes the sum of logarithms by about one.
+  // The vectors' positions among the modes at both ends change the sum of logarithms by about one.
   for (int k = 0; k < 8; ++k)
     EXPECT_NEAR(exponents[k], std::log(std::abs(orbit.multipliers[k])) / orbit.period, 2.0 / duration) << k;
 }
@@ -185,7 +185,7 @@ TEST(LyapunovExponents, OfTheDriftingTorusAreTheRecordedOnes) {
     const double own = 2.0 / 2e4;  // as above
     EXPECT_NEAR(found[0], 0.0, own);
     EXPECT_NEAR(found[1], 0.0, own);
-    // The last two are a pair of equal ones, which both codes split by their own error: only the sum is sharp.
+    // The last two are an equal pair, which both codes split by their own error: only the sum is accurate.
     EXPECT_NEAR(0.5 * (found[2] + found[3]), 0.5 * (row.third + row.fourth), own);
     EXPECT_NEAR(found[2], found[3], 2.0 * own);
     RecordProperty(fmt::format("exponents_at_{:.1f}", row.speed), fmt::format("{:.5f}", fmt::join(found, " ")));
@@ -198,11 +198,11 @@ TEST(LyapunovExponents, At25ShowChaosAndAgreeWithTwoNeighbouringTrajectories) {
   const auto found = lyapunov_exponents({p, 2.5}, start, 4e4, 2);
   ASSERT_EQ(found.size(), 2u);
   // Runs of this length differ by 0.0005 (standard deviation); their mean is 0.0267. (The earlier code's figure,
-  // 0.0215, does not stand up: both ways below contradict it.)
+  // 0.0215, is wrong: both methods below contradict it.)
   const double scatter = 0.0005;
   EXPECT_NEAR(found[0], 0.0267, 4.0 * scatter);
-  // Along the motion. Where a run ends between its two directions adds as much as 2 / duration to a single one, of
-  // either sign and no more in longer runs: runs that begin 100 apart are independent of each other.
+  // Along the motion. Where a run ends between its two directions adds up to 2 / duration to a single one, of either
+  // sign and no more in longer runs. Runs that begin 100 apart are independent.
   VectorXd later = start;
   double along = found[1];
   for (int run = 1; run < 4; ++run) {

@@ -1,6 +1,6 @@
-// One force balance in all its uses, on random rotors, balls and states (RapidCheck), half of them with balls that
-// roll: balls free, as a machine whose options are off and under a motor; balls held, as one body and as a machine that
-// holds them; and Lagrange's equations in fixed axes, which share nothing with it.
+// One force balance in all its uses, on random rotors, balls and states (RapidCheck), half of them with rolling balls:
+// free balls, as a machine with its options off and under a motor; held balls, as one body and as a machine that holds
+// them; and independent Lagrange's equations in fixed axes.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
 
 // The same cases on every run and machine (RapidCheck would seed itself from the clock); read before the first check.
-// Setting RC_PARAMS in the environment overrides it.
+// RC_PARAMS in the environment overrides it.
 [[maybe_unused]] const int fixed_seed = setenv("RC_PARAMS", "seed=20190417 max_success=400", 0);
 
 double between(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
@@ -65,7 +65,7 @@ Instant drawn(bool clamped) {
   return at;
 }
 
-// Rates and torque of one way to ask.
+// Rates and torque computed in one way.
 struct Answer {
   State rate{};
   double torque = 0.0;
@@ -96,7 +96,7 @@ Answer of_machine(const Instant& at, const double* torque = nullptr, double* acc
   kernels::BallActions<double, room> actions;
   std::fill_n(actions.held, at.p.balls, at.clamped);
   Motion motion = at.motion();
-  if (torque) motion.acceleration = 17.0;  // not to be read
+  if (torque) motion.acceleration = 17.0;  // must not be read
   Answer answer;
   const auto result = Machine(at.p).full_derivative(motion, actions, torque, at.z.data(), answer.rate.data());
   if (acceleration) *acceleration = result.acceleration;
@@ -104,8 +104,8 @@ Answer of_machine(const Instant& at, const double* torque = nullptr, double* acc
   return answer;
 }
 
-// Sums of tens of products, none larger than the largest rate, and eliminations from well scaled matrices: a hundred
-// roundings of 1.1e-16 at most. In 20 000 cases errors stay below 2e-15.
+// Sums of tens of products, none larger than the largest rate, and eliminations from well-scaled matrices: at most a
+// hundred roundings of 1.1e-16. In 20 000 cases errors stay below 2e-15.
 constexpr double rounding = 1e-14;
 
 void expect_same(const Answer& a, const Answer& b, int components) {
@@ -147,7 +147,7 @@ RC_GTEST_PROP(ForceBalance, OfHeldBallsIsThatOfOneBodyAndOfLagrange, ()) {
   expect_same(body, machine, 4);
 }
 
-// Under the torque that a prescribed motion needs, a motor moves the rotor just so.
+// Under the torque that a prescribed motion needs, a motor moves the rotor in that way.
 RC_GTEST_PROP(ForceBalance, UnderTheTorqueOfAPrescribedMotionIsThatMotion, ()) {
   const Instant at = drawn(*rc::gen::arbitrary<bool>());
   const Answer prescribed = of_machine(at);
@@ -157,7 +157,7 @@ RC_GTEST_PROP(ForceBalance, UnderTheTorqueOfAPrescribedMotionIsThatMotion, ()) {
   RC_ASSERT(std::fabs(acceleration - at.segment.acceleration) < 10.0 * rounding);  // J, 0.1 or more, divides
 }
 
-// Balls that move as one: in closed form, and with pushes between neighbours solved for such that their rates agree.
+// Balls that move as one: in closed form, and with pushes between neighbours that make their rates equal.
 RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEqual, ()) {
   const Instant at = drawn(false);
   const int n = at.p.balls;
@@ -184,7 +184,7 @@ RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEq
     return machine.full_derivative(at.motion(), a, motor, z.data(), answer.rate.data());
   };
 
-  // Each push changes all rates in proportion.
+  // The effect of each push on all rates is linear.
   double size = 1.0;
   Answer alone, solved, closed;
   rates(actions, alone);
@@ -216,8 +216,8 @@ RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEq
   actions.together = together;
   actions.forces = &forces;
   const auto in_closed_form = rates(actions, closed);
-  // Rates under unit pushes on balls of 0.01 are large; their differences and what up to seven pushes make of them keep
-  // their rounding.
+  // Rates under unit pushes on balls of 0.01 are large; their rounding remains in their differences and in the effect
+  // of up to seven pushes.
   constexpr double of_pushes = 10.0 * rounding;
   for (int i = 0; i < at.size(); ++i) size = std::max(size, std::fabs(solved.rate[i]));
   size = std::max(size, std::fabs(by_pushes.torque));

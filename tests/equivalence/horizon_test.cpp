@@ -1,4 +1,4 @@
-// How long starts are followed by default, what is then still undecided, and what is said of it.
+// How long starts are followed by default, what is then still undecided, and what is said about it.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ Study rotor(int balls, double drag, double speed) {
 TEST(Horizon, FollowsTheSlowestKnownRate) {
   const Horizon unstable = choose_horizon(rotor(2, 0.01, 2.0));
   EXPECT_FALSE(unstable.given);
-  EXPECT_NEAR(unstable.rates.growth, 1.43e-4, 1e-6);  // as the table of the paper's rates has it
+  EXPECT_NEAR(unstable.rates.growth, 1.43e-4, 1e-6);  // as in the table of the paper's rates
   EXPECT_EQ(unstable.rates.approach, 0.0);
   EXPECT_GE(unstable.time * unstable.rates.growth, std::log(1e4));
   EXPECT_TRUE(unstable.long_enough());
@@ -36,7 +36,7 @@ TEST(Horizon, FollowsTheSlowestKnownRate) {
   EXPECT_LT(quick.time, unstable.time);
   EXPECT_GE(quick.time * quick.rates.approach, std::log(1e4));
   EXPECT_DOUBLE_EQ(quick.rates.drag, 0.025);
-  // Growth of 1e-6 and less: no horizon is long enough, and the longest is not spent on it.
+  // Growth of 1e-6 and less: no horizon is long enough, and the longest is not wasted on it.
   const Horizon tiny = choose_horizon(rotor(2, 1e-6, 2.0));
   EXPECT_FALSE(tiny.long_enough());
   EXPECT_EQ(tiny.time, quick.time);
@@ -111,7 +111,7 @@ TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {
   EXPECT_NE(r.note.find("wandering chaotically (largest Lyapunov exponent 0.0"), std::string::npos) << r.note;
 }
 
-// Rotors far below the critical speed: balls creep for 10^8 units of time. What creeps is no motion to be listed.
+// Rotors far below the critical speed: balls creep for 10^8 units of time. A creeping state is no motion to be listed.
 TEST(SlowRotors, ListNothingOnWhichNoStartSettles) {
   for (const double speed : {0.01, 0.03}) {
     const Study study = rotor(2, 0.01, speed);
@@ -136,7 +136,7 @@ TEST(StiffStudies, AreRefusedBeforeTheyBeginWithWhatIsAllowed) {
     bool warned = false;
     for (const std::string& warning : explain(study).warnings) warned = warned || warning.rfind("stiff", 0) == 0;
     EXPECT_TRUE(warned);
-    // What is said to be allowed is.
+    // What is said to be allowed is allowed.
     Study allowed = rotor(2, 0.99 * start_cost(study).allowed, 2.4);
     EXPECT_NO_THROW(check_cost(allowed));
   }

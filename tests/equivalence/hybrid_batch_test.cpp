@@ -1,5 +1,5 @@
 // Lanes of systems with contact and dry friction, alone and together, against the same starts one by one in doubles:
-// final states and numbers of events; that neighbours make no difference; how balls graze, stop dead and come to rest.
+// final states and numbers of events; independence of neighbours; how balls graze, stop dead and come to rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr double until = 30.0;
 
 struct Case {
   std::string name, toml;
-  double accuracy = 1e-6;  // lanes err by up to 1e-10 a step; every impact and start multiplies what errors there are
+  double accuracy = 1e-6;  // lanes err by up to 1e-10 per step; every impact and start multiplies the errors
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
@@ -110,7 +110,7 @@ TEST_P(HybridLanes, FollowStartsAsDoublesDo) {
   RecordProperty("worst", std::to_string(worst * 1e9) + "e-9");
   RecordProperty("events", static_cast<int>(events));
   EXPECT_GT(events, 0);
-  // On the way to the last piece of the drive lanes count theirs elsewhere.
+  // On the way to the last piece of the drive lanes count their events elsewhere.
   if (study.speed.profile == Profile::constant) {
     EXPECT_EQ(static_cast<long>(ends.events), events);
   }
@@ -118,7 +118,7 @@ TEST_P(HybridLanes, FollowStartsAsDoublesDo) {
 INSTANTIATE_TEST_SUITE_P(AllSystems, HybridLanes, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-// Place, neighbours and number of a trajectory make no difference to its bits, on any instruction set.
+// Place, neighbours and number of a trajectory do not change its bits, on any instruction set.
 TEST(HybridLanesAlone, GiveTheSameBits) {
   for (const std::string& target : cpu_targets())
     for (const char* name : {"both_of_5", "both_under_a_motor_off_centre", "contact_of_balls_that_roll"}) {
@@ -137,7 +137,7 @@ TEST(HybridLanesAlone, GiveTheSameBits) {
     }
 }
 
-// A trajectory stopped anywhere and taken up again goes on as if it had not been: the mode is a function of the state.
+// A trajectory stopped anywhere and resumed continues unchanged: the mode is a function of the state.
 TEST(HybridLanesAlone, GoOnFromAnyState) {
   for (const char* name : {"both_of_5", "plastic_contact", "both_plastic", "stiction"}) {
     const auto all = cases();
@@ -181,10 +181,10 @@ std::vector<double> two_balls(const std::string& more, std::vector<double> phi, 
   return z;
 }
 
-// Light balls feel drag alone: q = q0 e^{-b t}. The one behind comes up to the other by (q1 - q2)/b in the end.
+// Light balls feel only drag: q = q0 e^{-b t}. The one behind gains (q1 - q2)/b on the other in the end.
 TEST(HybridLanesAlone, SeeBallsThatGraze) {
   for (const double miss : {-1e-6, -1e-3, 1e-6, 1e-3}) {
-    // Ball 2 slows down less: their distance falls and grows again, with its least 0.5 - miss apart.
+    // Ball 2 slows down less: their distance falls and grows again, and is 0.5 - miss at its least.
     const double b1 = 0.5, b2 = 0.1, q1 = 1.0, q2 = 0.6, time = std::log(q1 / q2) / (b1 - b2);
     const double nearer = q1 / b1 * (1.0 - std::exp(-b1 * time)) - q2 / b2 * (1.0 - std::exp(-b2 * time));
     BatchWork work;
@@ -194,7 +194,7 @@ TEST(HybridLanesAlone, SeeBallsThatGraze) {
   }
 }
 
-// Rolling resistance alone: q' = -k n with n = (1 + q)^2 against the motion, until the balls are at rest and stay so.
+// Rolling resistance alone: q' = -k n with n = (1 + q)^2 against the motion, until the balls are at rest for good.
 TEST(HybridLanesAlone, LetBallsStopDead) {
   BatchWork work;
   std::vector<Fate> fates;
@@ -207,8 +207,8 @@ TEST(HybridLanesAlone, LetBallsStopDead) {
   EXPECT_NEAR(z[4] - 1.0, (std::log1p(q0) - q0 / (1.0 + q0)) / k, 1e-9);
 }
 
-// A weak motor brings its rotor up so slowly that balls stay at the edge of what friction holds, where errors of steps
-// let them go and stop them again and again: that must neither take forever nor end anywhere else.
+// A weak motor brings its rotor up so slowly that balls stay at the edge of what friction holds, where step errors
+// release and stop them again and again. That must neither take for ever nor end elsewhere.
 TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
   const Study study = parse_study(
       "[rotor]\neccentricity = 0.01\ndamping = 0.5\ninertia = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
@@ -229,7 +229,7 @@ TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
   task.work = &work;
   std::vector<Fate> fates(count);
   ASSERT_TRUE(advance_batch(task, fates));
-  // They take 1.3 steps a time unit. Let go and stopped at every step, a ball took 500.
+  // They take 1.3 steps per time unit. Released and stopped at every step, a ball took 500.
   RecordProperty("steps", static_cast<int>(work.steps));
   EXPECT_LT(static_cast<double>(work.steps), 4.0 * end * static_cast<double>(count));
   int resting = 0;
@@ -245,7 +245,7 @@ TEST(HybridLanesAlone, PassWhereBallsCreepAtTheEdgeOfFriction) {
   EXPECT_GT(resting, 0);
 }
 
-// A ball thrown against one that is held by friction: bounces ever smaller, an end in finite time, together at rest.
+// A ball thrown against one held by friction: ever smaller bounces, an end in finite time, together at rest.
 TEST(HybridLanesAlone, EndASeriesOfImpacts) {
   for (const double restitution : {0.0, 0.5, 0.9}) {
     BatchWork work;

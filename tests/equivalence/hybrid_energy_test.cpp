@@ -1,5 +1,5 @@
-// Where energy goes with contact and dry friction: what a motor puts in is what dampers, drag, rolling resistance and
-// impacts take and what is stored; elastic balls keep it, plastic ones stay together until they would have to pull.
+// Energy with contact and dry friction: a motor's work is what dampers, drag, rolling resistance and impacts dissipate
+// plus what is stored. Elastic balls keep energy; plastic ones stay together until they would have to pull.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -22,7 +22,7 @@ namespace kernels = HWY_NAMESPACE;
 using Machine = kernels::EventTrajectory<model::any_count>;
 using Flow = kernels::HybridFlow<double, model::any_count>;
 
-// What is taken from a rotor in one unit of time, from forces that this file writes down itself but for accelerations.
+// Power dissipated by a rotor, from forces written down in this file except for accelerations.
 struct Powers {
   double motor = 0.0, taken = 0.0;
 };
@@ -31,7 +31,7 @@ class Balance {
  public:
   explicit Balance(const Study& study) : p(study.parameters), n(p.balls), drive(study.drive()), modes(p) {}
 
-  // Senses are those of the rates: between events no ball changes its own.
+  // Signs are those of the rates: between events no ball changes direction.
   Powers powers(double t, const double* z) {
     const model::StateLayout at = model::machine_layout(n);
     const double w = z[at.speed], c = std::cos(z[at.psi]), s = std::sin(z[at.psi]);
@@ -55,7 +55,7 @@ class Balance {
     return sum;
   }
 
-  // Of an impact of two balls: their relative rate before it, and all that takes part, in coordinates X, Y, psi, theta.
+  // At an impact of two balls: their relative rate before it and everything involved, in coordinates X, Y, psi, theta.
   double taken_by_impact(const double* z) const {
     const double psi = z[model::machine_layout(n).psi], lambda = p.eccentricity;
     Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(5, 5);
@@ -117,7 +117,7 @@ void balances(const std::string& more, double drag) {
   const auto watch = [&](double from, double to, auto&& state_at) {
     double at[Machine::dimension];
     state_at(from, at);
-    // A jump of both rates is an impact; where a ball stops its rate jumps by rounding alone.
+    // A jump of both rates is an impact; where a ball stops its rate jumps only by rounding.
     if (std::fabs((at[7] - at[6]) - (last[7] - last[6])) > 1e-7) impacts += balance.taken_by_impact(last);
     for (int k = 0; k < 5; ++k) {
       state_at(from + nodes[k] * (to - from), at);
@@ -130,7 +130,7 @@ void balances(const std::string& more, double drag) {
   };
   ASSERT_EQ(machine.advance(1e4, watch), IntegrationStatus::done);
   const double stored = model::full_energy(p, machine.state()) - before;
-  // Rounding and steps' errors of 1e-12 each, of about 1e5 steps that do not all err to one side.
+  // Rounding, and errors of 1e-12 in each of about 1e5 steps, of both signs.
   EXPECT_NEAR(work, taken + impacts + stored, 1e-9 * work);
   EXPECT_GT(machine.events(), 100);
   if (p.balls_collide() && p.restitution < 1.0) {
@@ -144,7 +144,7 @@ TEST(HybridEnergy, OfContactAndFrictionUnderAMotorBalances) {
   balances("contact_angle = 0.7\nrestitution = 0.8\nrolling = 0.003\nstiction = 0.005\n", 0.02);
 }
 
-// On lanes, with nothing that takes energy.
+// On lanes, with nothing that dissipates energy.
 TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
   for (const int balls : {2, 4}) {
     const Study study = parse_study(
@@ -182,7 +182,7 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
     std::vector<Fate> fates(count);
     ASSERT_TRUE(advance_batch(task, fates));
     EXPECT_GT(work.events, 50 * count);
-    // Some thousand steps of 1e-12 each, of energies about 8.
+    // Some thousand steps of 1e-12 each, for energies of about 8.
     for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(energy(&states[i * size]), before[i], 1e-9 * before[i]) << i;
   }
 }

@@ -1,5 +1,5 @@
 // Lanes with contact and with stiction against Lagrange's equations in fixed axes, integrated by SUNDIALS with its own
-// root-finding: two balls that collide, and one that sticks and is shaken loose by gravity.
+// root-finding: two balls that collide, and one that sticks until gravity shakes it loose.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace equipoise;
 
-// A system whose right-hand side changes where a root is met.
+// A system whose right-hand side changes at a root.
 struct Problem {
   std::function<void(double, const double*, double*)> rates;
   std::function<double(double, const double*)> root;
@@ -36,7 +36,7 @@ void check(int flag) {
   if (flag < 0) throw std::runtime_error("SUNDIALS returned " + std::to_string(flag));
 }
 
-// To `end`; at_root(t, y) changes the state, or the problem, where its root function passes 0.
+// Follows to `end`; at_root(t, y) changes the state or the problem where its root function passes 0.
 void follow(Problem& problem, std::vector<double>& y, double end, const std::function<void(double, double*)>& at_root) {
   SUNContext context = nullptr;
   check(SUNContext_Create(nullptr, &context));
@@ -47,7 +47,7 @@ void follow(Problem& problem, std::vector<double>& y, double end, const std::fun
   check(ERKStepSStolerances(memory, 0.0, 1e-13));
   check(ERKStepSetUserData(memory, &problem));
   check(ERKStepSetMaxNumSteps(memory, 10'000'000));
-  check(ERKStepSetMaxStep(memory, 0.01));  // its interpolation, on which roots are found, is of low order
+  check(ERKStepSetMaxStep(memory, 0.01));  // its interpolation, which locates roots, is of low order
   check(ERKStepRootInit(memory, 1, root_of));
   double t = 0.0;
   for (;;) {
@@ -122,8 +122,8 @@ const std::string rotor =
     "[rotor]\neccentricity = 0.02\ndamping = [0.4, 0.3]\nstiffness = [1.0, 1.3]\ngravity = 0.02\n[speed]\nprofile = "
     "\"constant\"\nspeed = 2.0\n";
 
-// Lanes err by 1e-11 a step of a few hundred, SUNDIALS by its roots, found to 1e-13 by interpolation between steps of
-// 0.01; impacts multiply both by ten or so each.
+// Lanes err by 1e-11 in each of a few hundred steps; SUNDIALS errs by its roots, found to 1e-13 by interpolation
+// between steps of 0.01. Impacts multiply both by about ten each.
 constexpr double accuracy = 1e-6;
 
 TEST(HybridSundials, TwoBallsCollide) {
@@ -140,7 +140,7 @@ TEST(HybridSundials, TwoBallsCollide) {
   problem.root = [&](double, const double* at) { return std::cos(at[3] - at[2]) - std::cos(p.contact_angle); };
   int impacts = 0;
   follow(problem, y, end, [&](double, double* at) {
-    // Momentum of X, Y and both balls, in their own mass matrix; +1 for the one that lies ahead.
+    // Momentum of X, Y and both balls, in their own mass matrix; +1 for the leading ball.
     Eigen::Matrix4d mass = Eigen::Matrix4d::Zero();
     mass(0, 0) = mass(1, 1) = 1.0 + p.total_mass();
     for (int i = 0; i < 2; ++i) {
@@ -171,10 +171,10 @@ TEST(HybridSundials, OneBallSticks) {
   const model::Parameters& p = axes.p;
   constexpr double end = 25.0;
   std::vector<double> y = axes.start(study);
-  const auto hold = [&](double t, const double* at) {  // what friction could still take up, of a ball at rest
+  const auto hold = [&](double t, const double* at) {  // what friction could still hold, for a ball at rest
     const auto a = lagrangian::accelerations(p, 0.0, axes.state(t, at), true);
     const double s = std::sin(at[2]), c = std::cos(at[2]), w = axes.speed;
-    const double x = a.X - w * w * c, y2 = a.Y - w * w * s + p.gravity;  // less its weight
+    const double x = a.X - w * w * c, y2 = a.Y - w * w * s + p.gravity;  // without its weight
     return p.stiction[0] * std::fabs(x * c + y2 * s) - std::fabs(y2 * c - x * s);
   };
   bool held = hold(0.0, y.data()) > 0.0;

@@ -33,7 +33,7 @@ class Deviations {
     e.magnitude = std::max(e.magnitude, std::fabs(reference));
     finite_ = finite_ && std::isfinite(value) && std::isfinite(reference);
   }
-  // Over all variables, relative to each one's own largest magnitude.
+  // Over all variables, relative to each one's largest magnitude.
   double largest(std::string& variable) const {
     double result = 0.0;
     for (const auto& [name, e] : entries_)
@@ -92,7 +92,7 @@ TEST_P(InertialFrame, GivesTheSameTrajectory) {
   const double largest =
       compare(run, lagrangian::integrate(c.study, c.study.release_time(), times), c.study.parameters).largest(worst);
   RecordProperty("largest_relative_difference", fmt::format("{:.2g} in {}", largest, worst));
-  // What simulate() promises at its default tolerance; the reference itself is good to 1e-11 (next test).
+  // As promised for simulate() at its default tolerance; the reference itself is accurate to 1e-11 (next test).
   EXPECT_LT(largest, 1e-9) << "in " << worst;
 }
 
@@ -112,7 +112,7 @@ TEST(InertialFrameReference, DoesNotChangeWithItsStep) {
         largest = std::max(largest, std::fabs(fine[k].theta[i] - coarse[k].theta[i]));
     }
     RecordProperty("change_" + c.name, fmt::format("{:.2g}", largest));
-    // A hundredth of the 1e-9 it has to judge, although the coarse run's tolerance is fifty times the fine one's.
+    // A hundredth of the 1e-9 that it must judge, although the coarse run's tolerance is fifty times the fine one's.
     EXPECT_LT(largest, 1e-11) << c.name;
   }
 }

@@ -123,7 +123,7 @@ Accelerations accelerations(const Parameters& p, double inertia, const FixedStat
   }
 
   Eigen::VectorXd result(2 + n);
-  double held_torque = 0.0;  // what the balls' rows ask of whatever holds them
+  double held_torque = 0.0;  // what the balls' rows demand from whatever holds them
   if (clamped) {
     result.tail(n).setConstant(a);
     result.head(2) = mass.topLeftCorner(2, 2).ldlt().solve(force.head(2) - mass.topRightCorner(2, n) * result.tail(n));
@@ -213,7 +213,7 @@ int right_hand_side(double t, N_Vector y, N_Vector y_dot, void* user_data) {
   return 0;
 }
 
-// Owns what ARKODE asks for.
+// Owns what ARKODE requires.
 class Integrator {
  public:
   Integrator(Problem& problem, double t, const FixedState& start, double absolute_tolerance)
@@ -302,7 +302,7 @@ std::vector<FixedState> integrate(const Study& study, double release, const std:
   std::vector<FixedState> out;
   double t = 0.0;
   for (double target : times) {
-    // Stop at every corner and at the release on the way; what happens exactly at `target` is taken in too.
+    // Stop at every corner and at the release on the way; an event exactly at `target` is included.
     for (;;) {
       double stop = target;
       if (problem.branch + 1 < rotation.branches()) stop = std::min(stop, rotation.begin_of(problem.branch + 1));

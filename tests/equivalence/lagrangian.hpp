@@ -1,5 +1,5 @@
 // An independent reference for one trajectory: Lagrange's equations in fixed axes, integrated by SUNDIALS.
-// Shares only plain data (studies, parameters) with the library: its own psi(t), its own equations, its own integrator.
+// Shares only plain data (studies, parameters) with the library; psi(t), equations and integrator are its own.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,16 @@ struct Rotation {
   double angle, rate, acceleration;
 };
 
-/// psi(t) from a study's [speed] table, branch by branch: Omega(t) is linear on each and constant on the last.
+/// psi(t) from a study's [speed] table, piece by piece: Omega(t) is linear on each and constant on the last.
 class PrescribedRotation {
  public:
   explicit PrescribedRotation(const equipoise::Study& study);
 
   int branches() const { return static_cast<int>(corners_.size()); }
   double begin_of(int branch) const { return corners_[branch].time; }
-  /// Branch in force at and just after `t`.
+  /// Piece in force at and just after `t`.
   int branch_at(double t) const;
-  /// The branch's own formula, also at its end, where psi' and psi'' may differ from the next branch's.
+  /// The piece's own formula, also at its end, where psi' and psi'' may differ from the next piece's.
   Rotation on_branch(int branch, double t) const;
 
  private:
@@ -44,7 +44,7 @@ struct FixedState {
   std::vector<double> theta, theta_dot;
 };
 
-/// A state of model/parameters.hpp, `z`, where the rotor turns so.
+/// A state `z` as in model/parameters.hpp, while the rotor turns like this.
 FixedState in_fixed_axes(int balls, const Rotation& rotor, const double* z);
 
 /// Second derivatives, and the torque that the prescribed rotation needs.
@@ -58,13 +58,13 @@ Accelerations accelerations(const equipoise::model::Parameters& p, double inerti
 
 /// States as vectors, for integrators: X, Y, theta_i, then their derivatives.
 void unpack(const double* y, int n, FixedState& s);
-/// Of such a vector `y`, whose state is `s`.
+/// Derivatives of such a vector `y`, whose state is `s`.
 void rates(const equipoise::model::Parameters& p, const FixedState& s, bool clamped, const double* y, double* dy);
 
 /// Kinetic plus potential energy, from their definitions.
 double energy(const equipoise::model::Parameters& p, double inertia, const FixedState& s);
 
-/// Where psi' jumps by `jump` and rotating-frame positions and velocities are kept (the published law).
+/// psi' jumps by `jump`; rotating-frame positions and velocities stay (the published law).
 void apply_speed_jump(double jump, FixedState& s);
 
 /// States at `times` (increasing, >= 0) of the study's trajectory with balls held until `release`; at a jump, the state

@@ -1,4 +1,4 @@
-// Studies that tests of lanes follow, and the same starts one by one in doubles, from event to event.
+// Studies for tests of lanes, and the same starts one by one in doubles, from event to event.
 #pragma once
 
 #include <gtest/gtest.h>

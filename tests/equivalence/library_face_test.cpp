@@ -1,5 +1,5 @@
-// What bindings need of every long call: callbacks on the caller's thread, stops, a CPU target for one call, the starts
-// in arrays that say what the file says, and the program's policy without the program.
+// What bindings need of every long call: callbacks on the caller's thread, stops, a CPU target for one call, starts in
+// arrays as in the file, and the program's policy without the program.
 #include <unistd.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Study rotor(std::uint64_t starts, const std::vector<std::string>& overrides = {}
   return study;
 }
 
-// Every long call, quick as it may be, with the options that all of them share.
+// Every long call in a quick form, with the options that all of them share.
 std::map<std::string, std::function<void(const RunOptions&)>> long_calls() {
   const auto with = [](auto options, const RunOptions& shared) {
     static_cast<RunOptions&>(options) = shared;
@@ -103,7 +103,7 @@ TEST(Callbacks, AreCalledOnTheCallersThreadAlone) {
   }
 }
 
-// Nobody waits without a word: the search for attractors is told by stages before the first start is counted.
+// Nobody waits without news: stages of the attractor search are reported before the first start is counted.
 TEST(Callbacks, HearOfTheSearchBeforeTheStarts) {
   std::vector<std::string> stages;
   bool counting = false, late = false;
@@ -124,7 +124,7 @@ TEST(Callbacks, HearOfTheSearchBeforeTheStarts) {
   }
 }
 
-// A search that is stopped at any of its stages is given up, and with it the ensemble.
+// A search stopped at any of its stages is abandoned, and so is the ensemble.
 TEST(Callbacks, StopTheSearchAtEveryStage) {
   for (const char* stage : {"balanced states", "pilot trajectories", "motions", "level sets"}) {
     SCOPED_TRACE(stage);
@@ -218,7 +218,7 @@ TEST(CpuTarget, MayBeChosenForOneCall) {
 
 // Starts in arrays ----------------------------------------------------------------------------------------------------
 
-// Figures as a file has them: what is not finite is missing there.
+// Figures as in a file, where values that are not finite are missing.
 std::vector<float> stored_form(std::vector<float> figures) {
   for (float& figure : figures)
     if (!std::isfinite(figure)) figure = io::missing_figure;

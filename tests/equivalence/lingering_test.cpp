@@ -1,4 +1,4 @@
-// Balls with little drag linger near motions that they leave again: what tells an attractor must not take these for it.
+// Balls with little drag linger near motions that they leave again: a decision must not take these for their attractor.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -13,7 +13,7 @@
 namespace equipoise {
 namespace {
 
-// One of 700 starts comes to balls that drift at different rates (period 8.24); wandering starts look like it for
+// One of 700 starts comes to balls that drift at different rates (period 8.24). Wandering starts look like it for
 // thousands of units before they co-drift.
 const std::string wandering = R"([rotor]
 eccentricity = 0.0138
@@ -29,8 +29,8 @@ speed = 3.14
 seed = 2
 )";
 
-// One of 400 starts comes to two captured balls that swing with a period longer than a window; others swing so for a
-// while.
+// One of 400 starts comes to two captured balls that swing with a period longer than a window; others swing like this
+// for a while.
 const std::string swinging = R"([rotor]
 eccentricity = 0.019
 damping = 0.134
@@ -48,14 +48,14 @@ law = "published"
 seed = 26
 )";
 
-// What start `index` is told to come to: the identifier; 0 if it is to be followed on.
+// The attractor that start `index` is decided for; 0 if it is to be followed further.
 int told(const StartRunner& runner, std::uint64_t index) {
   Decided decided;
   EXPECT_TRUE(runner.run(index, 1, decided));
   return decided.fates[0].attractor;
 }
 
-// Where the very same trajectory is at `end`, nothing being decided before.
+// The attractor of the very same trajectory at `end`, without earlier decisions.
 int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index, double end) {
   const StartSource source(study, nullptr);
   SpunUp starts;
@@ -73,16 +73,16 @@ int comes_to(const Study& study, const StartRunner& runner, std::uint64_t index,
   return starts.fates[0].attractor;
 }
 
-// Nothing is told by features that its motion does not show: a trajectory seemed stationary by these where it was not
-// yet there.
+// A motion must show the features by which it is recognised. A trajectory seemed stationary by features where it had
+// not arrived yet.
 void expect_own_features(const StartRunner& runner) {
   for (const KnownFeatures& known : runner.rule().known) {
     const Attractor* a = runner.catalogue().find(known.attractor);
     ASSERT_TRUE(a);
     const Motion& motion = a->motion;
     if (motion.kind != MotionKind::periodic) continue;
-    // Windows are grouped to 5 %; a sampled extreme misses its orbit's by less than 1 % (eight samples a period at
-    // least, three times as many here).
+    // Windows are grouped to 5 %; a sampled extreme misses its orbit's by less than 1 % (at least eight samples per
+    // period, three times as many here).
     constexpr double agreement = 0.06;
     const double slowest = *std::min_element(motion.rate_min.begin(), motion.rate_min.begin() + 2);
     const double fastest = *std::max_element(motion.rate_max.begin(), motion.rate_max.begin() + 2);
@@ -97,7 +97,7 @@ TEST(Lingering, WhatWandersNearAnOrbitIsNotToldByIt) {
   const Study study = parse_study(wandering, "wandering");
   const StartRunner runner(study, {.threads = 2});
   expect_own_features(runner);
-  // At t = 5788 it seemed to have come to the orbit, and has left by t = 12 000.
+  // At t = 5788 it seemed to have come to the orbit, and left by t = 12 000.
   constexpr std::uint64_t start = 1342;
   const int late = comes_to(study, runner, start, 20000.0);
   ASSERT_GT(late, 0);
@@ -109,7 +109,7 @@ TEST(Lingering, AShortStayNearARareMotionDecidesNothing) {
   const Study study = parse_study(swinging, "swinging");
   const StartRunner runner(study, {.threads = 2});
   expect_own_features(runner);
-  // By t = 147 it had stayed near the swing for five windows; it co-drifts in the end.
+  // By t = 147 it had stayed near the swing for five windows; in the end it co-drifts.
   constexpr std::uint64_t start = 115;
   const int late = comes_to(study, runner, start, 20000.0);
   ASSERT_GT(late, 0);

@@ -1,5 +1,5 @@
-// A machine's start followed for as long as one likes, with no rule that might end it early, and what it then does,
-// told by means and extremes alone.
+// Follows a machine's start for as long as wanted, with no rule that might end it early, and describes it by means and
+// extremes alone.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +74,7 @@ inline Seen follow(const equipoise::Study& study, std::uint64_t index, double un
   return seen;
 }
 
-/// Names of motions without what tells how they come back, but "rest" for all balls captured, r above rounding or not.
+/// Names of motions without recurrence, with "rest" for all balls captured, whether r is above rounding or not.
 inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
   using equipoise::two_pi;
   if (study.speed.driven() && std::fabs(seen.speed) < study.stall_speed()) return "stalled";

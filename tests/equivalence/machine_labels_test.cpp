@@ -1,4 +1,4 @@
-// What starts of machines are called, against the same starts followed ten times as long, mirror images, and the lanes.
+// Names of machines' outcomes, against the same starts followed ten times as long, mirror images, and the lanes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::string constant(double speed) { return fmt::format("profile = \"constant\"\
 
 struct Named {
   Fate fate;
-  std::string name;  // of the motion, without what tells how it comes back and which balls move as one
+  std::string name;  // of the motion, without recurrence and joined balls
 };
 
 std::vector<Named> fates_of(Study study, std::size_t count) {
@@ -57,7 +57,7 @@ bool rests(const std::string& name) {
   return name == "balanced" || name == "locked" || name == "both captured" || name == "all captured";
 }
 
-// Not the rule that decides judges here, but what the start does ten times later.
+// Decisions are judged by what the start does ten times later, not by the deciding rule.
 struct Case {
   std::string name, toml;
   bool exact;         // balance is x = y = 0
@@ -103,7 +103,7 @@ std::vector<Case> cases() {
       {"contact", text(heavy, four + "contact_angle = 0.5\n", linear), true},
       {"contact_of_three", text("damping = 0.5\n", three + "contact_angle = 1.0\nrestitution = 0.2\n", constant(3.0)),
        true},
-      // Drifts apart for thousands of time units, chaotically, on its way to pair drift; some do until the horizon.
+      // Drifts apart chaotically for thousands of time units on its way to pair drift; some until the horizon.
       {"contact_with_a_long_transient",
        "[rotor]\neccentricity = 0.0025\ndamping = 1.48\n[balancer]\nballs = 2\nmass = [0.00363, 0.00355]\n"
        "drag = [0.0166, 0.0159]\ncontact_angle = 0.205\nrestitution = 0.3\n[speed]\n" +
@@ -129,13 +129,13 @@ TEST_P(MachineLabels, HoldTenTimesLater) {
     const auto& [fate, name] = fates[i];
     undecided += name == "undecided";
     if (name == "undecided") continue;
-    // Or 60 000 later: three times as long as a motion that never repeats itself was watched.
+    // Or 60 000 later: three times as long as a motion that never repeats was watched.
     const double until = std::min(10.0 * std::max(300.0, fate.time), fate.time + 60000.0);
     const auto seen = machine_follow::follow(study, i, until);
     ASSERT_FALSE(seen.lost);
     const std::string then = machine_follow::kind_of(study, seen);
     EXPECT_EQ(rests(name) ? "rest" : name, then) << "start " << i;
-    // The tolerance of a step is 1e-6 of the unbalances, and what is left of it on the axis is less.
+    // A step's tolerance is 1e-6 of the unbalances, and less of it remains on the axis.
     if (name == "balanced" && c.exact) {
       EXPECT_LT(seen.last_r, 1e-6) << "start " << i;
     }
@@ -144,10 +144,10 @@ TEST_P(MachineLabels, HoldTenTimesLater) {
     }
     if (!study.speed.driven()) {
       EXPECT_TRUE(std::isnan(fate.mean_speed));
-    } else if (name == "stalled") {  // one that coasts goes on losing speed
+    } else if (name == "stalled") {  // a coasting rotor keeps losing speed
       EXPECT_LT(std::fabs(fate.mean_speed), study.stall_speed()) << "start " << i;
     } else {
-      // Chaos changes a mean over hundreds of time units by a per cent or so.
+      // Chaos changes a mean over hundreds of time units by about one per cent.
       EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
     }
   }
@@ -157,7 +157,7 @@ TEST_P(MachineLabels, HoldTenTimesLater) {
 INSTANTIATE_TEST_SUITE_P(Case, MachineLabels, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-// Four balls on a machine in kilograms: the last ball's drift takes long to die, and is no capture. Whatever the motor.
+// Four balls on a machine in kilograms: the last ball's drift dies slowly, and is no capture, whatever the motor.
 TEST(SlowBalance, IsNotTakenForCapture) {
   for (const char* stall : {"1 N m", "2 N m", "4 N m"}) {
     const Study study = parse_study(
@@ -172,8 +172,8 @@ TEST(SlowBalance, IsNotTakenForCapture) {
   }
 }
 
-// The mirror image of a motor that turns backwards, with every ball's angle mirrored, is one that turns forwards: the
-// balanced shares of one sample each differ by chance only.
+// The mirror image of a motor that turns backwards, with every ball's angle mirrored, turns forwards: the balanced
+// shares of one sample each differ only by chance.
 TEST(Backwards, IsTheMirrorImage) {
   const auto count = [](const char* law) {
     const Study study = parse_study(
@@ -189,7 +189,7 @@ TEST(Backwards, IsTheMirrorImage) {
   EXPECT_GT(backwards["balanced"], 100);
 }
 
-// Balls that friction holds are told alike, however long starts are followed: three balls next to a member of the
+// Balls held by friction are decided alike however long starts are followed: three balls next to a member of the
 // continuum that hardly attracts.
 TEST(DryFriction, IsJudgedAlikeAtEveryHorizon) {
   for (const char* horizon : {"9000", "50000"}) {
@@ -203,7 +203,7 @@ TEST(DryFriction, IsJudgedAlikeAtEveryHorizon) {
   }
 }
 
-// A motor that does not come to the speed at which the balls are let go: given up, and said.
+// A motor that does not reach the speed of release: the start is given up, and a note says so.
 TEST(Release, ThatIsNeverReachedIsSaid) {
   const auto answer = [](const std::string& law, double release) {
     const Study study =
@@ -232,7 +232,7 @@ TEST(Release, ThatIsNeverReachedIsSaid) {
   EXPECT_EQ(free.find("never let go"), std::string::npos) << free;
 }
 
-// What undecided machines do.
+// Notes on what undecided machines do.
 TEST(UndecidedMachines, SayWhatTheyDo) {
   const std::string two = "balls = 2\nmass = 0.05\ndrag = 0.05\n", heavy = "damping = 0.5\ninertia = 0.5\n";
   const auto note = [&](const std::string& law, const std::string& more) {
@@ -248,11 +248,11 @@ TEST(UndecidedMachines, SayWhatTheyDo) {
   EXPECT_NE(brief.find("watched for too short a time"), std::string::npos) << brief;
   EXPECT_NE(brief.find("followed for 100 (numerics.horizon)"), std::string::npos) << brief;
   EXPECT_NE(rising.find("whose rotor still speeds up (at "), std::string::npos) << rising;
-  // Inertia times speed over torque would be 6000 units of time: shaking takes all of the torque at resonance.
+  // Inertia times speed over torque would be 6000 units of time: vibration absorbs all of the torque at resonance.
   EXPECT_NE(rising.find(" of 3 that the motor aims at; by itself the rotor stalls at "), std::string::npos) << rising;
 }
 
-// What is said of balance is its linear stability.
+// Notes on balance concern its linear stability.
 TEST(BalanceNote, IsAboutStability) {
   const auto note = [](const std::string& toml) {
     const Study study = parse_study(toml, "note");
@@ -281,8 +281,8 @@ TEST(BalanceNote, IsAboutStability) {
   EXPECT_NE(equipoise::basin(coasting).note.find("which speed the rotor keeps is not known"), std::string::npos);
 }
 
-// A motor so weak that no start is decided: three horizons, before, in and after the way through the resonance. What is
-// said of passing is what trajectories, followed by themselves, did by then.
+// A motor so weak that no start is decided, with three horizons: before, in and after the passage through resonance.
+// Statements about passing agree with separately followed trajectories.
 TEST(Passed, OfUndecidedStartsIsToldByWhereTheyWereLastSeen) {
   for (const double horizon : {18000.0, 29000.0, 36000.0}) {
     Study study = parse_study(R"(
@@ -311,7 +311,7 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
     std::uint64_t passed = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       Study alone = study;
-      alone.numerics.tolerance = 1e-8;  // to within 1e-4 of the speed, on the slow way of a start that is not chaotic
+      alone.numerics.tolerance = 1e-8;  // to within 1e-4 of the speed, for a slow start that is not chaotic
       std::copy_n(&r.every_start->phi[2 * i], 2, alone.initial.phi.begin());
       const auto followed = equipoise::simulate(alone, {horizon, horizon + 50.0});
       const double speed = followed.psi_dot.back();
@@ -331,7 +331,7 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
         << told;
     EXPECT_EQ(told.find("not known yet") == std::string::npos, passed == 3) << told;
     EXPECT_NE(told.find("whose rotor still speeds up (at "), std::string::npos) << told;
-    // What explain says of the same motor, 7860 s: three e-foldings of the way to its no-load speed.
+    // As explain says of the same motor, 7860 s: three e-foldings of the way to its no-load speed.
     const double run_up = *equipoise::explain(study).run_up->shaken * study.scales->time();
     EXPECT_NE(told.find(fmt::format(" of 3000 rpm that the motor aims at; a run-up to 2850 rpm takes about {:.0f} s",
                                     run_up)),
@@ -342,7 +342,7 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
   }
 }
 
-// What a motor below the resonance drives has not come through it, however steadily it turns and whatever counts as
+// A motor that drives the rotor below resonance has not passed it, however steadily it turns and whatever counts as
 // stalled.
 TEST(Passed, MeansTheResonance) {
   Study study = parse_study(text("damping = 0.5\ninertia = 0.5\n", "balls = 2\nmass = 0.05\ndrag = 0.05\n",
@@ -360,7 +360,7 @@ TEST(Passed, MeansTheResonance) {
   EXPECT_EQ(fast.passed->count, 20u);
 }
 
-// Came through or not is told by each start's own mean speed, from the file as from the run.
+// Passing is decided by each start's own mean speed, the same from the file as from the run.
 TEST(Passed, HasBoundsAndSurvivesTheFile) {
   const std::string path = (std::filesystem::temp_directory_path() / "equipoise_machine_passed.nc").string();
   std::filesystem::remove(path);

@@ -1,6 +1,6 @@
-// Machines where the answer is known: a heavy rotor turns as prescribed, energy without a motor never grows, balls
-// never overlap, friction leaves a residual unbalance, a weak motor stalls. What else starts are called:
-// machine_labels_test.cpp.
+// Machines with known results: a heavy rotor turns as prescribed, energy without a motor never grows, balls never
+// overlap, friction leaves a residual unbalance, a weak motor stalls. (machine_labels_test.cpp tests the names of
+// outcomes.)
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,8 +42,8 @@ double largest_difference(const Trajectory& a, const Trajectory& b) {
   return largest;
 }
 
-// EQUATIONS: tau = iota a0 with iota to infinity is the prescribed ramp; what the rotor's shaking does to its speed
-// falls as 1/iota.
+// EQUATIONS: tau = iota a0 with iota to infinity is the prescribed ramp; the effect of the rotor's vibration on its
+// speed falls as 1/iota.
 TEST(MachineLimits, AHeavyRotorTurnsAsPrescribed) {
   const auto times = times_until(60.0, 60);
   const std::string release = "\n[release]\nspeed = 1.2\n";
@@ -58,7 +58,7 @@ TEST(MachineLimits, AHeavyRotorTurnsAsPrescribed) {
     const double difference = largest_difference(simulate(driven, times), prescribed);
     EXPECT_GT(difference, 0.0);
     if (before > 0.0) {
-      // Proportional to 1/iota: ten times less, but for the next order.
+      // Proportional to 1/iota: ten times less, up to the next order.
       EXPECT_NEAR(before / difference, 10.0, 1.0) << inertia;
     }
     before = difference;
@@ -66,7 +66,7 @@ TEST(MachineLimits, AHeavyRotorTurnsAsPrescribed) {
   EXPECT_LT(before, 1e-4);
 }
 
-// Of a trajectory without a motor, from its printed columns.
+// For a trajectory without a motor, from its output columns.
 std::vector<double> energies(const Study& study, const Trajectory& run) {
   using namespace equipoise::model;
   const int n = study.parameters.balls;
@@ -106,7 +106,7 @@ TEST(MachineLimits, EnergyWithoutAMotorNeverGrows) {
                                     {"rolling", "rolling = 0.01\nstiction = 0.02", false}};
   for (const Option& option : options) {
     SCOPED_TRACE(option.name);
-    // No supports' damping and no drag: only the option takes energy.
+    // No damping of the supports and no drag: only the option dissipates energy.
     std::string text = study_text("inertia = 3.0\ngravity = 0.01", option.balancer,
                                   "profile = \"torque\"\ninitial = 2.0\ntorque = { constant = 0.0 }");
     text.replace(text.find("damping = 0.5"), 13, "damping = 0.0");
@@ -145,7 +145,7 @@ TEST(MachineLimits, BallsThatCollideNeverOverlap) {
   }
 }
 
-// Stiction holds the balls where the force that still moves them is below it: the rotor is left with a residual.
+// Stiction holds the balls where the force that still moves them is too small: the rotor keeps a residual unbalance.
 TEST(MachineLimits, StictionLeavesAResidualUnbalance) {
   const std::string constant = "profile = \"constant\"\nspeed = 2.4";
   const auto residual = [&](const std::string& balancer) {

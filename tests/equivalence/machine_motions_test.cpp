@@ -1,5 +1,5 @@
-// Steady motions of motors, off-centre races and both where the rotor's angle matters, against closed forms, balances
-// of energy by other quadratures, differences of whole trajectories, and the prescribed rotors that they tend to.
+// Steady motions of motors, off-centre races and both where the rotor's angle matters, against closed forms, energy
+// balances by other quadratures, differences of whole trajectories, and prescribed rotors as their limit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ model::DrivePiece motor(double constant, double slope) {
   piece.motor.slope = slope;
   return piece;
 }
-// With nothing to do at `speed`.
+// Supplies no torque at `speed`.
 model::DrivePiece motor_for(double speed, double gain) { return motor(gain * speed, -gain); }
 
 VectorXd at_rest(const System& system, std::vector<double> angles, double speed) {
@@ -67,7 +67,7 @@ std::string name_of(const System& system, const Motion& motion) {
   return motion_name(system.parameters(), motion).name;
 }
 
-// The first motion of that name among those of a fixed sequence of random starts at `speed`.
+// The first motion of that name from a fixed sequence of random starts at `speed`.
 std::optional<Motion> find(const System& system, const std::string& name, double speed) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(0.0, two_pi);
@@ -80,10 +80,10 @@ std::optional<Motion> find(const System& system, const std::string& name, double
   return std::nullopt;
 }
 
-// The largest modulus of a multiplier but that of the shift in time.
+// The largest modulus of a multiplier, except that of the shift in time.
 double largest(const Motion& motion) { return std::abs(motion.orbit.decays()[0]); }
 
-// A motor of infinite power is a prescribed speed: with the gain g all differences fall as 1/g.
+// A motor of infinite power is a prescribed speed: with gain g all differences fall as 1/g.
 TEST(MachineMotions, AStrongMotorTendsToThePrescribedSpeed) {
   for (const model::Parameters& p : {rotor(), off_centre(rotor())}) {
     const System prescribed(p, 2.4);
@@ -102,7 +102,7 @@ TEST(MachineMotions, AStrongMotorTendsToThePrescribedSpeed) {
           std::max({std::fabs(motion->r_mean - limit->r_mean), std::fabs(motion->drift[0] - limit->drift[0]),
                     std::fabs(largest(*motion) - largest(*limit)), std::fabs(motion->speed - 2.4)});
       EXPECT_LT(away, 0.05 / gain);  // torque 0.008 over the gain in speed, a few times that in the rest
-      // A tenth, give or take terms of the next order.
+      // A tenth, up to terms of the next order.
       if (before > 0.0) {
         EXPECT_NEAR(before / away, 10.0, 1.0) << gain;
       }
@@ -130,7 +130,7 @@ TEST(MachineMotions, AStrongMotorTendsToThePrescribedSpeedUnderGravityToo) {
       EXPECT_TRUE(motion.depends_on_angle);
       EXPECT_EQ(motion.sections, 1);
       EXPECT_EQ(name_of(system, motion), "balanced");
-      // The motor has 3e-5 to give, and the speed wavers by less: over the gain.
+      // The motor supplies 3e-5, and the speed varies by less than that over the gain.
       EXPECT_NEAR(motion.r_max, at_speed.r_max, 1e-3 / gain);
       EXPECT_NEAR(motion.period, at_speed.period, 1e-3 / gain);
       EXPECT_NEAR(largest(motion), largest(at_speed), 0.1 / gain);
@@ -138,7 +138,7 @@ TEST(MachineMotions, AStrongMotorTendsToThePrescribedSpeedUnderGravityToo) {
   }
 }
 
-// What the motor gives is what dampers and drag take, on the mean over a period: added up along the orbit by another
+// The motor's mean power over a period is what dampers and drag dissipate. This is summed along the orbit by another
 // quadrature (equal steps over a whole period converge faster than any power), from positions and rates alone.
 TEST(MachineMotions, TheMotorGivesWhatDampersAndDragTake) {
   struct Case {
@@ -167,7 +167,7 @@ TEST(MachineMotions, TheMotorGivesWhatDampersAndDragTake) {
       torque += (c.drive.motor.constant + c.drive.motor.slope * system.speed(y)) / count;
       speed += system.speed(y) / count;
     }
-    // Statistics are by Simpson's rule over parts of 0.07: (0.07 rate)^4 / 180 of an amplitude.
+    // Statistics use Simpson's rule over parts of 0.07: (0.07 rate)^4 / 180 of an amplitude.
     EXPECT_NEAR(motion->motor->power, supports + drag, 1e-6 * (supports + drag)) << c.name;
     EXPECT_NEAR(motion->motor->support_power, supports, 1e-6 * supports) << c.name;
     EXPECT_NEAR(motion->motor->torque, torque, 1e-6 * torque) << c.name;
@@ -177,9 +177,9 @@ TEST(MachineMotions, TheMotorGivesWhatDampersAndDragTake) {
   }
 }
 
-// Sommerfeld's effect: started from rest the rotor hangs at resonance, started fast it runs. Both are equilibria with
-// the balls where they make the unbalance worse or better; r follows from what is then a rigid rotor, and the torque
-// from the dampers' work.
+// Sommerfeld's effect: started from rest the rotor hangs at resonance, started fast it runs. Both are equilibria, with
+// the balls where they make the unbalance worse or better. r follows from a rigid rotor, and the torque from the
+// dampers' work.
 TEST(MachineMotions, AWeakMotorIsCapturedAtResonance) {
   model::Parameters p = rotor(2, 0.01);
   p.eccentricity = 0.05;
@@ -200,7 +200,7 @@ TEST(MachineMotions, AWeakMotorIsCapturedAtResonance) {
     std::complex<double> unbalance = p.eccentricity;
     for (int i = 0; i < 2; ++i) unbalance += p.mass[i] * std::polar(1.0, motion->state[model::index::phi(i)]);
     const double r = std::abs(unbalance) * w * w / std::hypot(1.0 - mass * w * w, 0.1 * w);
-    // Newton's method leaves 1e-14 of forces; the resonance magnifies them tenfold.
+    // Newton's method leaves 1e-14 of forces; resonance magnifies them tenfold.
     EXPECT_NEAR(motion->r_mean, r, 1e-12);
     EXPECT_NEAR(motion->motor->torque, 0.1 * w * r * r, 1e-12);
     EXPECT_NEAR(motion->motor->torque, 0.005 * (3.0 - w), 1e-15);
@@ -234,7 +234,7 @@ TEST(MachineMotions, WhatHasNoSteadyMotionHasNone) {
   EXPECT_FALSE(System(rotor(), motor_for(3.0, 0.1)).runs_away(31.0));
 }
 
-// Without torque balance is at any speed: a continuum, and one motion.
+// Without torque a rotor balances at any speed: a continuum, and one motion.
 TEST(MachineMotions, ARotorWithoutTorqueBalancesAtAnySpeed) {
   const System system(rotor(), motor(0.0, 0.0));
   const auto fast = motion_from(system, at_rest(system, {1.5, 4.6}, 2.7)),
@@ -263,14 +263,14 @@ TEST(MachineMotions, MirrorImagesRunBackwardsAlike) {
     EXPECT_NEAR(one->r_max, other->r_max, 1e-9);
     EXPECT_NEAR(one->motor->power, other->motor->power, 1e-9);
   }
-  // Started the other way round the motor turns it back.
+  // Started in the other sense, the motor turns it back.
   const auto turned = motion_from(forwards, at_rest(forwards, {1.5, 4.5}, -1.0));
   ASSERT_TRUE(turned);
   EXPECT_GT(turned->speed, 0.0);
 }
 
-// Balls in a race off the shaft's centre rest where they bring the race's own centre to the axis. Of three and more a
-// continuum does.
+// In an off-centre race balls rest where they bring the race's own centre to the axis; three and more do so on a
+// continuum.
 TEST(MachineMotions, AnOffCentreRaceIsBalancedWithItsOwnCentreOnTheAxis) {
   for (const bool driven : {false, true})
     for (const int balls : {2, 3, 4}) {
@@ -280,7 +280,7 @@ TEST(MachineMotions, AnOffCentreRaceIsBalancedWithItsOwnCentreOnTheAxis) {
       const auto speed = model::balanced_speed(system);
       ASSERT_TRUE(speed);
       const double e = std::hypot(0.005, 0.002);
-      // What the motor gives is what the dampers take of a rotor that whirls at e.
+      // The motor supplies what the dampers absorb from a rotor that whirls at e.
       if (driven) {
         EXPECT_NEAR(0.05 * (3.0 - *speed), 0.5 * e * e * *speed, 1e-15);
       }
@@ -299,7 +299,7 @@ TEST(MachineMotions, AnOffCentreRaceIsBalancedWithItsOwnCentreOnTheAxis) {
     }
 }
 
-// The closed form is what the balanced states of the centred race become as the offset is switched on gradually.
+// Switching on the offset gradually turns the centred race's balanced states into the closed form.
 TEST(MachineMotions, BalanceOfAnOffCentreRaceIsContinuousInTheOffset) {
   model::Parameters p = rotor();
   VectorXd state = model::centred_state(p, model::balanced_states(p).angles.front().data());
@@ -316,7 +316,7 @@ TEST(MachineMotions, BalanceOfAnOffCentreRaceIsContinuousInTheOffset) {
   EXPECT_LT((model::balanced_state(system, 2.4, angles.data()) - state).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-// Multipliers of orbits, and exponentials of eigenvalues, are those of differences of whole trajectories.
+// Multipliers of orbits, and exponentials of eigenvalues, agree with differences of whole trajectories.
 TEST(MachineMotions, MultipliersAreThoseOfDifferences) {
   for (const System& system :
        {System(rotor(), motor_for(3.0, 0.1)), System(under_gravity(rotor()), motor_for(3.0, 0.1)),
@@ -339,13 +339,14 @@ TEST(MachineMotions, MultipliersAreThoseOfDifferences) {
     for (const auto& value : expected) {
       double nearest = 1e300;
       for (const auto& other : found) nearest = std::min(nearest, std::abs(other - value));
-      // Differences err by step^2 times third derivatives and by 1e-12 / step; pairs that nearly coincide by the root.
+      // Differences err by step^2 times third derivatives and by 1e-12 / step; nearly coincident pairs by the root of
+      // that.
       EXPECT_LT(nearest, 1e-5) << value;
     }
   }
 }
 
-// The equations of machines, which know all that this does not (pieces, events), bring a motion's state back.
+// The equations of machines, with pieces and events, return a motion's state.
 TEST(MachineMotions, OrbitsCloseUnderSimulate) {
   Study study = parse_study(R"([rotor]
 eccentricity = 0.01
@@ -381,7 +382,7 @@ time = 0.0
     study.initial.phi_dot[i] = y[model::index::q(i, 2)];
   }
   const Trajectory path = simulate(study, {0.0, motion->period});
-  // What Newton's method left, and what simulate() adds over a revolution.
+  // The residual of Newton's method, and what simulate() adds over a revolution.
   EXPECT_NEAR(path.x.back(), y[0], 1e-9);
   EXPECT_NEAR(path.y.back(), y[1], 1e-9);
   EXPECT_NEAR(path.psi_dot.back(), w, 1e-9);
@@ -389,7 +390,7 @@ time = 0.0
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(path.phi[i].back(), y[model::index::phi(i)], 1e-9);
 }
 
-// Names do not change where gravity is next to nothing; only drifting motions are modulated.
+// Names do not change under negligible gravity; only drifting motions are modulated.
 TEST(MachineMotions, BalanceAndLockedMotionsKeepTheirNamesUnderALittleGravity) {
   model::Parameters p = rotor(), weak = rotor();
   weak.gravity = 1e-6;

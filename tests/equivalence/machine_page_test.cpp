@@ -1,4 +1,4 @@
-// What the page shows against what is known otherwise: paths of motions, runs, distributions.
+// The page's content against independent knowledge: paths of motions, runs, distributions.
 #include "equipoise/shown/machine_page.hpp"
 
 #include <algorithm>
@@ -43,14 +43,14 @@ TEST(MotionPath, IsTheRefinedOrbit) {
   const auto orbit = sample_orbit(system, m.orbit, count);
   ASSERT_EQ(path.x.size(), count + 1u);
   ASSERT_EQ(path.phi.size(), 2u);
-  // The path is integrated at 1e-9 a step, of which there are hundreds; deviations do not grow on a stable orbit.
+  // The path is integrated at 1e-9 per step, over hundreds of steps; deviations do not grow on a stable orbit.
   constexpr double tolerance = 1e-6;
   const double shift = orbit[0][model::index::phi(0)] - path.phi[0][0];
   for (std::size_t k = 0; k < count; ++k) {
     EXPECT_NEAR(std::hypot(path.x[k], path.y[k]), std::hypot(orbit[k][0], orbit[k][1]), tolerance);
     EXPECT_NEAR(path.phi[0][k] + shift, orbit[k][model::index::phi(0)], tolerance);
   }
-  // In fixed axes: turned by what the rotor has turned.
+  // In fixed axes: rotated by the rotor's angle.
   const double t = m.period * 10 / count, psi = m.speed * t;
   EXPECT_NEAR(path.x[10], orbit[10][0] * std::cos(psi) - orbit[10][1] * std::sin(psi), tolerance);
   EXPECT_NEAR(path.y[10], orbit[10][0] * std::sin(psi) + orbit[10][1] * std::cos(psi), tolerance);
@@ -83,7 +83,7 @@ TEST(MachinePage, DrawsEveryMotionThatStartsEndIn) {
     EXPECT_LT(m.balls[0].drift, 0.0);  // balls that do not balance fall behind
     double reach = 0.0;
     for (std::size_t i = 0; i < m.x.size(); ++i) reach = std::max(reach, std::hypot(m.x[i], m.y[i]));
-    // Never beyond; 48 looks at a turn come within 0.2 % of a maximum, but a torus shows it rarely.
+    // Never beyond; 48 samples per turn come within 0.2 % of a maximum, but a torus shows it rarely.
     EXPECT_LT(reach, m.r_max * (1.0 + 1e-6));
     EXPECT_GT(reach, m.r_max * (m.kind == "periodic" ? 0.998 : 0.95));
   }
@@ -113,7 +113,7 @@ TEST(MachinePage, RunsHaveThePeaksThatWereGathered) {
   EXPECT_FLOAT_EQ(static_cast<float>(page.runs[1].peak), static_cast<float>(peak.largest));
   EXPECT_NEAR(page.runs[0].peak, peak.quantiles[0].value, 0.002);  // the other of the two in the middle
   for (const ShownRun& run : page.runs) {
-    EXPECT_NEAR(run.again, run.peak, 0.02 * run.peak);  // sixteen looks at a turn
+    EXPECT_NEAR(run.again, run.peak, 0.02 * run.peak);  // sixteen samples per turn
     EXPECT_EQ(run.t.size(), run.r_high.size());
     EXPECT_GT(run.t.back(), 25.0);
     EXPECT_NEAR(run.speed.front(), 2.4, 1e-12);
@@ -140,7 +140,7 @@ displacement = "1 mm"
 }
 
 TEST(MachinePage, FollowsOneStartWhereNoMotionIsKnown) {
-  // Switched off at 200: the rotor coasts, and no speed of it is a motion's.
+  // Switched off at 200: the rotor coasts, and none of its speeds belongs to a motion.
   Study study = parse_study(R"([rotor]
 eccentricity = 0.01
 damping = 0.5

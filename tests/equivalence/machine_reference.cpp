@@ -74,7 +74,7 @@ class Machine {
     return s.limit ? std::clamp(tau, -*s.limit, *s.limit) : tau;
   }
 
-  // Of a control whose target is a ramp.
+  // For a control whose target is a ramp.
   double aim(double t) const {
     const auto& r = study_.speed.torque.target;
     return r.initial + (r.final - r.initial) * std::min(1.0, t / r.duration);
@@ -178,8 +178,8 @@ class Machine {
     return e;
   }
 
-  // What happens next, if the sign of one of these changes: release, gap of neighbours, rate of a sliding ball, hold of
-  // a resting one. Positive until it happens.
+  // Signs that tell the next event: release, gap of neighbours, rate of a sliding ball, hold of a resting one. Positive
+  // until it happens.
   VectorXd margins(double t, const VectorXd& y) const {
     VectorXd m = VectorXd::Ones(1 + 2 * n_ * n_);
     if (clamped) {
@@ -208,7 +208,7 @@ class Machine {
       for (int i = 0; i < n_; ++i) settle(i, t, y);
   }
 
-  // A ball without speed rests if it can be held, else it starts where the force that would hold it gives way.
+  // A ball without speed rests if it can be held; else it starts in the direction in which the holding force gives way.
   void settle(int i, double t, VectorXd& y) {
     const double q = y[3 + n_ + 3 + i] - y[3 + n_ + 2];
     sense_[i] = q > 0.0 ? 1 : q < 0.0 ? -1 : 0;
@@ -217,10 +217,10 @@ class Machine {
     const Solution s = solve(t, y);
     if (std::fabs(s.tangential[i]) <= p_.stiction[i] * std::fabs(s.normal[i])) return;
     held_[i] = false;
-    sense_[i] = s.tangential[i] < 0.0 ? 1 : -1;  // the holding force points against the motion to come
+    sense_[i] = s.tangential[i] < 0.0 ? 1 : -1;  // the holding force points against the coming motion
   }
 
-  // Event number `which` of margins(); what impacts take is added to `lost`.
+  // Handles event number `which` of margins(); adds the loss at impacts to `lost`.
   void pass(int which, double t, VectorXd& y, double& lost) {
     if (which == 0) return let_go(t, y);
     if (which > n_ * n_) {
@@ -247,7 +247,7 @@ class Machine {
   }
 
   bool clamped = false;
-  double began = 0.0;  // of the step under way: which piece of the motor's law holds
+  double began = 0.0;  // start of the current step: selects the piece of the motor's law
 
  private:
   double weight(int k) const { return k < 0 ? 1.0 : p_.mass[k]; }
@@ -279,7 +279,7 @@ class Machine {
     return -w * w * offset(y) - rate * rate * unit(y[3 + k]);
   }
 
-  // Columns: the directions in which Q'' is free. Held balls turn with psi; psi'' is free for a driven rotor only.
+  // Columns: the directions in which Q'' is free. Held balls turn with psi; psi'' is free only for a driven rotor.
   MatrixXd freedom() const {
     MatrixXd all = MatrixXd::Identity(3 + n_, 3 + n_);
     std::vector<int> kept{0, 1};
@@ -302,7 +302,7 @@ class Machine {
   std::vector<int> sense_;
 };
 
-// Where torque laws and targets have corners.
+// Times at which torque laws and targets have corners.
 std::vector<double> corners(const Study& study) {
   const auto& s = study.speed.torque;
   std::vector<double> result = s.times;

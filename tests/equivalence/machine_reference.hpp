@@ -1,5 +1,5 @@
 // An independent reference for machines: mass points and their Jacobians in fixed axes, events by halving steps.
-// Shares only plain data (studies, parameters) with the library: its own equations, torque, events and integrator.
+// Shares only plain data (studies, parameters) with the library; equations, torque, events and integrator are its own.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,9 @@ struct State {
   std::vector<double> theta, theta_dot;
   double energy = 0.0;    ///< kinetic and potential
   double work = 0.0;      ///< done by the motor since t = 0
-  double supports = 0.0;  ///< taken by the supports' dampers since then
-  double balls = 0.0;     ///< taken by drag and rolling resistance
-  double impacts = 0.0;   ///< taken by impacts
+  double supports = 0.0;  ///< dissipated by the supports' dampers since then
+  double balls = 0.0;     ///< dissipated by drag and rolling resistance
+  double impacts = 0.0;   ///< dissipated by impacts
 };
 
 /// States at `times` (increasing) of a driven study, or of one at constant speed (then psi'' = 0 is imposed). Classical

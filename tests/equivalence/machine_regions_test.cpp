@@ -39,7 +39,7 @@ model::Parameters under_gravity(model::Parameters p) {
   return p;
 }
 
-// With nothing to do at `speed`.
+// Supplies no torque at `speed`.
 model::DrivePiece motor_for(double speed, double gain, double integral = 0.0) {
   model::DrivePiece piece;
   piece.prescribed = false;
@@ -81,15 +81,14 @@ TEST(MachineRegions, StatesOnABalancedLevelComeToBalance) {
         const VectorXd z = state_on_level(c.system, region, region.level, random.next());
         EXPECT_NEAR(value(c.system, region, z.data()), region.level, 1e-9 * region.level) << c.name;
         for (Eigen::Index i = 0; i < z.size(); ++i) EXPECT_LE(std::fabs(z[i] - centre[i]), region.reach[i]) << c.name;
-        // V falls all the way: it is asked at the begin, where it would fail first, and at the end.
+        // V falls all the way: checked at the beginning, where it would fail first, and at the end.
         const auto soon = advance_state(c.system, z, 0.01);
         ASSERT_TRUE(soon);
         EXPECT_LT(value(c.system, region, soon->data()), region.level) << c.name;
         if (k % 10 != 0) continue;
         const auto late = advance_state(c.system, z, 6.0 / -analysis.slowest_rate);
         ASSERT_TRUE(late);
-        EXPECT_LT(value(c.system, region, late->data()), 1e-3 * region.level)
-            << c.name;  // e^-12 and what is not linear
+        EXPECT_LT(value(c.system, region, late->data()), 1e-3 * region.level) << c.name;  // e^-12 and nonlinear terms
       }
     }
   }
@@ -106,8 +105,8 @@ TEST(MachineRegions, MirrorImagesHaveTheSameLevel) {
   EXPECT_NEAR(one.slowest_rate, other.slowest_rate, 1e-12);
 }
 
-// Three balls and more in an off-centre race, and under a motor: what is drawn from the continuum rests, and its form
-// holds the way to it.
+// Three balls and more in an off-centre race, and under a motor: drawn members of the continuum are at rest, and their
+// form holds on the way to them.
 TEST(MachineRegions, AContinuumIsSurveyedForEverySmoothSystem) {
   model::Parameters p = rotor();
   p.balls = 3;
@@ -137,8 +136,8 @@ TEST(MachineRegions, AContinuumIsSurveyedForEverySmoothSystem) {
   }
 }
 
-// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion, and falls beside it as
-// the form was made to, e^{-1.6 rate t} or faster.
+// Where the rotor's angle is part of the state and tells the phase: V vanishes on the motion and falls beside it as
+// designed, like e^{-1.6 rate t} or faster.
 TEST(MachineRegions, CyclesUnderAMotorAreToldByTheRotorsAngle) {
   model::Parameters heavy = under_gravity(rotor());
   heavy.eccentricity = 0.05;
@@ -162,7 +161,7 @@ TEST(MachineRegions, CyclesUnderAMotorAreToldByTheRotorsAngle) {
     for (const VectorXd& y : sample_orbit(system, motion->orbit, 37))
       EXPECT_LT(value(system, region, y.data(), 0.0), 1e-8);  // cubic between angles 0.2 apart: 1e-6 of an amplitude
     Directions random(directions(region));
-    constexpr double level = 1e-6;  // of linear theory, but far above what interpolation leaves
+    constexpr double level = 1e-6;  // of linear theory, but far above the errors of interpolation
     for (int row = 0; row < region.rows(); row += 5) {
       const VectorXd z = state_on_level(region, row, level, random.next());
       EXPECT_NEAR(value(system, region, z.data(), 0.0), level, 1e-3 * level);
@@ -174,7 +173,7 @@ TEST(MachineRegions, CyclesUnderAMotorAreToldByTheRotorsAngle) {
   }
 }
 
-// Levels found by tries on lanes hold for trajectories that are followed one by one, at their edge too.
+// Levels found by tries on lanes hold for trajectories followed one by one, also at their edge.
 TEST(MachineRegions, ValidatedLevelsLeadToTheirMotion) {
   for (const System& system : {System(rotor(), motor_for(3.0, 0.1)), System(off_centre(rotor()), 2.4),
                                System(under_gravity(rotor()), motor_for(3.0, 0.1))}) {
@@ -197,7 +196,7 @@ TEST(MachineRegions, ValidatedLevelsLeadToTheirMotion) {
       const VectorXd z = state_on_level(region, 11 * k % region.rows(), region.level, random.next());
       const auto late = advance_state(system, z, 10.0 / -rate);
       ASSERT_TRUE(late);
-      // e^-20, what is not linear, and chords between rows of a ball's table (3e-4 of the curvature).
+      // e^-20, nonlinear terms, and chords between rows of a ball's table (3e-4 of the curvature).
       EXPECT_LT(value(system, region, late->data(), 0.0), 1e-3 * region.level);
     }
   }

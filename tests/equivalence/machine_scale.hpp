@@ -1,4 +1,4 @@
-// The errors allowed a machine's steps in ensembles.
+// The step errors allowed for machines in ensembles.
 #pragma once
 
 #include "equipoise/integrate/event_trajectory-inl.hpp"
@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// As on lanes (batch_error_scale()): absolute; angles and speeds of the rotor like those of balls.
+/// As on lanes (batch_error_scale()): absolute; the rotor's angle and speed like those of balls.
 template <int room>
 typename HWY_NAMESPACE::EventTrajectory<room>::Scale ensemble_scale(const model::Parameters& p, double tolerance) {
   typename HWY_NAMESPACE::EventTrajectory<room>::Scale scale;

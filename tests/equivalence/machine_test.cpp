@@ -20,7 +20,7 @@ using equipoise::Trajectory;
 struct Case {
   std::string name, toml;
   double until;
-  double accuracy;  // what the reference's steps allow
+  double accuracy;  // given by the reference's steps
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
@@ -41,8 +41,8 @@ std::string torque(const std::string& law, const std::string& initial = "0.5") {
 }
 const std::string constant = "[speed]\nprofile = \"constant\"\nspeed = 2.0\n";
 
-// The reference's step of 4e-3 errs by 6e-11 until t = 35 with five balls, from a run with half the step; an impact or
-// a start is placed to rounding. What of that grows on the way differs from case to case.
+// The reference's step of 4e-3 errs by 6e-11 until t = 35 with five balls, by comparison with half the step; impacts
+// and starts are located to rounding. The growth of these errors differs from case to case.
 std::vector<Case> cases() {
   std::vector<Case> all;
   const std::string at_speed = "[release]\nspeed = 0.9\n", at_time = "[release]\ntime = 7.3\n";
@@ -59,7 +59,7 @@ std::vector<Case> cases() {
                      torque("{ gain = 0.8, target = { profile = \"ramp\", final = 2.5, duration = 20.0 } }", "0.0") +
                      at_speed,
                  25.0, 5e-9});
-  // The limit is left in mid-step: there the reference errs in proportion to its step, 5e-5.
+  // The limit is left in mid-step, where the reference errs in proportion to its step: 5e-5.
   all.push_back({"control_with_integral_and_limit",
                  rotor() + balls(2) +
                      torque("{ gain = 2.0, integral = 0.5, limit = 0.5, target = { profile = \"ramp\", initial = 1.0, "
@@ -142,8 +142,8 @@ TEST_P(Machine, MovesAsMassPointsDo) {
   RecordProperty("largest_difference", fmt::format("{:.2g} in {}", largest, worst));
   EXPECT_LT(largest, c.accuracy) << worst;
 
-  // The reference's own balance, so that what both agree on also keeps energy: neither drag, nor rolling resistance,
-  // nor impacts give any back. The powers are integrated with the error of its steps.
+  // The reference's own balance, so that both also agree with energy conservation: neither drag, nor rolling
+  // resistance, nor impacts return any. The powers are integrated with the error of its steps.
   const auto &from = reference.front(), &to = reference.back();
   const double taken = to.supports - from.supports + to.balls - from.balls + to.impacts - from.impacts;
   EXPECT_NEAR(to.energy - from.energy, to.work - from.work - taken, 1e-8 * (1.0 + std::fabs(to.energy)));

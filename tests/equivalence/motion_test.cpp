@@ -1,5 +1,5 @@
-// Steady motions found from trajectories, against what an independent program (shooting, continuation, Lyapunov
-// exponents; other integrator) found for the same rotors, and the names they are given.
+// Steady motions found from trajectories, against those that an independent program (shooting, continuation, Lyapunov
+// exponents; other integrator) found for the same rotors; and their names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ VectorXd exchanged(const VectorXd& z, int i, int k) {
   return result;
 }
 
-// The first motion of that name among those of a fixed sequence of random starts.
+// The first motion of that name from a fixed sequence of random starts.
 std::optional<Motion> find(const model::Parameters& p, double speed, const std::string& name, int starts = 60) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(0.0, two_pi);
@@ -56,7 +56,7 @@ struct Known {
   std::vector<double> start;
   const char *name, *alias;
   int id;
-  double period, r_min, r_max, multiplier;  // the largest but 1; 0: not asked
+  double period, r_min, r_max, multiplier;  // the largest except 1; 0: not compared
   int copies;
 };
 
@@ -66,7 +66,7 @@ void PrintTo(const Known& known, std::ostream* out) {
 
 class PeriodicMotion : public testing::TestWithParam<Known> {};
 
-// Periods are known to the digits given, r to 1e-4 (the independent program sampled it), multipliers to four digits.
+// Periods are compared to the digits given, r to 1e-4 (the independent program sampled it), multipliers to four digits.
 TEST_P(PeriodicMotion, IsTheOneKnown) {
   const Known& known = GetParam();
   const model::Parameters p = base_rotor(2, known.beta);
@@ -103,10 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
         Known{.05, 4.0, {}, "one captured", "V3", 4, 4.2201, .0144, .0985, .9049, 2},
         Known{.05, 5.0, {}, "one captured", "V3", 4, 3.6630, .0118, .0859, .9419, 2},
         Known{.01, 6.0, {}, "one captured", "V3", 4, 1.22131, .0379, .1175, 0, 2},  // found here: a regression test
-        // Exponents of 6e-4: shooting finds it, following it to the end would take 30 000 time units.
+        // Exponents of 6e-4: shooting finds it; following it to the end would take 30 000 time units.
         Known{.05, 4.4, {1.17174, 1.00534}, "one captured, period 4", "V4", 5, 16.2484, .0021, .1036, .9901, 2},
         Known{.05, 4.4, {.84736, .92647}, "one captured, period 4", "V4", 5, 16.2484, .0021, .1036, .9901, 2},
-        // Pair drift: drift rates -.085, -.098, -.115, -.132 were read off windows of 400, whose ends cut turns.
+        // Pair drift: rates -.085, -.098, -.115, -.132 were read from windows of 400, whose ends cut turns.
         Known{.01, 3.0, {}, "pair drift", "", 6, 78.573, .00095, .01016, 0, 1},
         Known{.01, 4.0, {}, "pair drift", "", 6, 67.673, .00084, .00966, 0, 1},
         Known{.01, 5.0, {}, "pair drift", "", 6, 57.804, .00079, .00944, 0, 1},
@@ -164,7 +164,7 @@ TEST_P(Torus, IsDriftingApart) {
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
   EXPECT_EQ(motion->copies, 1);
   EXPECT_EQ(motion->drift_group[0], motion->drift_group[1]);
-  // Measured apart, each to a small part of a turn over the stretch.
+  // Measured separately, each to a small part of a turn over the stretch.
   EXPECT_NEAR(motion->drift[0], motion->drift[1], 0.01 * two_pi / motion->duration);
   EXPECT_NEAR(motion->drift[0], known.drift, 1.0 / motion->duration);
   EXPECT_NEAR(motion->r_min, known.r_min, 1e-4);
@@ -182,7 +182,7 @@ TEST(Motion, IsChaoticWhereTheTorusHasBroken) {
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->kind, MotionKind::chaotic);
   EXPECT_EQ(motion_name(p, *motion).id, 3);
-  EXPECT_NEAR(motion->exponents[0], 0.0215, 0.007);  // chaotic scatter of stretches this long
+  EXPECT_NEAR(motion->exponents[0], 0.0215, 0.007);  // chaotic scatter of stretches of this length
   // The ghost of the same motion, past its crisis, is no motion.
   const auto after = motion_from({p, 2.6}, motion->state);
   ASSERT_TRUE(after);
@@ -190,7 +190,7 @@ TEST(Motion, IsChaoticWhereTheTorusHasBroken) {
 }
 
 TEST(Motion, IsNotASlowTransient) {
-  // Balanced states grow at 1.4e-4 here: e-fold in 7000. Nothing steady is in sight for a long time.
+  // The balanced state's growth is 1.4e-4 here: an e-fold in 7000. Nothing steady shows for a long time.
   const model::Parameters p = base_rotor(2, 0.01);
   const auto angles = model::balanced_states(p).angles.front();
   for (const double off : {1e-8, 1e-4, 1e-2}) {
@@ -200,7 +200,7 @@ TEST(Motion, IsNotASlowTransient) {
 }
 
 TEST(Motion, OfUnstableCompanionsBreaksUp) {
-  // Above the pitchfork of V1 the diagonal holds motions that attract along it only.
+  // Above the pitchfork of V1 the diagonal holds motions that attract only along it.
   const model::Parameters p = base_rotor();
   const auto motion = motion_from({p, 4.5}, at_rest({1, 1}));
   ASSERT_TRUE(motion);
@@ -274,17 +274,17 @@ TEST(Motion, OfUnequalBalls) {
   model::Parameters p = base_rotor();
   p.mass[1] = 0.045;
   const auto balanced = find(p, 2.4, "balanced"), apart = find(p, 2.4, "drifting apart");
-  // Where a ball goes does not depend on its mass: unequal balls in one place stay together too.
+  // A ball's path does not depend on its mass: unequal balls in one place stay together too.
   const auto companions = motion_from({p, 2.4}, at_rest({1, 1}));
   ASSERT_TRUE(balanced && apart && companions);
   EXPECT_EQ(balanced->copies, 1);
   EXPECT_EQ(apart->copies, 1);
-  EXPECT_EQ(apart->kind, MotionKind::periodic);  // the torus has locked, three turns to four swings
+  EXPECT_EQ(apart->kind, MotionKind::periodic);  // the torus has locked: three turns to four swings
   EXPECT_EQ(std::abs(apart->winding[0]), 3);
   EXPECT_EQ(apart->winding[0], apart->winding[1]);
   EXPECT_EQ(companions->copies, 1);
   EXPECT_EQ(motion_name(p, *companions).name, "co-drifting");
-  p.drag[1] = 0.0505;  // but on its drag
+  p.drag[1] = 0.0505;  // but it depends on its drag
   const auto travellers = motion_from({p, 2.4}, at_rest({1, 1}));
   ASSERT_TRUE(travellers);
   EXPECT_EQ(motion_name(p, *travellers).name, "co-drifting");
@@ -292,7 +292,7 @@ TEST(Motion, OfUnequalBalls) {
   EXPECT_NE(travellers->cluster[0], travellers->cluster[1]);
 }
 
-// With gravity a motion is steady from strobe to strobe.
+// Under gravity a motion is steady from strobe to strobe.
 TEST(Motion, WithGravityComesBackOnceARevolution) {
   model::Parameters p = base_rotor();
   p.gravity = 0.01;
@@ -305,8 +305,8 @@ TEST(Motion, WithGravityComesBackOnceARevolution) {
   }
 }
 
-// Three balls a third of a turn apart that creep around the race together: a turn in 166 units of time. They were
-// called captured, and their drift 0.
+// Three balls a third of a turn apart creep around the race together, one turn in 166 units of time. They were once
+// called captured, with a drift of 0.
 TEST(SlowDrift, IsMeasuredAndNamed) {
   const model::Parameters p = base_rotor(3, 0.1);
   const auto motion = motion_from({p, 2.4}, at_rest({0.3, 2.5, 4.4}));
@@ -314,11 +314,12 @@ TEST(SlowDrift, IsMeasuredAndNamed) {
   EXPECT_EQ(motion->kind, MotionKind::quasi_periodic);
   EXPECT_EQ(motion_name(p, *motion).name, "drifting apart, quasi-periodic");
   for (int i = 0; i < 3; ++i) {
-    EXPECT_NEAR(motion->drift[i], -0.0377, 2e-4);  // measured before by the turns of a long trajectory: -0.0378
+    EXPECT_NEAR(motion->drift[i], -0.0377, 2e-4);  // -0.0378 by an earlier measurement from the turns of a long
+                                                   // trajectory
     EXPECT_NE(motion->drift_group[i], 0);
     EXPECT_EQ(motion->drift_group[i], motion->drift_group[0]);
   }
-  VectorXd z = motion->state;  // the turns of the same trajectory, known to one
+  VectorXd z = motion->state;  // the turns of the same trajectory, known to one turn
   constexpr double duration = 5000.0;
   ASSERT_EQ(follow({p, 2.4}, z, duration, 1e-9), IntegrationStatus::done);
   for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// Motions followed along a motor's torque: where the rotor's hang-up at resonance ends, against a closed form.
+// Motions continued along a motor's torque: where the rotor's hang-up at resonance ends, against a closed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,9 +28,9 @@ torque = { stall = 0.02, no_load_speed = 3.0 }
                      "heavy rotor", {});
 }
 
-// The stall torque at which the motor's line touches the resonance: both balls rest where the rotor bulges out, so that
-// its displacement r e^{i phi} is that of a rotor with the unbalance lambda + 2 mu e^{i phi}; that takes the torque
-// zeta Omega r^2 of a motor that gives T (1 - Omega / 3).
+// The stall torque at which the motor's line touches the resonance. Both balls rest where the rotor bulges out, so its
+// displacement r e^{i phi} is that of a rotor with the unbalance lambda + 2 mu e^{i phi}. It absorbs the torque zeta
+// Omega r^2 of a motor that supplies T (1 - Omega / 3).
 double torque_at_speed(double w) {
   constexpr double lambda = 0.05, balls = 0.02, zeta = 0.1;
   const double a = 1.0 - (1.0 + balls) * w * w, b = balls * w * w, c = zeta * w;
@@ -66,7 +66,7 @@ TEST(MotorBranches, TheHangUpAtResonanceEndsWhereTheMotorsLineLeavesTheResonance
   const BranchEvent& end = captured->events.front();
   EXPECT_EQ(end.change, BranchChange::death);
   EXPECT_EQ(end.cause, BranchCause::fold);
-  // Ends are known to 2^-16 of a step; the maximum of the closed form to 1e-6^2 of its curvature.
+  // Ends are located to 2^-16 of a step, the maximum of the closed form to 1e-6^2 of its curvature.
   const double passes = torque_that_passes();
   EXPECT_LT(end.high - end.low, 0.004 / 10000);
   EXPECT_NEAR(end.middle(), passes, 0.004 / 10000);

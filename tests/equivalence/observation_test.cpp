@@ -58,8 +58,8 @@ TEST(Observation, AgreesWithSingleTrajectories) {
         continue;
       }
       const auto [expected, expected_last] = sampled(one, seen.end_of(k) - seen.window, seen.end_of(k));
-      // The cubic's error in r^2 is below 1 % of the largest value around. Trajectories of tolerance 1e-6 have moved
-      // apart from those of 1e-12 by less than that so soon after the release.
+      // The cubic's error in r^2 is below 1 % of the largest value nearby. So soon after the release, trajectories of
+      // tolerance 1e-6 differ from those of 1e-12 by less than that.
       EXPECT_NEAR(largest, expected, 0.01 * expected) << "start " << i << ", window " << k;
       EXPECT_NEAR(last, expected_last, 0.01 * expected) << "start " << i << ", window " << k;
     }

@@ -1,5 +1,5 @@
-// SharedRegions of the motions that a search finds, phased by a ball or by the rotor: V against trajectories, and their
-// rules.
+// Trapping regions of the motions that a search finds, with the phase from a ball or the rotor: V against trajectories,
+// and their rules.
 #include <cmath>
 #include <vector>
 
@@ -46,7 +46,7 @@ const Found& by_rotor() {
   return found;
 }
 
-// The rotor's angle where a row begins.
+// The rotor's angle at the start of a row.
 double psi_of(const Found& found, const OrbitRegion& region, int row) {
   return region.clock == OrbitRegion::rotor ? found.system.section_angle() / region.cells * (row % region.cells) : 0.0;
 }
@@ -58,9 +58,9 @@ TEST(OrbitRegions, ArePhasedByTheRotorOnlyWhereItsAngleMatters) {
   for (const auto& [of, region] : by_rotor().regions) EXPECT_EQ(region.clock, OrbitRegion::rotor) << of->name;
 }
 
-// At a row's beginning nothing is interpolated but, of a ball's table, the form: one a cell, and rounding of the angle
-// may choose the cell before. From one cell to the next of 128 a turn a form with a few harmonics changes by a few
-// percent.
+// At the start of a row nothing is interpolated except, in a ball's table, the form: one per cell, and rounding of the
+// angle may select the previous cell. Between neighbouring cells of 128 per turn, a form with a few harmonics changes
+// by a few percent.
 TEST(OrbitRegions, StatesOnALevelHaveThatValue) {
   constexpr double level = 1e-4;
   for (const Found* found : {&by_ball(), &by_rotor()})
@@ -75,8 +75,8 @@ TEST(OrbitRegions, StatesOnALevelHaveThatValue) {
     }
 }
 
-// V is a sum of squares that fall as e^(2 rate t), or faster: to e^-6 in three times 1 / rate if the slowest mode were
-// all. A twentieth leaves a factor of twenty for terms of second order and for chords.
+// V is a sum of squares that fall at least as fast as e^(2 rate t): to e^-6 in three times 1 / rate if there were only
+// the slowest mode. A twentieth leaves a factor of twenty for second-order terms and for chords.
 TEST(OrbitRegions, ValuesFallAlongTheFlow) {
   constexpr double level = 1e-4, share = 0.05;
   for (const Found* found : {&by_ball(), &by_rotor()})
@@ -95,8 +95,7 @@ TEST(OrbitRegions, ValuesFallAlongTheFlow) {
     }
 }
 
-// Exchange of equal balls: of the rotor's trapping region it changes nothing, of a ball's it leads to the trapping
-// region's image.
+// Exchanging equal balls does not change the rotor's trapping region; it maps a ball's region to its image.
 TEST(OrbitRegions, ExchangeOfEqualBallsIsNoDifference) {
   constexpr double level = 1e-4;
   const BallOrder other{1, 0};
@@ -111,7 +110,7 @@ TEST(OrbitRegions, ExchangeOfEqualBallsIsNoDifference) {
     }
 }
 
-// What the rule asks catches every motion that it was made for, and its exchange image.
+// The rule catches every motion that it was made for, and its exchange image.
 TEST(OrbitRegions, RulesCatchTheirMotions) {
   const Found& found = by_rotor();
   ASSERT_TRUE(found.all.rule.section_regions);

@@ -33,7 +33,7 @@ model::Parameters rotor(int balls = 2, double drag = 0.05, double total_mass = 0
   return equipoise::base_rotor(balls, drag, total_mass / balls);
 }
 
-// Where the trajectory from a centred rotor with resting balls is after `time`.
+// State after `time` of the trajectory from a centred rotor with resting balls.
 VectorXd settled(const model::Parameters& p, double speed, std::array<double, model::max_balls> phi, double time) {
   return *advance_state({p, speed}, model::centred_state(p, phi.data()), time);
 }
@@ -47,7 +47,7 @@ double turn_time(const model::Parameters& p, double speed, VectorXd z, int ball)
   return t;
 }
 
-// Both balls in one place: the diagonal of equal ball angles is invariant, and ends on this orbit for W < 4.4.
+// Both balls in one place: the diagonal of equal ball angles is invariant and ends on this orbit for W < 4.4.
 Found coincident(double speed) {
   const model::Parameters p = rotor();
   const VectorXd z = settled(p, speed, {1.0, 1.0}, 400.0);
@@ -83,7 +83,7 @@ Range radii(double speed, const PeriodicOrbit& orbit) {
   return range;
 }
 
-// Recorded figures are rounded: half a unit of the last place, and a little for those with a digit cut off.
+// Recorded figures are rounded: half a unit of the last place, and a little more for those with a digit cut off.
 constexpr double last_place = 0.6;
 
 void expect_shape(const Found& orbit, double speed, double period, double period_digit, double r_min, double r_max) {
@@ -133,7 +133,7 @@ TEST(CoincidentOrbit, LosesStabilityInAPitchforkBetween440And450) {
   EXPECT_NEAR((orbit->multipliers[1] * orbit->multipliers[2]).real(), std::exp(-0.05 * orbit->period), 1e-11);  // steps
 }
 
-// One ball of the whole mass is the same motion; so are four or eight in one place, with more transverse pairs.
+// One ball of the whole mass has the same motion; so do four or eight in one place, with more transverse pairs.
 TEST(CoincidentOrbit, IsOneForEveryNumberOfBalls) {
   const double speed = 2.4;
   const Found two = coincident(speed);
@@ -203,7 +203,7 @@ TEST(CapturedOrbit, HasAnExchangeCopy) {
   EXPECT_NEAR(copy->period, orbit->period, 1e-10);  // both to steps of 1e-12
 }
 
-// How far down an orbit can be followed, and its leading multiplier there.
+// How far down an orbit can be continued, and its leading multiplier there.
 struct Fold {
   double speed;
   std::complex<double> multiplier;
@@ -232,7 +232,8 @@ TEST(CapturedOrbit, IsBornInASaddleNodeBetween290And295) {
 TEST(PeriodFourOrbit, IsWhereThreeRecordedStartsEnd) {
   const model::Parameters p = rotor();
   for (const auto& phi : {std::array{5.54933, 5.46019}, std::array{1.17174, 1.00534}, std::array{.84736, .92647}}) {
-    // The slowest rate is -0.00061: what 6000 units leave of a deviation of 1 is a good guess.
+    // The slowest rate is -0.00061: after 6000 units the remainder of a deviation of 1 is small enough for a good
+    // guess.
     const VectorXd z = settled(p, 4.4, {phi[0], phi[1]}, 6000.0);
     const Found orbit = refine_orbit({p, 4.4}, z, 16.25);
     ASSERT_TRUE(orbit);
@@ -275,8 +276,8 @@ TEST(PeriodFourOrbit, EndsInASaddleNodeBelowAndAPeriodDoublingAbove) {
   EXPECT_LT(after->multipliers[1].real(), -1.0);
   EXPECT_EQ(after->multipliers[1].imag(), 0.0);
 
-  // The doubled orbit is another one, and not taken for two turns of the single one, which at 4.41 leaves like e^{.014
-  // t}.
+  // The doubled orbit is another one, and is not taken for two turns of the single one, which at 4.41 leaves like
+  // e^{.014 t}.
   const Found single = continued(after, 4.409, 4.41, 0.001);
   ASSERT_TRUE(single);
   VectorXd beside = single->nodes[0];
@@ -310,7 +311,7 @@ TEST(RefineOrbit, RejectsEquilibria) {
   EXPECT_FALSE(refine_orbit({p, 2.4}, z, 5.0));
 }
 
-// Real part of the leading eigenvalue; the table of all is in unit/linearisation_test.cpp.
+// Real part of the leading eigenvalue; unit/linearisation_test.cpp has the table of all.
 TEST(RefineEquilibrium, FindsBalancedStatesAndTheirStability) {
   struct Row {
     double drag, speed, rate;
@@ -348,7 +349,7 @@ TEST(RefineEquilibrium, ReachesFamiliesWhereTheJacobianIsSingular) {
     const auto found = refine_equilibrium({p, 2.4}, guess);
     ASSERT_TRUE(found) << n;
     EXPECT_LT(found->residual, 1e-14 * (1.0 + 2.4 * 2.4));
-    // The least step: nearer to the guess than the member of the family it was made from, or hardly farther.
+    // The least step: about as near to the guess as the member of the continuum from which the guess was made.
     EXPECT_LT((found->state - guess).norm(), 1.1 * (guess - model::centred_state(p, phi.data())).norm());
     int zeros = 0;
     for (const auto& value : found->eigenvalues) zeros += std::abs(value) < 1e-12;  // simple, found to rounding

@@ -1,5 +1,5 @@
-// Trajectories with rotors of their own, side by side on lanes, against each rotor by itself in doubles; what their
-// starts come to, against the same rotors known exactly.
+// Trajectories with their own rotors, side by side on lanes, against each rotor alone in doubles; their outcomes,
+// against the same rotors known exactly.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -44,7 +44,7 @@ std::vector<Case> cases() {
           {"touching", rotor("") + balls(3, touching) + constant, 1e-5}};
 }
 
-// Each start with other numbers everywhere that a rotor may have its own.
+// Each start with different values of everything that a rotor may have for itself.
 std::vector<OwnStart> own_starts(const std::string& toml) {
   std::vector<OwnStart> result;
   for (std::size_t i = 0; i < starts; ++i) {
@@ -105,7 +105,7 @@ TEST_P(OwnRotors, GiveTheSameBitsAlone) {
   SpunUp spun;
   const std::vector<double> together = states_of(own, spun);
   const std::size_t size = together.size() / starts;
-  // With a neighbour, so that rotors are still their own.
+  // With a neighbour, so that rotors are still separate.
   for (const std::size_t i : {0u, 7u, 17u}) {
     const std::vector<double> two = states_of({&own[i], 2}, spun);
     for (std::size_t k = 0; k < size; ++k) EXPECT_EQ(two[k], together[i * size + k]) << i << " " << k;
@@ -126,7 +126,7 @@ TEST(StudyFamily, FindsValuesThatStandAsTheyAre) {
   ASSERT_TRUE(direct);
   for (const std::vector<double>& values : {std::vector<double>{0.0081, 0.52}, {0.0139, 0.4}})
     EXPECT_EQ(to_toml(direct->at(values)), to_toml(drawn_study(study, values)));
-  // In physical units a mass is in everything.
+  // In physical units a mass affects everything.
   const Study heavy = parse_study(
       "[rotor]\nmass = { uniform = [\"3 kg\", \"5 kg\"] }\nstiffness = \"10 kN/m\"\ndamping_ratio = 0.05\n"
       "unbalance = \"300 g mm\"\n[balancer]\nballs = 2\nrace_radius = \"60 mm\"\nmass = \"5 g\"\n"
@@ -163,7 +163,7 @@ TEST(FamilyRegions, FallsForEveryRotorOfThePart) {
   }
 }
 
-// The share over a box is the mean of the shares of rotors at evenly spread values in it.
+// The share over a box is the mean share of rotors at evenly spread values in it.
 TEST(OwnRotorShares, AreTheMeanOfKnownRotors) {
   constexpr int rotors = 16;
   constexpr std::uint64_t each = sized(1000, 250);

@@ -1,5 +1,5 @@
-// Starts of the caller's own: the fates that drawn starts have, whoever follows them and however they are cut; what is
-// no start; and ensembles written down from memory.
+// The caller's own starts: the same fates as drawn starts, whoever follows them and however they are cut; invalid
+// starts; and ensembles written from memory.
 #include <unistd.h>
 
 #include <filesystem>
@@ -46,7 +46,7 @@ torque = { gain = 2.0, target = { profile = "ramp", final = 2.4, duration = 20.0
 )";
 const std::string ramp = rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 40.0\n";
 
-// One of each kind whose starts come to be in a way of their own.
+// One of each kind whose starts are prepared in a different way.
 const std::vector<std::pair<std::string, std::string>>& kinds() {
   static const std::vector<std::pair<std::string, std::string>> all{
       {"prescribed", constant_speed},
@@ -81,7 +81,7 @@ std::vector<InitialState> drawn(const Study& study) {
   return starts;
 }
 
-// What ensembles of one rotor end in is searched for once.
+// The attractors of one rotor are searched once.
 AttractorSearchCache discoveries;
 
 BasinResult with_starts(const Study& study, std::vector<InitialState> starts, int threads = 2) {
@@ -93,7 +93,7 @@ BasinResult with_starts(const Study& study, std::vector<InitialState> starts, in
   return basin(study, options);
 }
 
-// Every bit; not-a-number is what it is.
+// Every bit; NaN equals NaN.
 template <class T>
 std::string bits(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
@@ -175,7 +175,7 @@ TEST(OwnStartsAlone, KnowNoThreadsAndNoNeighbours) {
             std::vector<short>(one.every_start->outcome.begin() + 77, one.every_start->outcome.end()));
 }
 
-// A motor's rotor begins wherever it is told to: gravity then acts on it otherwise.
+// A driven rotor begins at any given angle, where gravity acts on it differently.
 TEST(OwnStartsAlone, OfADrivenRotorHaveAnAngleOfTheirOwn) {
   for (const char* kind : {"motor", "coasting"}) {
     const Study study = study_of(kind, 4);
@@ -264,7 +264,7 @@ TEST(OwnStartsInAFile, AreResumedAndToldFromOthers) {
   std::filesystem::remove(options.output);
 }
 
-// Byte for byte what `output` leaves; kinds of starts have kinds of columns.
+// Byte for byte what `output` leaves; kinds of starts have different columns.
 TEST(WriteBasin, MakesTheFileThatTheRunWouldHaveMade) {
   const auto expect_same_file = [](const Study& study, const BasinOptions& asked) {
     BasinOptions options = asked;

@@ -1,5 +1,5 @@
-// SharedRegions around motions of which no angle tells the phase, and around those that every rotor of a family has
-// elsewhere.
+// Trapping regions around motions whose phase no angle tells, and around those whose place differs between the rotors
+// of a family.
 #include "equipoise/trapping_regions/path_region.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Study study_with_eccentricity(double eccentricity) {
   return study;
 }
 
-// The motion of a name that a search finds; each rotor is searched once.
+// The motion of a given name that a search finds; each rotor is searched once.
 Motion found(const Study& study, const std::string& name) {
   static std::map<double, AttractorSearch> searched;
   AttractorSearch& all = searched[study.parameters.eccentricity];
@@ -54,7 +54,7 @@ TEST_P(OfOneRotor, SurroundsTheMotionAndLetsNothingOut) {
   ASSERT_TRUE(region);
   Eigen::VectorXd state = motion.state;
   EXPECT_GT(region->level(), 32.0 * region->floor());  // tries need 16
-  // The other balls' places are the same motion, and so is every time of it. The motion is refined to 1e-6.
+  // The places of exchanged balls are the same motion, and so is every time of it. The motion is refined to 1e-6.
   const double on_it = 2.0 * region->floor() + 1e-10;
   for (int k = 0; k < 40; ++k) {
     EXPECT_LT(region->value(state.data(), nullptr), on_it) << k;
@@ -68,7 +68,7 @@ TEST_P(OfOneRotor, SurroundsTheMotionAndLetsNothingOut) {
   for (std::size_t k = 0; k < 40; ++k) {
     state = region->state_on_level(977 * k + 5, region->level(), directions.next(), nullptr);
     EXPECT_LT(region->value(state.data(), nullptr), 1.5 * region->level());
-    // At the slowest rate of either, 0.025, e^-20 of V is left.
+    // At the slower rate, 0.025, e^-20 of V is left.
     state = *advance_state(system, state, 400.0);
     EXPECT_LT(region->value(state.data(), nullptr), 1e-3 * region->level()) << k;
   }
@@ -103,11 +103,11 @@ TEST(PathRegion, CatchesWhatComesToTheMotionWhenFollowed) {
     ASSERT_TRUE(motion) << i;
     EXPECT_EQ(motion_name(study.parameters, *motion).name, a->name) << i;
   }
-  // 70 % of all starts come to one of the two; windows of time would take 1500 units or more to tell.
+  // 70 % of all starts come to one of the two; windows would take 1500 units or more to decide.
   EXPECT_GT(caught, 40);
 }
 
-// Rotors from lambda = 0.095 to 0.115; "locked" is there from 0.1 on.
+// Rotors from lambda = 0.095 to 0.115; "locked" exists from 0.1 on.
 struct Family {
   Family() : source(family, box, nullptr) {
     rotors = source.ends();

@@ -21,7 +21,7 @@ constexpr double until = 60.0;
 
 struct Case {
   std::string name, toml;
-  double accuracy = 1e-6;  // lanes err by up to 1e-10 a step; near resonance errors grow by a thousand on the way
+  double accuracy = 1e-6;  // lanes err by up to 1e-10 per step; near resonance errors grow by a thousand on the way
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
@@ -40,7 +40,7 @@ std::vector<Case> cases() {
           {"motor_switched_off", rotor("") + balls(2) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }")},
           {"table_releasing_at_a_time",
            rotor("") + balls(3) + torque("{ times = [2.0, 20.0, 30.0], values = [0.4, 0.2, -0.1] }") + at_time},
-          // A corner of the torque may lie anywhere in a step: lanes and doubles err by its own size differently.
+          // A corner of the torque may lie anywhere in a step: there lanes and doubles err differently, by its size.
           {"control_with_integral_and_limit_of_five_balls",
            rotor(upright) + balls(5) +
                torque("{ gain = 2.0, integral = 0.5, limit = 0.5, target = { profile = \"ramp\", initial = 1.0, final "
@@ -76,7 +76,7 @@ TEST_P(SmoothLanes, FollowStartsAsDoublesDo) {
     const Reference reference = one_by_one(study, i, until);
     for (std::size_t k = 0; k < size; ++k)
       EXPECT_NEAR(spun.states[i * size + k], reference.state[k], GetParam().accuracy * scale[k]) << i << " " << k;
-    // Times of release carry the errors of the way there, over psi'' of the order of 0.1.
+    // Release times carry the errors of the way there, divided by psi'' of the order of 0.1.
     const double released = spun.released.empty() ? reference.released : spun.released[i];
     EXPECT_NEAR(released, reference.released, 1e-7) << i;
   }
@@ -84,7 +84,7 @@ TEST_P(SmoothLanes, FollowStartsAsDoublesDo) {
 INSTANTIATE_TEST_SUITE_P(AllSystems, SmoothLanes, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-// Place, neighbours and number of a trajectory make no difference to its bits.
+// Place, neighbours and number of a trajectory do not change its bits.
 TEST(SmoothLanesAlone, GiveTheSameBits) {
   const Study study = parse_study(cases()[4].toml, "study");
   const auto source = make_spin_up(study, nullptr);
@@ -108,7 +108,7 @@ TEST(SmoothLanesAlone, GiveTheSameBits) {
   }
 }
 
-// A motor too weak to bring the rotor to the speed of release: its balls stay held, and what it comes to is told.
+// A motor too weak to bring the rotor to the speed of release: its balls stay held, and its outcome is decided.
 TEST(HeldBalls, OfAMotorThatIsTooWeakAreNeverLetGo) {
   const Study study =
       parse_study(rotor("") + balls(2) + "[release]\nspeed = 2.5\n" + torque("{ stall = 0.02, no_load_speed = 2.0 }"),
@@ -117,7 +117,7 @@ TEST(HeldBalls, OfAMotorThatIsTooWeakAreNeverLetGo) {
   ASSERT_TRUE(make_spin_up(study, nullptr)->make(1, 0, 8, spun));
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_TRUE(spun.is_over(i));
-    // Shaking takes torque, and the motor has none to give at its no-load speed.
+    // Vibration takes torque, and the motor has none at its no-load speed.
     EXPECT_LT(spun.fates[i].mean_speed, 2.0);
     EXPECT_LT(spun.fates[i].time, 60000.0) << "told before the horizon";
     EXPECT_LT(spun.nearest[i], 2.0);

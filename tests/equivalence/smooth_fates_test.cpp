@@ -1,5 +1,5 @@
 // Fates of motors and off-centre races, decided on lanes, against the same starts followed one by one in doubles for
-// ten times as long, by no rule, and told by means and extremes alone (machine_follow.hpp).
+// ten times as long without a rule, and described by means and extremes alone (machine_follow.hpp).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST_P(SmoothFates, HoldTenTimesLater) {
   const auto name_of = [&](const Fate& fate) -> std::string {
     if (fate.outcome == Outcome::stalled) return "stalled";
     for (const auto& a : result.attractors)
-      // Without ", period 2" and the like, which means do not tell.
+      // Without ", period 2" and the like, which means do not show.
       if (a.id == fate.attractor) return a.name.substr(0, a.name.find(','));
     return "?";
   };
@@ -67,14 +67,14 @@ TEST_P(SmoothFates, HoldTenTimesLater) {
     ASSERT_FALSE(seen.lost);
     const std::string name = name_of(fate), then = machine_follow::kind_of(study, seen);
     EXPECT_EQ(name == "balanced" || name == "locked" ? "rest" : name, then) << "start " << i;
-    // Chaos changes a mean over hundreds of time units by a per cent or so.
+    // Chaos changes a mean over hundreds of time units by about one per cent.
     if (study.speed.driven()) {
       EXPECT_NEAR(fate.mean_speed, seen.speed, 0.02 * std::fabs(seen.speed)) << "start " << i;
     }
   }
   EXPECT_LE(undecided, 1);
 }
-// Decided by a proof balance is known later, and nothing else changes.
+// Decided by proof, balance is known later, and nothing else changes.
 TEST_P(SmoothFates, AreThoseByProof) {
   const std::string& toml = GetParam().toml;
   if (toml.find("gravity") != std::string::npos) GTEST_SKIP() << "no proofs";

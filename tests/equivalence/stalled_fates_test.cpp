@@ -1,5 +1,5 @@
-// Rotors that gravity holds against their motor: starts said to stall, followed far beyond by no rule, one by one in
-// doubles; where they rest, and how soon that is known.
+// Rotors that gravity holds against their motor: starts decided as stalled, followed far beyond without a rule, one by
+// one in doubles; where they rest, and how soon that is known.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -21,8 +21,8 @@ constexpr std::size_t starts = 48;
 struct Case {
   std::string name;
   std::vector<std::string> changes;
-  std::size_t places = 1;  // attractors that stand still
-  double latest = 150.0;   // by when the last start is told
+  std::size_t places = 1;  // attractors at rest
+  double latest = 150.0;   // time by which the last start is decided
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
@@ -30,7 +30,7 @@ std::vector<Case> cases() {
   return {
       {"from_the_start", {}},
       {"little_is_missing", {"speed.torque.stall=0.0195"}, 1, 400.0},
-      // Twice the energy that it takes to turn over.
+      // Twice the energy needed to turn over.
       {"after_some_turns",
        {"speed.torque.stall=0.002", "speed.initial=0.6", "rotor.damping=3", "balancer.drag=1"},
        1,
@@ -40,7 +40,7 @@ std::vector<Case> cases() {
       {"contact_in_two_orders", {"balancer.contact_angle=0.3", "balancer.mass=[0.05,0.1]"}, 2, 600.0},
       {"dry_friction", {"balancer.rolling=0.01"}, 1, 3000.0},
       {"dry_friction_and_contact", {"balancer.rolling=0.01", "balancer.contact_angle=0.3"}, 1, 3000.0},
-      // Balls that are held outweigh the rotor's heavy side, or not: some rotors never let them go.
+      // Held balls may outweigh the rotor's heavy side: some rotors never release them.
       {"balls_held", {"release.speed=1.0"}, 1, 1e5},
   };
 }
@@ -95,7 +95,7 @@ BasinResult basin_of(const std::string& speed, const std::vector<std::string>& c
                {});
 }
 
-// A rotor that is steady before its balls are let go, or before its motor is at full torque, has not ended.
+// A rotor that is steady before the release, or before full torque, has not ended.
 TEST(HeldBalls, WaitForTheirTime) {
   const BasinResult result = basin_of("[speed]\nprofile = \"torque\"\ntorque = { stall = 1.0, no_load_speed = 2.4 }\n",
                                       {"release.time=3000", "sampling.starts=16"});

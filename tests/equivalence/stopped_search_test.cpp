@@ -1,4 +1,4 @@
-// A search for attractors that is stopped, and the same one that is not.
+// An interrupted attractor search, and the same search without interruption.
 #include <map>
 #include <utility>
 #include <vector>
@@ -35,8 +35,8 @@ void expect_same(const AttractorSearch& a, const AttractorSearch& b) {
     EXPECT_EQ(a.rule.balanced[k].level, b.rule.balanced[k].level);
 }
 
-// A search that is stopped again and again, each time a little later, ends as one that is not; what it has noted by
-// then is all that it asks for.
+// A search stopped again and again, each time a little later, ends like one that is not stopped. By then its log holds
+// everything it asks for.
 TEST(SearchLog, BringAStoppedSearchToTheSameEnd) {
   Study study = with_horizon(parse_study(constant_speed, "notes.toml"));
   const AttractorSearch whole = search_attractors(study, {});

@@ -1,5 +1,5 @@
-// Anisotropic supports and gravity: the stroboscopic map against the linearisation and against simulate(), motions and
-// shares against those of the isotropic rotor they tend to, decisions against longer integration.
+// Anisotropic supports and gravity: the stroboscopic map against the linearisation and simulate(), motions and shares
+// against the isotropic rotor as their limit, decisions against longer integration.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -43,14 +43,14 @@ std::vector<Fate> fates_of(StartRunner& runner, std::size_t count) {
   return decided.fates;
 }
 
-// Names without what tells a modulated motion from its plain form: "co-drifting, quasi-periodic" is what gravity makes
-// of "co-drifting".
+// Names without what distinguishes a modulated motion from its plain form: gravity turns "co-drifting" into
+// "co-drifting, quasi-periodic".
 std::string plain_name(const Catalogue& catalogue, const Fate& fate) {
   const Attractor* a = catalogue.find(fate.attractor);
   return a ? a->name.substr(0, a->name.find(',')) : "";
 }
 
-// Simulates from psi = 0 for whole strobes and says how far from the orbit's own state it ends.
+// Simulates from psi = 0 for whole strobes; returns the distance from the orbit's own state at the end.
 double closure(const Study& study, const Motion& motion) {
   const model::Parameters& p = study.parameters;
   Study alone = study;
@@ -74,7 +74,7 @@ double closure(const Study& study, const Motion& motion) {
 }
 
 TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
-  // Equal supports but for rounding: the general equations, and a motion whose multipliers are known otherwise.
+  // Isotropic supports up to rounding: the general equations, for a motion whose multipliers are known.
   model::Parameters p = paper_rotor(0.0, {1.0, 1.0 + 1e-13}).parameters;
   ASSERT_TRUE(model::depends_on_rotor_angle(p));
   model::Parameters isotropic = p;
@@ -104,8 +104,8 @@ TEST(Stroboscopic, OrbitsCloseUnderSimulate) {
   EXPECT_EQ(motion_name(study.parameters, motion).name, "balanced");
   EXPECT_EQ(motion.kind, MotionKind::periodic);
   EXPECT_NEAR(motion.period, two_pi / 2.4, 1e-12);
-  EXPECT_GT(motion.r_max, 1e-5);  // gravity rocks the balls, and the rotor shakes
-  // What Newton's method left, and what simulate() adds over a revolution.
+  EXPECT_GT(motion.r_max, 1e-5);  // gravity rocks the balls, and the rotor vibrates
+  // The residual of Newton's method, and what simulate() adds over a revolution.
   EXPECT_LT(closure(study, motion), 1e-9);
 }
 
@@ -120,7 +120,7 @@ TEST(Stroboscopic, WeakGravityAndAnisotropyChangeNextToNothing) {
     other += plain_name(plain.catalogue(), before[i]) != plain_name(weak.catalogue(), after[i]);
   }
   EXPECT_EQ(undecided, 0u);
-  // Only starts within about 1e-6 of a boundary, or so long in a chaotic transient that rounding decides, may differ.
+  // Starts may differ only within about 1e-6 of a boundary, or if a chaotic transient is so long that rounding decides.
   EXPECT_LE(other, 5u);
 }
 
@@ -164,7 +164,7 @@ TEST(Stroboscopic, DecisionsHoldMuchLater) {
     }
     EXPECT_GE(decided, count - 4);
     EXPECT_EQ(contradicted, 0u);
-    EXPECT_GE(confirmed, decided - 4);  // chance windows of a torus fit no box
+    EXPECT_GE(confirmed, decided - 4);  // random windows of a torus fit no box
   }
 }
 
@@ -177,8 +177,8 @@ std::vector<Fate> fates_on(const Study& study, int threads) {
   return fates;
 }
 
-// Two unequal balls with gravity and anisotropic supports; three unequal balls on anisotropic ones, whose balance is a
-// continuum. 600 starts are more than a chunk, so that two threads share them.
+// Two unequal balls with gravity and anisotropic supports; three unequal balls on anisotropic supports, whose balance
+// is a continuum. 600 starts are more than a chunk, so that two threads share them.
 TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
   Study two = paper_rotor(0.01, {1.0, 1.2});
   two.parameters.mass = {0.05, 0.045};
@@ -202,8 +202,8 @@ TEST(Stroboscopic, DecidedStartsHaveTheSameBitsOnAnyNumberOfThreadsAndAlone) {
       EXPECT_EQ(one[i].time, shared[i].time) << i;
       EXPECT_EQ(one[i].by, shared[i].by) << i;
     }
-    EXPECT_GE(decided, one.size() * 9 / 10);         // bits of what is undecided say nothing of decisions
-    constexpr std::uint64_t index = sized(311, 31);  // of the middle: each start alone costs another search
+    EXPECT_GE(decided, one.size() * 9 / 10);         // bits of undecided starts show nothing about decisions
+    constexpr std::uint64_t index = sized(311, 31);  // in the middle: each single start costs another search
     const StartReplay alone = replay_start(study, index);
     EXPECT_EQ(alone.fate.attractor, one[index].attractor);
     EXPECT_EQ(alone.fate.time, one[index].time);

@@ -1,5 +1,5 @@
-// A study's equations for integrators from elsewhere: Boost.Odeint over all their pieces comes to where simulate()
-// does, their Jacobian is the slope of what they say, and energy changes by what the powers say.
+// A study's equations for other integrators: Boost.Odeint over all their pieces agrees with simulate(), their Jacobian
+// is their slope, and energy changes by their powers.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -102,8 +102,8 @@ Trajectory followed(const StudyEquations& equations, const std::vector<double>& 
   return result;
 }
 
-// Both integrate to 1e-12 a step; an error grows by what the motion makes of it, over some tens of units of time by no
-// more than a thousand.
+// Both integrate to 1e-12 per step; over some tens of units of time the motion magnifies an error by at most a
+// thousand.
 constexpr double same = 1e-9;
 
 void expect_near(const std::vector<double>& a, const std::vector<double>& b, const char* what) {
@@ -134,7 +134,7 @@ class Equations : public testing::TestWithParam<std::string> {
   Study study = study_of(GetParam());
   StudyEquations equations{study};
 
-  // A state in the midst of each piece, with something of everything.
+  // A state in the middle of each piece, with every component nonzero.
   template <class Look>
   void in_every_piece(const Look& look) const {
     for (std::size_t piece = 0; piece < equations.pieces().size(); ++piece) {
@@ -164,7 +164,7 @@ TEST_P(Equations, HaveTheirOwnSlopesForAJacobian) {
     State matrix(size * size), above(size), below(size);
     equations.jacobian(piece, t, y.data(), matrix.data());
     for (std::size_t k = 0; k < size; ++k) {
-      // Balls that are held have no rate that could be another.
+      // Held balls have no rate that could vary.
       if (equations.pieces()[piece].held && equations.variables()[k].name.starts_with("phi_dot")) continue;
       constexpr double h = 1e-5;
       State moved = y;
@@ -220,7 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Studies, Equations,
                                          "motor", "motor_held", "motor_of_a_table"),
                          [](const auto& study) { return study.param; });
 
-// Balls let go where the rotor comes to a speed: its time is found by halving, the rest is a plain study.
+// Balls let go at a rotor speed: the time is found by bisection, the rest is a plain study.
 TEST(EquationsOfARelease, AtASpeedGoOnFromWhereItIsReached) {
   const Study study = parse_study(machine + control + "[release]\nspeed = 1.3\n", "release");
   const StudyEquations equations(study);

@@ -1,4 +1,4 @@
-// Table 7 read as a protocol and a test at a finite time.
+// A protocol for table 7, and a test of balance at a finite time.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Table7, LeadIsReadFromAsManyStartsAsAsked) {
   for (std::size_t row = 0; row < one.size(); ++row) {
     EXPECT_EQ(one[row].balanced.total, 300u);
     EXPECT_EQ(one[row].balanced.count, two[row].balanced.count);
-    // Four standard errors of 300 starts at a share of 97 %, more than the lead's distance from the printed shares.
+    // Four standard errors of 300 starts at a share of 97 %, more than the lead's deviation from the printed shares.
     EXPECT_NEAR(100.0 * one[row].balanced.share, one[row].row.printed, 5.0);
   }
 }

@@ -1,4 +1,5 @@
-// SharedRegions around tori: V vanishes on the torus, whichever ball is which, and what is inside stays.
+// Trapping regions around tori: V vanishes on the torus, however the balls are numbered, and interior states stay
+// inside.
 #include "equipoise/trapping_regions/torus_region.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ TEST(TorusRegion, SurroundsTheTorusAndNothingElse) {
   const TorusRegion& region = *found.region;
   EXPECT_EQ(region.attractor(), 3);
   EXPECT_GT(region.level(), 32.0 * region.floor());  // tries need 16
-  // A trajectory begun elsewhere on the torus, and its mirror by exchange of the balls.
+  // A trajectory begun elsewhere on the torus, and its mirror image by exchange of the balls.
   Eigen::VectorXd state = found.motion.state;
   ASSERT_EQ(follow(found.system, state, 3456.7, 1e-9), IntegrationStatus::done);
   std::vector<Eigen::VectorXd> samples;
@@ -69,7 +70,7 @@ TEST(TorusRegion, LetsNothingOut) {
   Directions directions(8);
   for (std::size_t k = 0; k < 40; ++k) {
     Eigen::VectorXd state = region.state_on_level(977 * k + 5, region.level(), directions.next());
-    // The nearest state of the cloud may be another than the one beside which this was made.
+    // The nearest state of the cloud may differ from the one used to make this.
     EXPECT_LT(region.value(state.data()), 1.5 * region.level());
     ASSERT_EQ(follow(found.system, state, 400.0, 1e-9), IntegrationStatus::done);
     EXPECT_LT(region.value(state.data()),
@@ -77,7 +78,7 @@ TEST(TorusRegion, LetsNothingOut) {
   }
 }
 
-// A lane from a state, by a rule.
+// A lane from a state, under a rule.
 Fate decided(const Found& found, Eigen::VectorXd state, const ClassificationRule& rule,
              std::vector<PilotRecord>* records) {
   BatchTask task = batch_task(found.system);
@@ -96,7 +97,7 @@ TEST(TorusRegion, IsWatchedInAudits) {
   ClassificationRule rule = rule_of_regions(found.system);
   rule.window = 16.0;
   set_window_regions(rule, {found.region});
-  FeatureBox all;  // in which every window lies
+  FeatureBox all;  // contains every window
   all.low.fill(-1e300);
   all.high.fill(1e300);
   rule.boxes = {all};
@@ -108,7 +109,7 @@ TEST(TorusRegion, IsWatchedInAudits) {
   const Fate watched = decided(found, found.motion.state, rule, &records);
   EXPECT_EQ(watched.attractor, 3);
   EXPECT_EQ(watched.by, DecidedBy::validated);
-  // Half windows end with a step, a little late.
+  // Half windows end with a step, slightly late.
   EXPECT_NEAR(watched.time - at_once.time, 8.0 * rule.windowed.watched, 0.5 * rule.windowed.watched);
   EXPECT_GE(records[0].longest_run[0], rule.windowed.watched - 1);
 }

@@ -1,4 +1,4 @@
-// Balance of balls in contact that need nearly all their room: which rotors have it, and that starts come to it.
+// Balance of touching balls that need nearly all their room: which rotors have it, and that starts come to it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +45,7 @@ Study crowded_rotor(double unbalance) {
 }
 
 TEST(TouchingBalance, ExistsUpToARowSideBySide) {
-  // Beside the share 1e-6 of all masses to which rows are told.
+  // Beyond the 1e-6 of all masses to which rows are computed.
   EXPECT_EQ(model::balanced_states(crowded_rotor(0.9999 * most).parameters).kind, Kind::continuum);
   const auto none = model::balanced_states(crowded_rotor(1.0001 * most).parameters);
   EXPECT_EQ(none.kind, Kind::none);
@@ -64,7 +64,7 @@ TEST(TouchingBalance, TwoBallsHaveRoomOrOverlap) {
   EXPECT_EQ(model::balanced_states(p).kind, Kind::isolated);
   p.eccentricity = 1.001 * side_by_side;
   EXPECT_EQ(model::balanced_states(p).kind, Kind::none);
-  // A heavy ball and two that balance it only where they overlap.
+  // A heavy ball and two that could balance it only by overlapping.
   p.balls = 3;
   p.eccentricity = 0.0;
   p.mass = {1.99 * ball, ball, ball};
@@ -113,12 +113,12 @@ TEST(TouchingBalance, StartsComeToItAsSimulateDoes) {
     study.numerics.tolerance = 1e-9;
     const Trajectory path = simulate(study, {0.0, 1.0, 300.0});
     EXPECT_GT(path.radial[1], 0.1 * study.parameters.eccentricity);
-    // Thirty times as long as the slowest deviation takes to fall to 1/e.
+    // Thirty times the time in which the slowest deviation falls to 1/e.
     EXPECT_LT(path.radial[2], 1e-5 * study.parameters.eccentricity);
   }
 }
 
-// Both ways: who never met goes as balls that pass each other do; nearly all others do not.
+// Both ways: starts whose balls never meet go like those of passing balls; nearly all others do not.
 TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
   constexpr std::size_t starts = 400;
   Study touching = crowded_rotor(0.5 * most);
@@ -151,7 +151,7 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
     for (std::size_t k = 0; k < size; ++k)
       apart = std::max(apart, std::fabs(with[i * size + k] - without[i * size + k]));
     met += fates[i].met;
-    // Lanes of other kinds round otherwise; what collides loses half its speed.
+    // Lanes of other kinds round differently; colliding balls lose half their speed.
     EXPECT_EQ(fates[i].met, apart > 1e-4) << i << " " << apart;
   }
   EXPECT_GT(met, starts / 10);

@@ -1,5 +1,5 @@
-// Transients gathered in the time loop: against single trajectories sampled densely, with and without lanes, whatever
-// the threads, interrupted or not.
+// Transients gathered in the time loop: against densely sampled single trajectories, with and without lanes, for any
+// threads, interrupted or not.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -21,7 +21,7 @@
 namespace equipoise {
 namespace {
 
-constexpr double no_window_ends = 1e6;  // longer than any trajectory here: the window is all that is at the final speed
+constexpr double no_window_ends = 1e6;  // longer than any trajectory here: the final speed has only this window
 
 TransientSample sample_at(const Study& study, const Trajectory& one, std::size_t k) {
   const double x = one.x[k], y = one.y[k], w = one.psi_dot[k];
@@ -32,7 +32,7 @@ TransientSample sample_at(const Study& study, const Trajectory& one, std::size_t
     uy += study.parameters.mass[i] * std::sin(one.phi[i][k]);
   }
   const double fx = one.bearing_x[k], fy = one.bearing_y[k];
-  // From where the rotor rests: a point in fixed axes, so that u, v are the rates of both.
+  // From the rotor's rest position: a point in fixed axes, so that u, v are the rates of both.
   const double sag = -(1.0 + study.parameters.total_mass()) * study.parameters.gravity / study.parameters.stiffness[1];
   const double rx = x - sag * std::sin(one.psi[k]), ry = y - sag * std::cos(one.psi[k]);
   return {{rx * rx + ry * ry, 2.0 * (rx * u + ry * v), fx * fx + fy * fy, u * u + v * v, 0.0, 0.0},
@@ -40,7 +40,7 @@ TransientSample sample_at(const Study& study, const Trajectory& one, std::size_t
           std::hypot(ux, uy)};
 }
 
-// The figures from samples so dense (200 a unit of time) that what lies between them is below 1e-4 of a peak.
+// Figures from dense samples (200 per unit of time): what lies between them is below 1e-4 of a peak.
 TransientRow sampled(const Study& study, const TransientSettings& asked, double window_begin, double until) {
   std::vector<double> times;
   const int count = static_cast<int>(std::ceil(until * 200.0));
@@ -72,7 +72,7 @@ TransientRow sampled(const Study& study, const TransientSettings& asked, double 
   return transient_row(asked, sums, false);
 }
 
-// What the lanes gather of starts 0 to count - 1, followed for `horizon` after the last branch begins.
+// Figures from lanes for starts 0 to count - 1, followed for `horizon` after the last piece begins.
 std::vector<TransientRow> gathered(const Study& study, const TransientSettings& asked, std::size_t count,
                                    double horizon) {
   StartSource source(study, nullptr);
@@ -92,9 +92,9 @@ std::vector<TransientRow> gathered(const Study& study, const TransientSettings& 
   return rows;
 }
 
-// What within a step is not seen is below 1e-4 of a peak and 1e-5 of a mean, in the unbalance, known at the ends of
-// steps alone, 0.2 %; a limit's crossing is known to 0.02 time units (docs/numerics.md). Trajectories of tolerance 1e-6
-// have moved apart from those of 1e-12 by less than that.
+// What is missed within a step is below 1e-4 of a peak, 1e-5 of a mean, and 0.2 % of the unbalance, which is known only
+// at the ends of steps. A limit's crossing is accurate to 0.02 time units (docs/numerics.md). Trajectories of tolerance
+// 1e-6 differ from those of 1e-12 by less than that.
 void expect_same_figures(const TransientRow& seen, const TransientRow& expected, const std::string& what) {
   for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_after_release,
                           &TransientRow::peak_radial_at_end, &TransientRow::peak_force})
@@ -157,7 +157,7 @@ profile = "ramp"
 final = 2.4
 duration = 60.0
 )";
-// psi' jumps after release; the rotor starts off its place of rest.
+// psi' jumps after release; the rotor starts away from its rest position.
 const std::string published_ramp = early_ramp + "law = \"published\"\n[initial]\nx = 0.02\n";
 
 INSTANTIATE_TEST_SUITE_P(All, Transients,
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(All, Transients,
                                          Case{"gravity and anisotropy, early release", skew + early_ramp, 0.06, 0.05}),
                          [](const auto& param) { return std::to_string(param.index); });
 
-// The watch without lanes sees what the lanes see, though it takes other steps.
+// The watch without lanes sees what the lanes see, although its steps differ.
 TEST(TransientWatch, GathersWhatDenseSamplesShow) {
   Study study = parse_study(constant_speed, "constant speed");
   start_angles(1, 3, 2, study.initial.phi.data());
@@ -187,7 +187,7 @@ TEST(TransientWatch, GathersWhatDenseSamplesShow) {
   expect_same_figures(transient_row(asked, watch.sums(), false), sampled(study, asked, 0.0, until), "watch");
 }
 
-// r = own + exp(-rate t): the rules of leaving, with times known in closed form. Decided at 10.
+// r = own + exp(-rate t): the rules of leaving, with times in closed form. Decided at 10.
 struct Fading {
   double own, rate;
 
@@ -212,7 +212,7 @@ TEST(TransientWatch, FollowsAStartUntilItIsBelowItsLimitsForGood) {
   asked.settled = 0.1;
   const MotionFigures balance{}, shaking{0.15, 0.15, 0.15, 0.15, 0.15};
   const TransientRow balanced = Fading{0.0, 0.05}.left(asked, {balance, 0.0});
-  // exp(-t/20) = 0.05, half the lower limit, at 59.9: the window from 74 on is the first that lies below throughout.
+  // exp(-t/20) = 0.05, half the lower limit, at 59.9: the window from 74 on is the first that is below throughout.
   EXPECT_EQ(balanced.followed_until, 90.0f);
   EXPECT_NEAR(balanced.settling_time, 20.0 * std::log(10.0), 0.01);
   EXPECT_NEAR(balanced.time_above, 20.0 * std::log(5.0), 0.02);
@@ -223,12 +223,12 @@ TEST(TransientWatch, FollowsAStartUntilItIsBelowItsLimitsForGood) {
   EXPECT_EQ(balanced.residual_unbalance, 0.0f);
   EXPECT_FLOAT_EQ(balanced.peak_radial, 1.0f);
 
-  // Ends between the limits: the time above ends, settling does not come.
+  // Ends between the limits: the time above the limit ends, settling does not come.
   const TransientRow shaken = Fading{0.15, 0.05}.left(asked, {shaking, 0.0});
   EXPECT_NEAR(shaken.time_above, 20.0 * std::log(20.0), 0.02);  // 0.15 + 0.05
   EXPECT_TRUE(std::isinf(shaken.settling_time));
   EXPECT_EQ(shaken.rms_velocity, 0.15f);
-  // Ends above both: nothing to wait for but the peak, which lies behind.
+  // Ends above both limits: nothing to wait for except the peak, which is over.
   asked.displacement = 0.12;
   const TransientRow lasting = Fading{0.15, 0.05}.left(asked, {shaking, 0.0});
   EXPECT_TRUE(std::isinf(lasting.time_above));
@@ -241,7 +241,7 @@ TEST(TransientWatch, MeasuresAnUnknownEndOnceItHasStoppedCreeping) {
   // Nothing changes: three windows.
   EXPECT_EQ((Fading{1.0, 1.0}.left(asked, unknown).followed_until), 58.0f);
   EXPECT_EQ((Fading{1.0, 1.0}.left(asked, slow).followed_until), 218.0f);  // 13 windows of 16 are the first 200
-  // By exp(-t/500) two neighbouring windows differ by less than 2 % from the first on, and half is still to come.
+  // By exp(-t/500) two neighbouring windows differ by less than 2 % from the start, and half is still to come.
   const TransientRow creeping = Fading{1.0, 0.002}.left(asked, unknown);
   EXPECT_GT(creeping.followed_until, 500.0f);
   const TransientRow fast = Fading{1.0, 0.02}.left(asked, unknown);
@@ -320,17 +320,17 @@ TEST(BasinTransients, TellsAttractorsApart) {
       if (std::string(transient_figures[k].name) == name) return g.figures[k];
     return SampleSummary{};
   };
-  // Balance is no vibration at all, and settling comes to every start.
+  // Balance is no vibration at all, and every start settles.
   EXPECT_EQ(figure(*balanced, "settling_time").open, 0u);
   for (const char* name : {"peak_radial_at_end", "rms_velocity", "rms_force", "residual_unbalance"})
     EXPECT_EQ(figure(*balanced, name).largest, 0.0) << name;
   EXPECT_EQ(balanced->exceeded[2]->count, 0u);
   EXPECT_EQ(balanced->never, 0u);
-  // The others never settle and shake for good.
+  // The others never settle and vibrate for good.
   EXPECT_EQ(figure(*other, "settling_time").open, other->starts);
   EXPECT_EQ(other->never, other->starts);
   EXPECT_EQ(other->exceeded[2]->count, other->starts);
-  // One start replayed alone is the same start.
+  // A single start replayed is the same start.
   const StartReplay alone = replay_start(ensemble(600), 5, options(1));
   ASSERT_TRUE(alone.transients);
   EXPECT_GT(alone.transients->followed_until, alone.fate.time);
@@ -342,7 +342,7 @@ const SampleSummary& figure_of(const TransientGroup& group, const char* name) {
   return group.figures[k];
 }
 
-// Limits that balance keeps and every way there exceeds, without a word of settling.
+// Limits that balance meets and every way there exceeds, without a settling limit.
 TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
   Study study = parse_study(constant_speed, "constant speed");
   study.sampling.starts = 120;
@@ -368,7 +368,7 @@ TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
       for (const TransientFigure& column : transient_figures) {
         if (column.value == &TransientRow::followed_until || column.value == &TransientRow::energy) continue;
         const SampleSummary &one = figure_of(first[g], column.name), &two = figure_of(groups[g], column.name);
-        // The same trajectories: single precision, and the 2 % to which the largest r of a torus is known.
+        // The same trajectories: single precision, and the 2 % to which a torus's largest r is known.
         EXPECT_EQ(one.open, two.open) << column.name;
         EXPECT_NEAR(one.mean, two.mean, 1e-6 + 0.02 * one.mean) << groups[g].name << ", " << column.name;
       }
@@ -376,7 +376,7 @@ TEST(BasinTransients, FiguresAtTheEndAreThoseOfTheMotionWhateverDecides) {
   }
 }
 
-// The weight of the rotor lets it sag by more than the limit; nothing else happens to it.
+// The rotor sags under its weight by more than the limit; nothing else happens to it.
 const std::string heavy = R"([rotor]
 eccentricity = 0.01
 damping = 0.5
@@ -397,11 +397,11 @@ TEST(BasinTransients, DisplacementsCountFromWhereTheRotorRests) {
   const std::vector<std::string> heavier{"rotor.gravity=0.3", "rotor.damping=0.8"};  // a sag of 0.33
   Study study = parse_study(heavy, "heavy", heavier);
   const Trajectory one = simulate(study, {0.0, 0.5, 1.0});
-  EXPECT_NEAR(one.y[0], -0.33, 1e-12);  // where it rests, and there it stays while it hardly turns
-  // All that moves it is the unbalance, 0.11 at most, times psi'' = 0.04.
+  EXPECT_NEAR(one.y[0], -0.33, 1e-12);  // its rest position, where it stays while it hardly turns
+  // Only the unbalance, at most 0.11 times psi'' = 0.04, moves it.
   for (const double r : one.radial) EXPECT_LT(r, 0.5 * 0.0044);
   study = parse_study(heavy, "heavy", {"rotor.gravity=0.3", "rotor.damping=0.8", "initial.x=0.0"});
-  EXPECT_NEAR(simulate(study, {0.0}).radial[0], 0.33, 1e-12);  // dropped from slack springs
+  EXPECT_NEAR(simulate(study, {0.0}).radial[0], 0.33, 1e-12);  // dropped from unloaded springs
 
   for (const char* more : {"balancer.contact_angle=0.0", "balancer.contact_angle=0.2"}) {  // lanes, and a machine
     study = parse_study(heavy, "heavy", {"rotor.gravity=0.3", "rotor.damping=0.8", more});

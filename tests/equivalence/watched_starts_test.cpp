@@ -1,4 +1,4 @@
-// Who watches results as they come sees what basin(), the mapper and simulate() answer.
+// Watching results as they come shows the same as basin(), the mapper and simulate().
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -80,8 +80,8 @@ TEST(Ensemble, RefusesWhatBasinRefuses) {
   EXPECT_THROW(grid.at_angles({1.0, 2.0, 3.0}), InputError);
 }
 
-// What simulate() says at some times, asked again in steps. Both keep 1e-12 a step; a few hundred steps, and a growth
-// of differences by less than a thousand on these stretches, leave 1e-7 of the angles.
+// Results of simulate() at some times, computed again in steps. Both keep 1e-12 per step; a few hundred steps, and
+// differences that grow by less than a thousand on these stretches, leave 1e-7 of the angles.
 void expect_followed(const std::string& toml, const std::vector<std::string>& overrides, double until) {
   const Study study = parse_study(toml, "rotor", overrides);
   std::vector<double> times;
@@ -126,11 +126,11 @@ TEST(FollowedRun, FollowsMotorsContactAndStiction) {
   expect_followed(constant_speed, {apart[0], "balancer.contact_angle=0.2", "balancer.rolling=0.0002"}, 20.0);
 }
 
-// Here the motion with both balls in one place rests and is unstable (r = 0.082): of real balls nothing is left of it.
+// Here the motion with both balls in one place is at rest and unstable (r = 0.082): real balls do not keep it.
 const std::vector<std::string> in_one_place{"speed.speed=3.5", "rotor.eccentricity=0.02", "balancer.drag=0.3",
                                             "initial.phi=[0.0, 0.0]"};
 
-// Whoever follows a start sees the same trajectory.
+// Following a start step by step shows the same trajectory.
 TEST(CoincidentBalls, PartForWhoeverFollowsThem) {
   const Study study = parse_study(constant_speed, "rotor", in_one_place);
   const Trajectory alone = simulate(study, {0.0, 1000.0});
@@ -154,7 +154,7 @@ TEST(CoincidentBalls, PartForWhoeverFollowsThem) {
   EXPECT_EQ(ensemble.attractors.front().share.count, 1u);
 }
 
-// Where the study says nothing balls of any size and number have room.
+// By default, balls of any size and number have room.
 TEST(Simulate, StartsFromTheDefaultsOfBallsThatTouch) {
   for (const char* contact : {"0.3", "0.78"}) {  // eight balls fill the race at 0.785
     const Study study =
@@ -164,7 +164,7 @@ TEST(Simulate, StartsFromTheDefaultsOfBallsThatTouch) {
   }
 }
 
-// With one ball heavier nothing keeps them together, and nothing is moved.
+// If one ball is heavier, nothing keeps them together, and nothing is moved.
 TEST(CoincidentBalls, StartAsGivenIfTheyAreNotAlike) {
   std::vector<std::string> unlike = in_one_place;
   unlike.emplace_back("balancer.mass=[0.05, 0.06]");

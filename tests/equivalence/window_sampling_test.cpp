@@ -1,4 +1,4 @@
-// How densely windows of time are sampled, against the periods of the motions that there are.
+// How densely windows are sampled, against the periods of all motions.
 #include <algorithm>
 #include <vector>
 
@@ -45,8 +45,8 @@ double longest_step(const model::Parameters& p, double speed, const Eigen::Vecto
   return watch.longest;
 }
 
-// Of every attractor at both ends of the drags and speeds studied: a period, or a turn of the fastest ball where there
-// is none.
+// For every attractor at both ends of the drags and speeds studied: its period, or a turn of the fastest ball if it has
+// none.
 TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
   for (const auto& [drag, speed] : {std::pair{0.01, 6.0}, {0.05, 2.2}, {0.05, 6.0}}) {
     Study study;
@@ -62,7 +62,7 @@ TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
       if (m.kind == MotionKind::equilibrium) continue;
       const double fastest = std::max({-m.rate_min[0], -m.rate_min[1], m.rate_max[0], m.rate_max[1]});
       const double period = m.kind == MotionKind::periodic ? std::min(m.period, two_pi / fastest) : two_pi / fastest;
-      // Samples sit at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
+      // Samples lie at 1/3, 0.6 and 1 of every step: the widest gap is 0.4 of it.
       EXPECT_GE(period / (0.4 * longest_step(study.parameters, speed, m.state)), 8.0)
           << a.name << ", drag " << drag << ", speed " << speed;
     }

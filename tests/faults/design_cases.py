@@ -2,7 +2,7 @@
 file ends up as if nothing had happened."""
 from harness import Undisturbed, kept_through_kills_and_full_disks, same_for_any_number_of_processes
 
-# Spin-ups to one speed: an ensemble costs its starts alone, so that many are made between two kills.
+# Spin-ups to one speed: an ensemble costs only its starts, so many are made between two kills.
 DESIGN = """
 [design]
 objective = ["balanced"]

@@ -42,7 +42,7 @@ def main():
             try:
                 said = cases[name](bench)
                 verdict = "ok"
-            except (Finding, ValueError, LookupError, OSError, struct.error) as finding:  # or a file is none
+            except (Finding, ValueError, LookupError, OSError, struct.error) as finding:  # or a file is invalid
                 said, verdict, bad = f"{type(finding).__name__}: {finding}", "FAULT", bad + 1
         print(f"{verdict:6} {name:20} {time.monotonic() - begin:6.1f} s  {said}", flush=True)
     return 1 if bad else 0

@@ -116,7 +116,7 @@ def kills_of_maps(bench):
             time.sleep(bench.random.uniform(0.0, 1.1 * reference.seconds))
             process.send_signal(signal.SIGKILL if k % 3 else signal.SIGINT)
             ended(process)
-            if bench.random.random() < 0.2 and os.path.exists(path + ".part"):  # its end was not on disk yet
+            if bench.random.random() < 0.2 and os.path.exists(path + ".part"):  # its end was not yet on disk
                 os.truncate(path + ".part", max(0, os.path.getsize(path + ".part") - bench.random.randrange(2000)))
         finish(bench, reference, path, f"map {options}")
         expect(content(path) == whole, f"map {options}: not the same bytes")
@@ -167,7 +167,7 @@ def full_disks(bench):
     """No room for a new file, nor for more in a finished one: exit 1, one line, nothing lost."""
     reference = Reference(bench, 20000)
     small = max(1000, len(content(bench.path("reference.nc"))))
-    sizes = (100, small // 3, int(small * 0.97))  # at once, on the way, when the results are put in place
+    sizes = (100, small // 3, int(small * 0.97))  # at once, on the way, when results are put in place
     for size in sizes[2:] if bench.quick else sizes:
         on_full_disk(bench, reference, bench.path(f"new-{size}.nc"), {"preexec_fn": limited(size)}, lambda: None)
     path = bench.path("extended.nc")

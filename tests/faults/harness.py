@@ -9,7 +9,7 @@ import time
 
 import classic_netcdf
 
-LONGEST = 300  # seconds; nothing here takes a tenth of it on an idle machine
+LONGEST = 300  # seconds; everything here takes less than a tenth of it on an idle machine
 
 
 class Finding(Exception):

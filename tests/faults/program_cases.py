@@ -125,7 +125,7 @@ class Mutator:
         else:
             self.replace_number(text)
 
-    # Extreme numbers keep a study a study more often than anything else does.
+    # Extreme numbers keep a text a valid study more often than any other change.
     def replace_number(self, text):
         digits = [i for i, c in enumerate(text) if c in b"0123456789"]
         if not digits:

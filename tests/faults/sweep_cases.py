@@ -10,7 +10,7 @@ from harness import (Undisturbed, content, ended, expect, limited, refused, same
 
 def undisturbed(bench, starts=None, speeds=None):
     starts = starts or (300 if bench.quick else 3000)
-    # Those of quick searches.
+    # Speeds with quick searches.
     speeds = speeds or ("speed.final=2.6,2.8,3" if bench.quick else "speed.final=2:3.2:0.2")
     return Undisturbed(bench, f"undisturbed-{starts}.nc", "sweep", bench.study, "--over", speeds,
                        "--over", "balancer.drag=0.1,0.25", "--starts", starts, "--quiet")
@@ -58,7 +58,7 @@ def sweep_disks_and_writers(bench):
         refused(bench.run(*sweep.arguments, "-o", path), 2)
         inspected = bench.run("inspect", path)
         expect(inspected.code in (2, 3), f"{inspected}: damage is not told")
-    # Of unfinished results what stands before the damage is used.
+    # Of unfinished results the part before the damage is used.
     path = bench.path("part.nc")
     process = bench.start(*sweep.arguments, "-o", path)
     wait_until(lambda: os.path.exists(path + ".part") and os.path.getsize(path + ".part") > 3000, process)
@@ -96,7 +96,7 @@ def sweep_shards(bench):
 def sweep_processes(bench):
     """Processes of one job, one of them killed: what is done is kept, any number goes on from it."""
     sweep = undisturbed(bench)
-    # Fewer blocks than processes: one cell each, whose starts are shared out.
+    # Fewer blocks than processes: one cell, whose starts are shared.
     few = undisturbed(bench, starts=40000, speeds="speed.final=2.8")
     return same_for_any_number_of_processes(bench, ((2, sweep, ()), (4, sweep, ()), (2, few, ("--threads", "2")), (4, few, ())),
                                             1 if bench.quick else 6)

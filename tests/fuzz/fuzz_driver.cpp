@@ -1,7 +1,7 @@
 // A stand-alone driver for LLVMFuzzerTestOneInput, for compilers without libFuzzer: seeded mutations of seed files.
 //
-// Input number i depends on the seed, on i, on the seed files and on the keys of a study, so any input can be made
-// again by itself.
+// Input number i depends only on the seed, on i, on the seed files and on the keys of a study, so any input can be
+// repeated alone.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -22,7 +22,7 @@
 #include "equipoise/study/keys.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-// Present where a sanitizer is linked in.
+// Present if a sanitizer is linked in.
 extern "C" void __sanitizer_set_death_callback(void (*callback)()) __attribute__((weak));
 
 namespace {
@@ -32,7 +32,7 @@ constexpr const char* usage =
     "Feeds N mutations (default 20000) of the *.toml files given, or of those in the folders given, to the target.\n"
     "--only I prints input I and feeds that one only. Exits with 0 if the target took every input.\n";
 
-// Far above every shipped study, and low enough to keep each input quick.
+// Far above every shipped study, yet small enough to keep each input quick.
 constexpr std::size_t longest_input = 16384;
 
 struct Options {
@@ -65,7 +65,7 @@ std::vector<std::string> read_seeds(const std::vector<std::string>& sources) {
   return seeds;
 }
 
-// One token a line, quoted, with the escapes \\ \" \xHH; comments and blank lines are skipped.
+// One quoted token per line, with the escapes \\ \" \xHH; comments and blank lines are skipped.
 std::vector<std::string> read_dictionary(const std::string& path) {
   std::vector<std::string> tokens;
   std::ifstream file(path);
@@ -105,13 +105,15 @@ class Mutator {
     std::seed_seq words{seed, seed >> 32, index, index >> 32};
     random_.seed(words);
     std::string text = pick(seeds_);
-    for (std::size_t left = 1 + below(1 + below(6)); left > 0; --left) mutate(text);  // few: many inputs stay studies
+    for (std::size_t left = 1 + below(1 + below(6)); left > 0; --left)
+      mutate(text);  // few, so that many inputs remain
+                     // studies
     if (text.size() > longest_input) text.resize(longest_input);
     return text;
   }
 
  private:
-  // Not std::uniform_int_distribution, whose numbers differ between standard libraries. The bias is of no matter.
+  // Not std::uniform_int_distribution, whose numbers differ between standard libraries. The bias does not matter.
   std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
 
   const std::string& pick(const std::vector<std::string>& from) { return from[below(from.size())]; }
@@ -150,7 +152,7 @@ class Mutator {
     if (!text.empty()) text[below(text.size())] ^= static_cast<char>(1u << below(8));
   }
 
-  // The head of this text and the tail of another.
+  // Joins the head of this text and the tail of another.
   void splice(std::string& text) {
     const std::string& other = pick(seeds_);
     text = text.substr(0, below(text.size() + 1)) + other.substr(below(other.size() + 1));
@@ -216,7 +218,7 @@ Options read_options(int count, char** words) {
   return options;
 }
 
-// An exception out of the target is a finding: it ends the program through std::abort.
+// An exception from the target is a finding: it ends the program through std::abort.
 void feed(const std::string& text) noexcept {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }

@@ -1,7 +1,7 @@
 // Fuzz target of the study reader: any bytes are either a study or an InputError with a one-line message.
 //
-// The input is TOML text; each line "#--set key=value" in it (to TOML a comment) is applied as an override. An accepted
-// study must survive the way through to_toml(). Whatever else happens is a finding: another exception, a sanitizer's
+// The input is TOML text; each line "#--set key=value" in it (a comment in TOML) is applied as an override. An accepted
+// study must survive the round trip through to_toml(). Anything else is a finding: another exception, a sanitizer's
 // report, or one of the aborts below.
 #include <algorithm>
 #include <cctype>
@@ -51,7 +51,7 @@ void check_message(const equipoise::InputError& error) {
 void check_study(const equipoise::Study& study) {
   const std::string echo = equipoise::to_toml(study);
   const double release = study.release_time();
-  const bool by_speed = study.speed.driven() && study.release.speed;  // a motor's rotor comes to it when it does
+  const bool by_speed = study.speed.driven() && study.release.speed;  // a driven rotor reaches it at an unknown time
   require((std::isfinite(release) || by_speed) && release >= 0.0, "the release has a time", echo);
   const auto profile = study.speed_profile();
   require(profile.times.front() == 0.0 && profile.times.size() == profile.speeds.size(), "a profile is complete", echo);

@@ -12,7 +12,7 @@ TOUCH = ["balancer.contact_angle=0.3", "balancer.restitution=0.4"]
 STICK = ["balancer.rolling=1e-3", "balancer.stiction=2e-3"]
 UNCERTAIN = ["rotor.eccentricity={uniform=[0.008, 0.012]}"]
 
-# name: (file, overrides, starts of which the fates are on record). One of every kind of system that the engine tells apart.
+# name: (file, overrides, starts whose fates are on record). One for every kind of system that the engine distinguishes.
 FATES = {
     "row": (ROW, [], 1000),
     "row-slow": ("paper/table-1-beta-0.01-omega-1.5.toml", [], 500),
@@ -37,7 +37,7 @@ FATES = {
     "washer": (WASHER, [], 60),
 }
 
-# The same for the answers of every command.
+# The same for the results of every command.
 ANSWERS = {
     "row": (ROW, []),
     "ramp": (RAMP, []),
@@ -53,6 +53,6 @@ ANSWERS = {
     "washer": (WASHER, []),
 }
 
-# The two drags that sweeps, comparisons and branches go between.
+# The two drags between which sweeps, comparisons and branches run.
 PLAIN_DRAG = ("0.04", "0.08")
 PHYSICAL_DRAG = {"centrifuge": ("2 N s/m", "4 N s/m"), "washer": ("1.3 N s/m", "2 N s/m")}

@@ -1,5 +1,5 @@
-// A program of somebody else's: all that docs/guide/library.md shows, with the installed headers, and its results
-// checked.
+// Somebody else's program: everything that docs/guide/library.md shows, with the installed headers, and checks of its
+// results.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -65,7 +65,7 @@ void trees() {
   }
 }
 
-// Progress and stop on this thread, the starts in arrays, one start.
+// Progress and stop on this thread, starts in arrays, one start.
 void ensembles(const equipoise::Study& study) {
   equipoise::BasinOptions options;
   options.threads = 1;
@@ -95,7 +95,7 @@ void ensembles(const equipoise::Study& study) {
   expect(equipoise::basin(study, endless).partial, "work stops when it is asked to");
 }
 
-// Starts and integrators of one's own.
+// One's own starts and integrators.
 void own_methods(const equipoise::Study& study) {
   equipoise::BasinOptions options;
   options.keep_starts = true;
@@ -112,7 +112,7 @@ void own_methods(const equipoise::Study& study) {
 
   const equipoise::StudyEquations equations(study);
   std::vector<double> y = equations.initial_state(), dy(y.size());
-  constexpr double step = 1e-3;  // by which, times a second derivative of the order of one, Euler's method errs
+  constexpr double step = 1e-3;  // Euler's error: the step times a second derivative of the order of one
   for (int k = 0; k < 100; ++k) {
     equations.rhs(k * step, y.data(), dy.data());
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += step * dy[i];

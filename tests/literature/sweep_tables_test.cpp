@@ -1,5 +1,5 @@
-// Whole sweeps over Omega and beta beside tables 1 and 2 of Wright and Peng (2019): every cell judged by the errors of
-// both samples, with an allowance for how many are judged.
+// Whole sweeps over Omega and beta beside tables 1 and 2 of Wright and Peng (2019). Every cell is judged by both
+// samples' errors, with an allowance for the number of cells.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -17,7 +17,7 @@
 namespace equipoise {
 namespace {
 
-// Of every cell: standard errors of 0.8 % at most, beside 0.1 % of the printed ones.
+// Per cell: standard errors of at most 0.8 %, against 0.1 % in print.
 #ifdef EQUIPOISE_SANITIZE
 constexpr int starts = 300;
 #else
@@ -26,7 +26,7 @@ constexpr int starts = 4000;
 
 Study constant_speed(const PublishedRow& row) { return study_of(row, model::SpeedLaw::published); }
 
-// The table's parameters as --over takes them; those that do not vary say one value.
+// The table's parameters as for --over; constant ones have one value.
 std::vector<std::string> over(const PublishedTable& table) {
   std::set<double> speeds, drags;
   for (const PublishedRow& row : table.rows) {
@@ -61,7 +61,7 @@ EnsembleResult ensemble_of(const SweepCell& cell) {
   return ensemble;
 }
 
-// The table with every row's cell, or the cell of the row `shift` places further on.
+// The table with every row's own cell, or with the cell of the row `shift` places further on.
 ReproducedTable judged(const PublishedTable& table, const SweepPlan& plan, const SweepResult& result,
                        std::size_t shift) {
   ReproducedTable reproduced;
@@ -97,7 +97,7 @@ TEST_P(SweptTable, AgreesWithThePublishedOneCellByCell) {
   // One in a hundred sweeps without any true difference shows one (Bonferroni).
   EXPECT_EQ(beside.differing, 0) << differences(beside);
   EXPECT_EQ(beside.not_comparable, 0);
-  // What is told is the parameters' doing: no table agrees with the cells of other rows.
+  // The parameters matter: no table agrees with the cells of other rows.
   EXPECT_GT(judged(table, plan, result, 1).differing, static_cast<int>(table.rows.size()) / 4);
 }
 

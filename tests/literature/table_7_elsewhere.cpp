@@ -1,4 +1,4 @@
-// Rows of the other tables on which balls settle slowly, or whose spin-up lasts long.
+// Rows of the other tables with slow settling of balls or a long spin-up.
 #include "table_7_elsewhere.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ int elsewhere(const std::string& studies, double tolerance, double span, std::ui
   fmt::print("\n");
   for (const Row& row : rows) {
     const Study study = read_study(studies + "/" + row.study + ".toml");
-    // The last of release and settling, on the grid of windows.
+    // The later of release and settling, on the grid of windows.
     const double settled = std::max(study.release_time(), study.speed_profile().settled_time());
     const double origin = window * std::ceil(settled / window);
     ObservationSettings settings;

@@ -6,7 +6,7 @@
 
 namespace equipoise::table_7 {
 
-/// Prints for each row the share of starts whose r stays below `tolerance` over `span` (a multiple of 10) at several
+/// Prints, for each row, the share of starts whose r stays below `tolerance` over `span` (a multiple of 10) at several
 /// times, its z-score against the printed share, and the earliest time from which the two agree within 3. `studies`:
 /// the folder studies/paper.
 int elsewhere(const std::string& studies, double tolerance, double span, std::uint64_t starts, double until);

@@ -1,5 +1,5 @@
-// How can table 7 of Wright and Peng (2019) have been computed? Observes ensembles under many protocols and fits tests
-// of balance at a finite time to the printed shares. docs/table-7.md tells what came of it.
+// How might table 7 of Wright and Peng (2019) have been computed? Observes ensembles under many protocols and fits
+// tests of balance at a finite time to the printed shares. docs/table-7.md reports the results.
 //
 //   table_7_evidence search [--starts N] [--only TEXT] [--until T] [--csv FILE] [--leaders FILE --below CHI2]
 //       every variant: the best test for every origin of time and span. Those alone whose name contains TEXT, or that
@@ -57,7 +57,7 @@ Cells observe_rows(const Variant& variant, const Options& options) {
     const Table7Protocol& p = variant.protocol;
     ObservationSettings settings;
     settings.window = window;
-    settings.until = options.until + (p.durations ? 450.0 : 0.0);  // as much after T2 as otherwise
+    settings.until = options.until + (p.durations ? 450.0 : 0.0);  // as long after T2 as otherwise
     Counts counts(static_cast<std::size_t>(std::lround(settings.until / window)), p.release_time(row));
     for (std::uint64_t first = 0; first < options.starts; first += batch) {
       settings.first = first;

@@ -1,4 +1,4 @@
-// Histograms of r over time, summed up; the scan over times and tolerances.
+// Sums histograms of r over time; scans times and tolerances.
 #include "table_7_fit.hpp"
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace equipoise::table_7 {
 namespace {
 
 constexpr double least_tolerance = 3e-5, steps_per_decade = 40.0;
-constexpr std::size_t bins = tolerances + 1;  // the last: not below any
+constexpr std::size_t bins = tolerances + 1;  // the last: below none
 
-// Index of the least tolerance that r^2 is below.
+// Index of the smallest tolerance above r^2.
 int bin_of(float r2) {
-  if (!(r2 < 1.0f)) return tolerances;  // not-a-number and infinity too
+  if (!(r2 < 1.0f)) return tolerances;  // also NaN and infinity
   if (r2 <= 0.0f) return 0;
   const float steps = (0.5f * std::log10(r2) - static_cast<float>(std::log10(least_tolerance))) * 40.0f;
   return std::clamp(static_cast<int>(std::floor(steps)) + 1, 0, tolerances);
@@ -68,10 +68,10 @@ void Counts::add(const Observation& o) {
       const std::size_t first = wide == 0 ? 0 : wide - 1;
       for (std::size_t k = first; k < windows_; ++k) {
         if (window * static_cast<double>(k + 1) < release_ + std::max(spans[s], 1.0)) {
-          largest[k] = 0.0f;  // of another start: so that the next is found anew
+          largest[k] = 0.0f;  // of another start: forces a new search for the next
           continue;
         }
-        // A running maximum: found anew only when the value that leaves was the largest.
+        // A running maximum: searched again only when the value that leaves was the largest.
         float value = wide == 0 ? o.at_end[i * windows_ + k] : row[k];
         if (wide > 1) {
           const bool fresh = k == first || !(row[k - wide] < largest[k - 1]);
@@ -124,7 +124,7 @@ std::vector<Fit> best_fits(const Cells& cells) {
       for (double offset = first; offset <= last; offset += step)
         for (int tol = 0; tol < tolerances; ++tol) {
           const Fit tried = evaluate(cells, {static_cast<Origin>(origin), offset, span, tol}, fit.chi2);
-          if (tried.chi2 >= 1e300) break;  // the time is not observed, whatever the tolerance
+          if (tried.chi2 >= 1e300) break;  // this time is not observed, whatever the tolerance
           if (tried.chi2 < fit.chi2) fit = tried;
         }
       best.push_back(fit);

@@ -1,5 +1,5 @@
-// Shares of starts that a test at a finite time calls balanced, for every time and tolerance at once, and how well they
-// agree with printed ones.
+// Shares of starts that a test at a finite time calls balanced, for all times and tolerances at once, and their
+// agreement with printed shares.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 namespace equipoise::table_7 {
 
 /// Twice the logarithm of the likelihood ratio of two shares against one: `count` of `starts` here, `printed` percent
-/// of `printed_starts` there, half of the printed value's last digit (0.01) granted. Chi-squared with one degree of
+/// of `printed_starts` there, allowing half of the printed value's last digit (0.01). Chi-squared with one degree of
 /// freedom if both are samples of one share.
 double deviance(std::uint64_t count, std::uint64_t starts, double printed, std::uint64_t printed_starts);
 
-/// What of a trajectory is compared with the tolerance: r at one time, or its largest value over this long before.
+/// What is compared with the tolerance: r at one time, or its largest value over this long before.
 inline constexpr std::array<double, 5> spans{0.0, 10.0, 50.0, 100.0, 200.0};
 inline constexpr double window = table_7_window;
 
@@ -32,7 +32,7 @@ class Counts {
   std::uint64_t starts() const { return starts_; }
   std::size_t windows() const { return windows_; }
   double release() const { return release_; }
-  /// At time (k + 1) window; 0 for spans that reach back before the release.
+  /// At time (k + 1) window; 0 for spans that begin before the release.
   std::uint64_t below(std::size_t span, std::size_t k, int tolerance) const;
   void close();  ///< no more to add: sums up
 
@@ -43,7 +43,7 @@ class Counts {
   std::vector<std::uint32_t> counts_;
 };
 
-/// What the time of the test is counted from.
+/// Origin of the test's time.
 enum class Origin { start, rise_end, hold_end, settling, release, rise_multiple };
 inline constexpr std::array<const char*, 6> origin_names{"t", "T0 +", "T1 +", "T2 +", "release +", "T0 times"};
 
@@ -62,7 +62,7 @@ struct Fit {
   std::array<double, 4> share{};  ///< percent
 };
 
-/// The four rows of one variant, with the ends of their branches.
+/// The four rows of one variant, with the ends of their pieces.
 struct Cells {
   std::vector<Counts> counts;
   std::vector<std::array<double, 3>> ends;
@@ -70,7 +70,7 @@ struct Cells {
 
 /// The best tolerance and time for every origin and span: origins x spans.
 std::vector<Fit> best_fits(const Cells& cells);
-/// One test. Once chi-squared exceeds `enough`, the remaining rows are left out.
+/// One test. Skips the remaining rows once chi-squared exceeds `enough`.
 Fit evaluate(const Cells& cells, const Test& test, double enough = 1e299);
 
 }  // namespace equipoise::table_7

@@ -1,4 +1,4 @@
-// Readings of how table 7 of Wright and Peng (2019) was computed.
+// Possible protocols of table 7 of Wright and Peng (2019).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace equipoise {
 
 inline constexpr std::uint64_t table_7_printed_starts = 300000;
 
-/// What psi' does while the ramp function Omega(t) runs straight from (t_b, Omega_b).
+/// psi' while the ramp function Omega(t) runs straight from (t_b, Omega_b).
 enum class BranchLaw {
   kinematic,  ///< psi' = Omega(t)
   published,  ///< psi = t Omega(t): psi' = Omega + t Omega'
@@ -22,9 +22,9 @@ enum class BranchLaw {
 /// When the balls are let go.
 enum class Table7Release { at_rise_speed, at_hold_end, at_fall_speed, at_settling };
 
-/// A reading of how table 7 was computed. Defaults: the paper's words.
+/// One possible protocol of table 7. Defaults: the paper's words.
 struct Table7Protocol {
-  BranchLaw rise = BranchLaw::published;  ///< of a rise from t = 0: own_time is the same
+  BranchLaw rise = BranchLaw::published;  ///< for a rise from t = 0 own_time is the same
   BranchLaw fall = BranchLaw::published;
   Table7Release release = Table7Release::at_rise_speed;
   double release_speed = 3.0;  ///< of the ramp function, for at_rise_speed (peak: T0; 0: at once) and at_fall_speed

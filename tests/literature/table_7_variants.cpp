@@ -49,7 +49,7 @@ class List {
   std::vector<Variant> found;
 };
 
-// The stated values under every law of either branch.
+// The stated values under every law of either piece.
 void add_stated(List& list) {
   for (BranchLaw rise : {BranchLaw::kinematic, BranchLaw::published})
     for (BranchLaw fall : {BranchLaw::kinematic, BranchLaw::own_time, BranchLaw::published}) {

@@ -1,4 +1,4 @@
-// The protocols among which table 7 is sought.
+// The protocols searched for table 7.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace equipoise::table_7 {
 
-/// A reading of the protocol. Fields of the name: rise law, fall law, release, and what departs from the paper's words.
+/// One protocol. Fields of its name: rise law, fall law, release, departures from the paper's words.
 struct Variant {
   std::string name;
   Table7Protocol protocol;

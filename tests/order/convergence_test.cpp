@@ -73,7 +73,7 @@ double distance(const State<dimension>& a, const State<dimension>& b) {
   return result;
 }
 
-// A nonlinear, non-autonomous system with a solution in closed form.
+// A nonlinear, non-autonomous system with a closed-form solution.
 struct Known {
   void operator()(double t, const double* y, double* dy) const {
     dy[0] = 2.0 * t * std::pow(y[1], 0.2) * y[3];
@@ -104,14 +104,14 @@ struct Balancer {
   Flow flow;
 };
 
-// log2 of each error over the next one, which has half the step.
+// log2 of the ratio of each error to the next, which has half the step.
 std::vector<double> orders(const std::vector<double>& errors) {
   std::vector<double> result;
   for (std::size_t i = 0; i + 1 < errors.size(); ++i) result.push_back(std::log2(errors[i] / errors[i + 1]));
   return result;
 }
 
-// Bands are half an order or less: neighbouring orders are told apart at the steps a double allows.
+// Bands are at most half an order wide, so that neighbouring orders are distinguished at the steps that doubles allow.
 void expect_orders(const std::string& what, const std::vector<double>& errors, double order, double below,
                    double above) {
   for (double measured : orders(errors)) {
@@ -146,7 +146,7 @@ TEST(Dop853, HasErrorEstimatesOfOrders5And3ThatCombineTo8) {
     error3.push_back(step.error3);
     combined.push_back(step.combined);
   }
-  // Local errors: one power of h more than the order. The step controller relies on h^8 for the combination.
+  // Local errors have one more power of h than the order. The step controller relies on h^8 for the combination.
   expect_orders("error5", error5, 6.0, 0.3, 0.3);
   expect_orders("error3", error3, 4.0, 0.3, 0.3);
   expect_orders("combined", combined, 8.0, 0.5, 0.5);
@@ -191,7 +191,7 @@ struct Power {
 
 TEST(Dop853, IntegratesPolynomialsExactlyUpToItsOrder) {
   const auto step = [](int k) { return take_step<1>(Power{k}, 0.0, 1.0, State<1>{0.25}); };
-  // Weights as large as 500 cancel in the sums: rounding of 1e-13; the weights' digits give the same.
+  // Weights as large as 500 cancel in the sums: rounding of 1e-13, and as much from the weights' digits.
   constexpr double exact = 2e-13, wrong = 1e-6;
   for (int k = 0; k <= 7; ++k) EXPECT_NEAR(step(k).end[0], 1.25, exact) << "degree " << k;
   EXPECT_GT(std::fabs(step(8).end[0] - 1.25), wrong);
@@ -232,8 +232,8 @@ TEST(AdaptiveIntegrator, KeepsErrorsInProportionToItsTolerance) {
     const double error = distance(y, Known::solution(4.0));
     RecordProperty(fmt::format("errors_at_{:.0e}", tolerance),
                    fmt::format("{:.2g} at the end, {:.2g} within", error, dense));
-    // States reach exp(5) = 150, so one step's error may be 150 times the tolerance. Within steps the dense output is
-    // of order 7 only and this problem's tenth derivatives are large.
+    // States reach exp(5) = 150, so one step's error may be 150 times the tolerance. Within steps dense output is only
+    // of order 7, and this problem's tenth derivatives are large.
     EXPECT_LT(error, 1e3 * tolerance);
     EXPECT_LT(dense, 3e4 * tolerance);
   }

@@ -1,4 +1,4 @@
-// Studies explained, and what tests look for in that.
+// Studies explained, and what tests look for in the text.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// Six balls of 20 mm in a race of 40 mm: points would cancel 7.84 kg mm, these 5.22.
+/// Six balls of 20 mm in a race of 40 mm: points would cancel 7.84 kg mm, these cancel 5.22.
 inline const std::string crowded_machine = R"([rotor]
 mass = "10 kg"
 stiffness = "20 kN/m"

@@ -16,7 +16,7 @@ inline std::string content(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A path of this process alone, where nothing is yet.
+/// A path used only by this process, where nothing exists yet.
 inline std::string scratch_file(const std::string& name) {
   const std::string path = testing::TempDir() + "equipoise_" + std::to_string(getpid()) + "_" + name;
   std::filesystem::remove(path);

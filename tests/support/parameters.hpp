@@ -1,4 +1,4 @@
-// The rotor that most tests start from, as parameters, and studies of rotors.
+// The rotor that most tests start from, as parameters; studies of rotors.
 #pragma once
 
 #include "equipoise/model/parameters.hpp"
@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// lambda = 0.01, zeta = 0.5, equal balls: base_study.hpp, with any number of them.
+/// lambda = 0.01, zeta = 0.5, any number of equal balls.
 inline model::Parameters base_rotor(int balls = 2, double drag = 0.05, double mass = 0.05) {
   model::Parameters p;
   p.balls = balls;

@@ -1,4 +1,4 @@
-// What bad input is refused with.
+// How bad input is refused.
 #pragma once
 
 #include <cctype>
@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// None if `read` takes it.
+/// Empty if `read` accepts its input.
 template <class Read>
 std::optional<InputError> refusal(Read&& read) {
   try {
@@ -23,7 +23,7 @@ std::optional<InputError> refusal(Read&& read) {
   return std::nullopt;
 }
 
-/// One line that begins with the place and names key, value and problem.
+/// The message is one line that begins with the place and names key, value and problem.
 inline void expect_one_line(const InputError& error) {
   const std::string what = error.what();
   for (const char c : what) EXPECT_FALSE(std::iscntrl(static_cast<unsigned char>(c))) << what;
@@ -34,14 +34,14 @@ inline void expect_one_line(const InputError& error) {
   EXPECT_TRUE(what.ends_with(error.problem())) << what;  // nothing is cut off
 }
 
-/// Its message; empty if `read` takes it.
+/// The refusal's message; empty if `read` accepts its input.
 template <class Read>
 std::string refusal_text(Read&& read) {
   const auto error = refusal(read);
   return error ? error->what() : "";
 }
 
-/// Its key.
+/// The refusal's key.
 template <class Read>
 std::string refused_key(Read&& read) {
   const auto error = refusal(read);

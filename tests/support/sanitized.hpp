@@ -1,4 +1,4 @@
-// Sizes of tests that sanitizers would make last for hours: instrumented kernels run at a tenth of the speed.
+// Sizes of tests that would take hours under sanitizers, where kernels run at a tenth of the speed.
 #pragma once
 
 namespace equipoise {
@@ -9,7 +9,7 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
-/// `usual`, or `fewer` under sanitizers: the same code is run, what is counted is counted from fewer.
+/// `usual`, or `fewer` under sanitizers: the same code runs, with fewer repetitions.
 template <class T>
 constexpr T sized(T usual, T fewer) {
   return sanitized ? fewer : usual;

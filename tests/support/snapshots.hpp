@@ -1,4 +1,4 @@
-// Snapshots: what is said, in text files that tests compare as a whole and `./dev snapshots` renews.
+// Snapshots: text files of messages that tests compare as a whole and `./dev snapshots` renews.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace equipoise {
 
 inline std::string snapshot_path(const std::string& name) { return EQUIPOISE_SOURCE_DIR "/tests/snapshots/" + name; }
 
-/// tests/snapshots/NAME is `text`.
+/// Expects tests/snapshots/NAME to be `text`.
 inline void expect_snapshot(const std::string& name, const std::string& text) {
   if (std::getenv("EQUIPOISE_RENEW")) std::ofstream(snapshot_path(name), std::ios::binary) << text;
   EXPECT_EQ(content(snapshot_path(name)), text) << "if tests/snapshots/" << name << " is to say this: ./dev snapshots";
@@ -49,7 +49,7 @@ struct StudyCase {
 
 /// A snapshot of cases, each one or more lines of
 ///     replace A => B, drop A, begin A, add A, text A, set KEY=VALUE or as it is
-/// and below them, indented, what `says` says of it. What is changed is the last `of NAME` of `texts`.
+/// and below them, indented, the message from `says`. The change applies to the last `of NAME` of `texts`.
 inline void expect_said(const std::string& name, const std::map<std::string, std::string>& texts,
                         const std::function<std::string(const StudyCase&)>& says) {
   std::istringstream lines(content(snapshot_path(name)));

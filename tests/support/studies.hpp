@@ -1,4 +1,4 @@
-// The studies that most tests start from, as texts, and how texts are changed and searched.
+// The studies that most tests start from, as texts; changes and searches in texts.
 #pragma once
 
 #include <stdexcept>
@@ -18,7 +18,7 @@ inline const std::string constant_speed = rotor_and_balancer + "[speed]\nprofile
 inline const std::string ramp_speed =
     rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 500.0\n";
 
-/// omega_c = sqrt(48000/12) = 20 sqrt(10) rad/s; each ball 1.8 kg mm, the unbalance 2.4 kg mm. [speed] is to follow.
+/// omega_c = sqrt(48000/12) = 20 sqrt(10) rad/s; each ball 1.8 kg mm, the unbalance 2.4 kg mm. [speed] must be added.
 inline const std::string machine_rotor = R"([rotor]
 mass = "12 kg"
 stiffness = "48 kN/m"

@@ -1,4 +1,4 @@
-// Whether two studies ask the same, member by member; for the tests of the study reader and its fuzz target.
+// Compares two studies member by member, for the tests of the study reader and its fuzz target.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// To the bit, or numbers to a part of the first.
+/// Bit-identical, or numbers within a relative difference.
 struct SameStudy {
   double within = 0.0;
 
@@ -36,10 +36,10 @@ struct SameStudy {
   }
 };
 
-/// The first member that differs, or empty. Not the name, nor what the profile does not use.
+/// The first member that differs, or empty. Ignores the name, and what the profile does not use.
 inline std::string first_difference(const Study& a, const Study& b, double within = 0.0) {
   const SameStudy same{within};
-  const SamplingMethod random = SamplingMethod::random;  // what an unset method says in the echo
+  const SamplingMethod random = SamplingMethod::random;  // what the echo states for an unset method
 #define COMPARED(member) \
   if (!same(a.member, b.member)) return #member
   COMPARED(parameters.balls);

@@ -1,4 +1,4 @@
-// The page's sentence, its numbers and what its drawings are made of, from results made by hand.
+// The page's sentence, its numbers and the data of its drawings, from results made by hand.
 #include "equipoise/html/answer.hpp"
 
 #include <cmath>
@@ -87,7 +87,7 @@ TEST(GivenKeys, AreThoseOfTheTextInItsUnits) {
   EXPECT_EQ(tables[0].keys[1], (std::array<std::string, 2>{"eccentricity", "0.3 mm"}));
   EXPECT_EQ(tables[1].keys.back(), (std::array<std::string, 2>{"race radius", "30 mm"}));
   EXPECT_EQ(tables[3].name, "limits");
-  // Without a text the same machine is told in units all the same.
+  // Without its text the same machine is still shown in units.
   const auto echoed = given_tables(parse_study(machine, "m.toml"));
   EXPECT_EQ(echoed[0].name, "rotor");
   bool mass = false;
@@ -119,7 +119,7 @@ TEST(Svg, WritesOutWhatIsNoMarkupAndPlacesDataInItsFrame) {
   EXPECT_DOUBLE_EQ(middle.x, 50.0);
   EXPECT_DOUBLE_EQ(middle.y, 45.0);
   const auto ticks = round_ticks({0.0, 0.95}, 4);
-  ASSERT_EQ(ticks.size(), 2u);  // a quarter of it is 0.24: the next round step is 0.5
+  ASSERT_EQ(ticks.size(), 2u);  // a quarter is 0.24: the next round step is 0.5
   EXPECT_DOUBLE_EQ(ticks[1], 0.5);
   EXPECT_TRUE(round_ticks({1.0, 1.0}, 4).empty());
   EXPECT_DOUBLE_EQ(round_up(0.21), 0.5);

@@ -1,4 +1,4 @@
-// What becomes of balance where gravity acts or supports differ: which motion it is, and what is said where it is lost.
+// Balance under gravity or on unequal supports: which motion replaces it, and what notes say where it is lost.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -41,9 +41,9 @@ TEST(BalancedMotion, IsFoundWhereverTheRotorHangs) {
     EXPECT_TRUE(found.stable) << found.note;
     EXPECT_EQ(found.note, "");
     ASSERT_EQ(found.motions.size(), 1u) << found.note;
-    // Far above resonance a rotor without balls shakes by its eccentricity.
+    // Far above resonance a rotor without balls vibrates by its eccentricity.
     EXPECT_LT(found.motions[0].r_max, 0.01 * p.eccentricity);
-    // The way back: what starts settle on is told by it.
+    // The way back: it recognises what starts settle on.
     EXPECT_TRUE(leads_to_balance({p, study.speed.speed}, found.motions[0].orbit)) << stiffness;
   }
 }
@@ -54,7 +54,7 @@ TEST(BalancedMotion, OfASoftRotorIsWhatSimulateComesTo) {
   study.initial.y = model::static_sag(study.parameters);
   study.initial.x_dot = study.speed.speed * study.initial.y;  // at rest in fixed axes
   study.numerics.tolerance = 1e-9;  // of x and y, which are 34: 3e-8 a step, far below the eccentricity
-  // Six times as long as the slowest deviation takes to fall to 1/e.
+  // Six times the time in which the slowest deviation falls to 1/e.
   const Trajectory path = simulate(study, {0.0, 1.0, 85.0, 85.01, 85.02});
   EXPECT_GT(path.radial[1], 0.1 * study.parameters.eccentricity);
   for (std::size_t k = 2; k < path.radial.size(); ++k) EXPECT_LT(path.radial[k], 0.01 * study.parameters.eccentricity);
@@ -67,7 +67,7 @@ TEST(BalancedMotion, RelaxesWhereverTheRotorHangs) {
   const BalancedAnalysis found = analyse_balanced(system);
   ASSERT_FALSE(found.motions.empty());
   EXPECT_TRUE(relaxes_to_balance(system, found.motions[0].state));
-  // A ball that stands half a turn off does not balance, and goes farther than a quarter.
+  // A ball half a turn off does not balance, and moves farther than a quarter turn.
   Eigen::VectorXd elsewhere = found.motions[0].state;
   elsewhere[model::index::phi(0)] += pi;
   EXPECT_FALSE(relaxes_to_balance(system, elsewhere));
@@ -82,7 +82,7 @@ TEST(BalancedMotion, IsSaidToBeLostToWhatTheRotorHas) {
   const std::string gravity = note_of();
   EXPECT_TRUE(says(gravity, "as gravity is switched on can be followed to ")) << gravity;
   EXPECT_FALSE(says(gravity, "supports")) << gravity;
-  // It is lost where the note says: a little weaker gravity leaves a motion, a little stronger gravity none.
+  // It is lost where the note says: slightly weaker gravity leaves a motion, slightly stronger gravity none.
   const double share = std::atof(gravity.substr(gravity.find("followed to ") + 12).c_str()) / 100.0;
   ASSERT_GT(share, 0.0);
   ASSERT_LT(share, 1.0);
@@ -97,7 +97,7 @@ TEST(BalancedMotion, IsSaidToBeLostToWhatTheRotorHas) {
   const std::string both = note_of();
   EXPECT_TRUE(says(both, "as gravity and the supports' difference are switched on")) << both;
 
-  // Supports that differ leave a centred rotor's balanced state what it is.
+  // Unequal supports do not change a centred rotor's balanced state.
   study.parameters.gravity = 0.0;
   const std::string neither = note_of();
   EXPECT_FALSE(says(neither, "switched on")) << neither;

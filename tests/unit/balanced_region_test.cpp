@@ -1,5 +1,5 @@
-// SharedRegions: balanced ones, images of cycles, and the search for the highest level. (What a search finds:
-// orbit_region_test.cpp.)
+// Balanced regions, images of cycles, and the search for the highest level. (orbit_region_test.cpp tests what searches
+// find.)
 #include <array>
 #include <cmath>
 #include <map>
@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Two balls of three are alike: images of a motion exchange these and no others, or their trapping regions would lie
-// where there is no motion. From a table's row the flow stays on the table, but for chords: their errors are 3e-4 of a
+// Two of three balls are alike: images of a motion exchange only these, or their trapping regions would lie where there
+// is no motion. From a row of the table the flow stays on the table, except for chords: their errors are 3e-4 of a
 // swing of less than a radian, and V is of the order of |d|^2.
 TEST(OrbitRegions, ImagesExchangeLikeBallsOnly) {
   model::Parameters p = base_rotor(3);
@@ -44,8 +44,8 @@ TEST(OrbitRegions, ImagesExchangeLikeBallsOnly) {
   }
 }
 
-// Supports that differ by next to nothing: eigenvalues and Floquet multipliers tell the same rates. The difference of
-// 1e-9 moves them by as much, integration (1e-12 a step) by less; rates are 1e-3 and more.
+// Supports that are almost equal: eigenvalues and Floquet multipliers must give the same rates. The difference of 1e-9
+// changes them by as much, integration (1e-12 per step) by less; rates are 1e-3 and more.
 TEST(BalancedAnalysis, IsTheSameWhicheverTheSection) {
   for (const double speed : {1.5, 2.4, -3.0})
     for (const int balls : {1, 2, 4}) {
@@ -58,7 +58,7 @@ TEST(BalancedAnalysis, IsTheSameWhicheverTheSection) {
       EXPECT_EQ(flow.motions.size(), map.motions.size());
       EXPECT_EQ(flow.note.empty(), map.note.empty());
       EXPECT_EQ(map.regions.size(), 0u);
-      if (flow.continuum) continue;  // as many members as each section can afford are drawn
+      if (flow.continuum) continue;  // each section draws as many members as it can afford
       EXPECT_NEAR(flow.slowest_rate, map.slowest_rate, 1e-6) << speed << ", " << balls;
       EXPECT_NEAR(flow.growth_rate, map.growth_rate, 1e-6) << speed << ", " << balls;
     }
@@ -84,8 +84,8 @@ TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
   EXPECT_DOUBLE_EQ(highest_good_level({16.0}, {}, below(1.5)), 8.0 * std::pow(2.0, -28.0 / 8.0));
   EXPECT_DOUBLE_EQ(highest_good_level({16.0, 3}, {}, below(1.5)), 0.0);
   EXPECT_DOUBLE_EQ(highest_good_level({16.0, 0}, {}, below(100.0)), 0.0);
-  // What a few tries overlook many find: the try of each of these numbers fails above a level of its own. All are at
-  // last tried on the level that is found.
+  // Many tries find what a few miss: each of these tries fails above its own level. At the end all are made on the
+  // level found.
   const std::map<std::size_t, double> limits{{200, 3.0}, {700, 0.9}, {1900, 1.2}, {3900, 0.3}, {4095, 2.0}};
   std::map<double, std::set<std::size_t>> tried;
   const double found = highest_good_level({16.0}, {}, [&](double level, const TryRange& tries) {
@@ -101,7 +101,7 @@ TEST(LevelLadder, HighestGoodLevelIsFoundAndHalved) {
   EXPECT_EQ(tried[2.0 * found].size(), 4096u);
 }
 
-// What no try fails on is tried on the highest level only, all of it once besides the few.
+// Where no try fails, only the highest level is tried, with every try once besides the first few.
 TEST(LevelLadder, TheHighestLevelIsTriedFirst) {
   std::size_t made = 0;
   const auto counted = [&](double, const TryRange& tries) { return made += tries.count, true; };
@@ -109,7 +109,7 @@ TEST(LevelLadder, TheHighestLevelIsTriedFirst) {
   EXPECT_EQ(made, 128u + 4096u);
 }
 
-// Tries of the first part that are followed far all fail above 1: a few of them tell, before other parts are asked.
+// Tries of the first part that go far all fail above 1: a few of them show it before other parts are tried.
 TEST(LevelLadder, AFewTriesGoFarBeforeTheOthersAreAsked) {
   std::size_t failed = 0, above = 0;
   const double found = highest_good_level({16.0}, {.first_goes_far = true}, [&](double level, const TryRange& tries) {
@@ -124,8 +124,7 @@ TEST(LevelLadder, AFewTriesGoFarBeforeTheOthersAreAsked) {
   EXPECT_EQ(above, 0u);
 }
 
-// From wherever the search begins, all tries pass on the level that is found, and far fewer are made where it begins
-// well.
+// Wherever the search begins, all tries pass on the level found, and far fewer are made from a good beginning.
 TEST(LevelLadder, ANeighboursLevelIsABeginningOnly) {
   constexpr double limit = 0.3;
   const auto search = [&](double near, std::size_t& tries_made) {
@@ -150,7 +149,7 @@ TEST(LevelLadder, ANeighboursLevelIsABeginningOnly) {
     std::size_t made = 0;
     const double from_there = search(near, made);
     EXPECT_LT(2.0 * from_there, limit) << near;
-    // Not looked for higher within six steps.
+    // No higher level is searched for within six steps.
     EXPECT_GE(from_there, found * std::pow(2.0, -6.0 / 8.0) * (1.0 - 1e-12)) << near;
   }
   const auto none = [](double, const TryRange&) { return false; };

@@ -43,7 +43,7 @@ void expect_isolated(const Parameters& p, std::size_t count) {
   ASSERT_EQ(states.kind, Kind::isolated);
   ASSERT_EQ(states.angles.size(), count);
   EXPECT_TRUE(states.reason.empty());
-  // Rounding of the cosines; where the polygon is flat (one state) an angle is only good to the root of that.
+  // Rounding of the cosines; where the polygon is flat (one state), an angle is only accurate to the root of that.
   for (const auto& phi : states.angles) EXPECT_LT(unbalance(p, phi.data()), 1e-15 * (count == 2 ? 1.0 : 10.0));
 }
 
@@ -137,7 +137,7 @@ TEST(ProjectionToBalanced, MovesABalancedStateNotAtAllAndANeighbourLittle) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(again[i], phi[i]);
   double near[] = {phi[0] + 1e-3, phi[1] - 1e-3, phi[2] + 2e-3};
   ASSERT_TRUE(equipoise::model::project_to_balanced(p, near));
-  // No longer than the way back to the state it came from, 2.45e-3, as it is the nearest member of the family.
+  // At most as long as the way back to its original state, 2.45e-3, since it is the nearest member.
   EXPECT_LT(std::hypot(near[0] - phi[0] - 1e-3, near[1] - phi[1] + 1e-3, near[2] - phi[2] - 2e-3), 2.45e-3);
 }
 
@@ -146,7 +146,7 @@ TEST(ProjectionToBalanced, FindsTheSameMemberHoweverOftenBallsHaveTurned) {
   double phi[] = {0.3, 2.4, 4.4}, turned[] = {0.3 - 2e4 * pi, 2.4 + 2e3 * pi, 4.4};
   ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi));
   ASSERT_TRUE(equipoise::model::project_to_balanced(p, turned));
-  // The digits that so many turns leave.
+  // The digits left after so many turns.
   EXPECT_NEAR(turned[0] + 2e4 * pi, phi[0], 1e-10);
   EXPECT_NEAR(turned[1] - 2e3 * pi, phi[1], 1e-11);
 }

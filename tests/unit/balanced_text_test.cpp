@@ -1,4 +1,4 @@
-// What maps over an eccentricity say of what the balls balance.
+// What slices over an eccentricity say about balance.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace equipoise {
 namespace {
 
-// A row of letters each: b balanced, u undecided, all others "locked".
+// A row of letters each: b balanced, u undecided, anything else "locked".
 BasinSlice drawn(const std::string& y, const std::vector<std::string>& rows) {
   BasinSlice map;
   map.study = study_of(base_rotor(2), 2.4);  // mu = 0.05
@@ -34,11 +34,11 @@ TEST(BalancedText, OfAnglesSaysWhereAllStartsBalanceAndWhereSomeDo) {
 }
 
 TEST(BalancedText, OfMassesSaysHowMuchOfWhatTheBallsCanCancel) {
-  // mu 0.025 and 0.075; lambda 0.01, 0.03, ..: 0.03 of 0.05, and 0.07 of 0.15 with what is not decided within.
+  // mu 0.025 and 0.075; lambda 0.01, 0.03, ..: 0.03 of 0.05, and 0.07 of 0.15 with an undecided pixel inside.
   EXPECT_EQ(balanced_text(drawn("balancer.mass", {"bbxbx", "bubbx"})),
             "As λ grows starts cease to balance at 0.47 (μ = 0.075) to 0.60 (μ = 0.025) of the 2 μ that the balls can "
             "cancel; in 1 of 2 rows some balance again beyond.");
-  // Where it does not end within the map nothing is said of it.
+  // Rows that do not end within the slice are not mentioned.
   EXPECT_EQ(balanced_text(drawn("balancer.mass", {"bbbbb", "xxxxx"})), "No row of one μ shows where balance ends.");
 }
 

@@ -1,5 +1,5 @@
-// Rows of touching balls at rest, drawn: they stay exactly if pushes between neighbours can be found that let friction
-// hold every ball, and what goes leaves the others.
+// Randomly drawn rows of touching balls at rest. A row stays exactly if pushes between neighbours exist with which
+// friction holds every ball, and balls that start to move leave the others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<Ball> drawn(std::mt19937_64& random) {
   return balls;
 }
 
-// The pushes that a ball may hand on, from those that reach it: an interval, ball by ball.
+// The pushes that a ball may pass on, given those that reach it: an interval, ball by ball.
 bool pushes_exist(const std::vector<Ball>& balls) {
   double low = 0.0, high = 0.0;
   for (const Ball& ball : balls) {
@@ -32,7 +32,7 @@ bool pushes_exist(const std::vector<Ball>& balls) {
     high += ball.force + ball.hold;
     if (high < 0.0) return false;
   }
-  return low <= 0.0;  // none is handed on by the last
+  return low <= 0.0;  // the last ball passes none on
 }
 
 TEST(RestingRow, StaysIfPushesCanBeFoundThatLetFrictionHold) {
@@ -50,10 +50,10 @@ TEST(RestingRow, StaysIfPushesCanBeFoundThatLetFrictionHold) {
     of_several += stays && !alone;
   }
   EXPECT_GT(stayed, 1000);
-  EXPECT_GT(of_several, 1000);  // where a ball could not have held alone
+  EXPECT_GT(of_several, 1000);  // where a ball alone could not have held
 }
 
-// No accelerations that do not run into each other come nearer to what the forces ask for.
+// No accelerations without collisions come nearer to what the forces require.
 TEST(RestingRow, GoesAsLeastResistanceHasIt) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> even(-1.0, 1.0);

@@ -1,4 +1,4 @@
-// What balls with a size can cancel: by hand where there is a formula, and never less than balls drawn at random make.
+// What balls with a size can cancel: by hand where a formula exists, and never less than randomly placed balls.
 #include "equipoise/mechanics/cancelling.hpp"
 
 #include <gtest/gtest.h>
@@ -63,11 +63,11 @@ TEST(Cancelling, OneHeavyBallLeavesARestThatSizeMakesLarger) {
 }
 
 TEST(Cancelling, AFullRaceLeavesOneSumForEveryOrder) {
-  // Four balls, each a quarter: the three orders make |m1 - m3 + i (m2 - m4)| of who is opposite whom.
+  // Four balls of a quarter each: the three orders give |m1 - m3 + i (m2 - m4)|, by which balls are opposite.
   const Cancelling full = cancelling(balls({1.0, 2.0, 4.0, 8.0}), std::vector<double>(4, 0.5 * pi));
   const double opposite[3] = {std::hypot(1.0, 4.0), std::hypot(3.0, 6.0), std::hypot(7.0, 2.0)};
   ASSERT_EQ(full.ranges.size(), 3u);
-  // Rounding of widths leaves gaps of as much.
+  // Rounding of widths leaves gaps of the same size.
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(full.ranges[k][1], opposite[k], 1e-12);
   for (const double sum : opposite) EXPECT_TRUE(full.cancels(sum));
   EXPECT_FALSE(full.cancels(5.0));

@@ -1,4 +1,4 @@
-// The list of attractors: what it finds, what is new in it.
+// The list of attractors: which attractor it finds, and what is new in it.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::vector<int> numbers(const std::vector<Attractor>& attractors) {
   return result;
 }
 
-// AttractorSearch makes a trapping region for each new attractor, and for none a second time.
+// The attractor search makes one trapping region for each new attractor.
 TEST(Catalogue, TellsWhatIsNewWhereverItStands) {
   Catalogue list;
   for (const int id : {1, 9, 4}) list.add(attractor(id));

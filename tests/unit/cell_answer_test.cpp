@@ -1,4 +1,4 @@
-// Sentences of sweeps, capacities and maps, and charts as drawings, from results made by hand.
+// Sentences about sweeps, capacities and slices, and charts as drawings, from results made by hand.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

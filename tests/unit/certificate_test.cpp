@@ -1,4 +1,5 @@
-// Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is.
+// Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is
+// proved.
 #include "equipoise/proof/certificate.hpp"
 
 #include <Eigen/Dense>
@@ -57,7 +58,7 @@ CertificateResult prove(const Case& c, double share, Certificate& certificate) {
   return prove_level({c.p, c.speed}, c.phi.data(), c.form, share * c.critical, certificate);
 }
 
-// The shares measured are 0.95 to 0.99; 0.85 is what the program's users were promised.
+// Measured shares are 0.95 to 0.99; users were promised 0.85.
 constexpr double promised_share = 0.85;
 
 void expect_proved(const Case& c) {
@@ -154,8 +155,8 @@ TEST(Certificate, IsRefusedAboveTheSampledCriticalLevel) {
   }
 }
 
-// Overdamped balls on damped supports: rates from 1e-3 to 5, so that level sets are narrow and 20 000 random rays find
-// a level several times too high. The form's mirror image asks other directions of the same V.
+// Overdamped balls on damped supports have rates from 1e-3 to 5. Level sets are narrow, and 20 000 random rays find a
+// level several times too high. The mirrored form tries other directions of the same V.
 TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
   for (const std::vector<double>& masses : {std::vector{0.00434, 0.00434}, {0.00434, 0.005}, {0.0083}}) {
     model::Parameters p = balancer(5.2, masses, 0.0083);
@@ -175,7 +176,7 @@ TEST(CriticalLevel, DoesNotDependOnTheSenseOfTurning) {
       const Eigen::MatrixXd mirrored = sign.asDiagonal() * form_of(region) * sign.asDiagonal();
       SearchVectors vectors(mirrored.rows());
       const double level = critical_level({p, -2.0}, model::centred_state(p, phi.data()), mirrored, 20000, vectors);
-      // A tenth is what level_margin leaves for the search's error.
+      // level_margin leaves a tenth for the search's error.
       EXPECT_NEAR(level_margin * level / region.level, 1.0, 0.1);
     }
   }
@@ -248,7 +249,7 @@ TEST(Certificate, IsRefutedOnceAnythingInItIsChanged) {
   }
   EXPECT_TRUE(refuted([](Certificate& b) { b.boxes.clear(); }));
   EXPECT_TRUE(refuted([](Certificate& b) { b.level *= 1.05; }));  // the frame no longer fits
-  EXPECT_TRUE(refuted([](Certificate& b) {                        // nor do the boxes fit a set of 1.2 times the level
+  EXPECT_TRUE(refuted([](Certificate& b) {                        // nor do the boxes cover a set of 1.2 times the level
     b.level *= 1.2;
     b.frame *= std::sqrt(1.2);
   }));

@@ -1,4 +1,4 @@
-// Chunks of an ensemble: in order, each start once, whoever decides them.
+// Chunks of an ensemble arrive in order, with each start once, whoever decides them.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t first = 17, limit = 20000;
 
-// What is known of a start is its number.
+// A start's only data is its number.
 void number(Chunk& chunk) {
   chunk.fates.resize(chunk.count);
   for (std::size_t i = 0; i < chunk.count; ++i) chunk.fates[i].time = static_cast<double>(chunk.first + i);
@@ -27,7 +27,7 @@ bool number_slowly(Chunk& chunk) {
   return true;
 }
 
-// Takes numbers in and says where the first that is out of order stands.
+// Receives numbers, and finds the first that is out of order.
 struct Row {
   std::vector<double> numbers;
   std::size_t from_elsewhere = 0;
@@ -85,7 +85,7 @@ TEST(Chunks, AreSharedWithIdleThreads) {
   EXPECT_FALSE(desk.help());
 }
 
-// Some are lent and come back decided, some come back as they went, one comes back when all is over.
+// Some are lent and come back decided, some come back undecided, one comes back when all is over.
 TEST(Chunks, AreLentAndTakenBack) {
   CellDesk desk;
   const CellAtWork cell{.cell = 3,

@@ -1,4 +1,4 @@
-// Two ensembles compared: pairs, names, bounds, what cannot be paired.
+// Two ensembles compared: pairs, names, bounds, and what cannot be paired.
 #include "equipoise/analyses/comparison.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ const ComparedShare& share(const ComparisonResult& r, const std::string& name) {
   throw RunError("no outcome " + name);
 }
 
-// 1000 starts: of 600 balanced ones 50 no longer are, of 400 others 150 are now.
+// 1000 starts: of 600 balanced ones 50 are no longer balanced, of the 400 others 150 now are.
 std::pair<BasinOutcomes, BasinOutcomes> pair() {
   std::vector<short> before, after;
   for (int i = 0; i < 1000; ++i) {
@@ -72,7 +72,7 @@ TEST(Comparison, OfDifferentSeedsIsOfIndependentSamples) {
   EXPECT_EQ(s.difference.low, independent_difference(s.first, s.second).low);
 }
 
-// A difference of 10 points with 30 % undecided in the first is none for sure.
+// A difference of 10 points with 30 % undecided in the first study is not certain.
 TEST(Comparison, UndecidedStartsLeaveItOpen) {
   auto [first, second] = pair();
   for (int i = 700; i < 1000; ++i) first.outcome[static_cast<std::size_t>(i)] = undecided_code;

@@ -1,4 +1,4 @@
-// Two samples compared: p values and intervals against independent calculations and against their own promise.
+// Two samples compared: p values and intervals against independent calculations and against their stated coverage.
 #include <cmath>
 #include <random>
 
@@ -9,7 +9,7 @@
 namespace equipoise {
 namespace {
 
-// erfc(z / sqrt 2) with the pooled standard error, worked out apart.
+// erfc(z / sqrt 2) with the pooled standard error, computed separately.
 TEST(Agreement, LargeCountsUseThePooledNormalTest) {
   // 0.60 of 1000 against 0.65 of 2000: pooled 0.63333, z = 0.05 / 0.0186637 = 2.67900.
   EXPECT_NEAR(agreement_p_value(600, 1000, {0.65, 0.0, 2000}), 0.00738427, 1e-8);  // the digits given
@@ -30,7 +30,7 @@ TEST(Agreement, RareCountsUseTheExactTest) {
   EXPECT_NEAR(agreement_p_value(99993, 100000, {0.99999, 0.0, 100000}), 18.0 / 256.0, 1e-12);
 }
 
-// Samples of one probability differ at the level p in a share p of cases.
+// Samples of one probability differ at level p in a share p of cases.
 TEST(Agreement, FalseAlarmsComeAtTheirRate) {
   std::mt19937_64 random(5);
   int alarms = 0;

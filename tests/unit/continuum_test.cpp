@@ -1,4 +1,4 @@
-// Continua of balanced states: which part attracts, and where states near by come to.
+// Continua of balanced states: which part attracts, and where nearby states go.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -45,8 +45,8 @@ VectorXd random_direction(std::mt19937_64& random, Eigen::Index size) {
   return v.normalized();
 }
 
-// The linearised equations' range is not orthogonal to its left null vectors: a deviation along one of those has parts
-// both along and across the continuum. An orthogonal projection on the range sees nothing of it.
+// The range of the linearised equations is not orthogonal to its left null vectors. A deviation along one of those has
+// parts both along and across the continuum, which an orthogonal projection on the range would miss.
 TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
   for (const Case& c : cases()) {
     const ContinuumOfEquilibria continuum({c.p, c.speed});
@@ -56,7 +56,7 @@ TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
     ASSERT_TRUE(m) << c.name;
     const VectorXd unit = model::state_scale(c.p);
     constexpr double away = 1e-3;
-    // What is orthogonal to the range: the rows of `left`, made orthonormal.
+    // The orthogonal complement of the range: the rows of `left`, orthonormalised.
     const Eigen::MatrixXd blind = Eigen::HouseholderQR<Eigen::MatrixXd>(m->left.transpose()).householderQ() *
                                   Eigen::MatrixXd::Identity(unit.size(), m->left.rows());
     for (Eigen::Index k = 0; k < blind.cols(); ++k) {
@@ -64,19 +64,19 @@ TEST(Continuum, DeviationsAcrossTheRangeAreNotOverlooked) {
       const VectorXd state = m->centre + away * unit.cwiseProduct(blind.col(k));
       const auto end = continuum.destination(state);
       ASSERT_TRUE(end) << c.name;
-      // V is |s|^2 or more, and s is of the size of the deviation where the projections differ: 4 % of it at least
-      // in these cases, as the distance between both says.
+      // V is at least |s|^2, and s is as large as the deviation times the difference of the projections: at least 4 %
+      // of it in these cases.
       const double across = (blind.col(k) - m->along * (m->left * blind.col(k))).norm();
       EXPECT_GT(across, 0.01) << c.name;
       EXPECT_GT(continuum.value(*end, state), 0.5 * std::pow(across * away, 2)) << c.name;
-      // So no level that is small beside that holds the state.
+      // So no level that is small compared with that contains the state.
       EXPECT_FALSE(continuum.holds(state, 1e-2 * std::pow(across * away, 2) / end->unit, -1e-6)) << c.name;
     }
   }
 }
 
-// The member named is the one that the trajectory comes to: to second order in the distance, 1e-8 times what curvature
-// and 1/rate make of it (110 at most, measured).
+// The trajectory comes to the member named, to second order in the distance: 1e-8 times a factor from curvature and
+// 1/rate (measured: at most 110).
 TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
   std::mt19937_64 random(3);
   for (const Case& c : cases()) {
@@ -104,8 +104,8 @@ TEST(Continuum, DestinationsAreWhereTrajectoriesEnd) {
   }
 }
 
-// Balls enter the linearised equations by their second moments alone: with equal drag and mass a member's rates depend
-// on |sum e^{2 i phi}| and on nothing else.
+// Balls enter the linearised equations only by their second moments. With equal drag and mass a member's rates depend
+// only on |sum e^{2 i phi}|.
 TEST(Continuum, StabilityOfEqualBallsDependsOnOneNumber) {
   const model::Parameters p = base_rotor(4);
   const ContinuumOfEquilibria continuum({p, 2.4});
@@ -122,14 +122,14 @@ TEST(Continuum, StabilityOfEqualBallsDependsOnOneNumber) {
   for (std::size_t k = 1; k < points.size(); ++k) {
     if (points[k].first - points[k - 1].first > 1e-4) continue;
     ++compared;
-    // The rate changes by less than its own size over a change of one.
+    // The rate changes by less than its own size per unit.
     EXPECT_NEAR(points[k].second, points[k - 1].second, 1e-4);
   }
   EXPECT_GT(compared, 10);
 }
 
-// Shares of stable members: of four balls 51 % by an independent program (600 members, standard error 2 %, 1.6 % here:
-// within three of both); of three and five none is stable at this speed, of eight 2 %.
+// Shares of stable members: for four balls 51 % by an independent program (600 members, standard error 2 %, here 1.6 %:
+// within three of both). For three and five none is stable at this speed, for eight 2 %.
 TEST(Continuum, SurveySaysWhichPartAttracts) {
   const ContinuumSurvey four = ContinuumOfEquilibria({base_rotor(4), 2.4}).survey();
   EXPECT_EQ(four.drawn, 1024);
@@ -146,8 +146,8 @@ TEST(Continuum, SurveySaysWhichPartAttracts) {
   EXPECT_LT(eight.share(), 0.1);
 }
 
-// Light balls in hardly any oil, on soft supports under gravity: Newton's method finds no motion beside the balanced
-// state and steps far off, to balls so fast that following them for one strobe took hours.
+// Light balls in hardly any oil, on soft supports under gravity. Newton's method finds no motion near the balanced
+// state and steps far away, to balls so fast that following them for one strobe took hours.
 TEST(Continuum, WhatNewtonsMethodLeavesIsNoMember) {
   model::Parameters p = base_rotor(3, 0.0114, 0.00217);
   p.eccentricity = 0.0023;

@@ -1,4 +1,4 @@
-// Times as they are written, and a flag that a clock sets.
+// Times as written, and a flag set by a clock.
 #include "equipoise/running/deadline.hpp"
 
 #include <chrono>
@@ -46,7 +46,7 @@ TEST(Deadline, EndsWithoutSettingIt) {
   EXPECT_FALSE(stop);
 }
 
-// Ctrl-C just before: it was not the time.
+// Ctrl-C came just before: the time was not over.
 TEST(Deadline, IsNotOverWhereTheFlagWasSetBefore) {
   StopFlag stop{true};
   const Deadline deadline(stop, 0.01);

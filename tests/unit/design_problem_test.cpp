@@ -1,4 +1,4 @@
-// [design] read and refused; spin-ups that keep to their limits; how candidates stand to each other.
+// [design] read and refused; spin-ups within their limits; the ranking of candidates.
 #include <cmath>
 #include <string>
 
@@ -49,7 +49,7 @@ TEST(DesignProblem, IsRefusedInTheWordsOfTheSnapshot) {
                     energy = "[design.require]\n\"energy.0.9\" = { below = 1.0 }\n";
   for (const std::string& good : {mass, vary + spin_up, machine})
     EXPECT_EQ(refusal_text([&] { problem_of(good); }), "");
-  EXPECT_EQ(refusal_text([&] { problem_of(mass + energy); }), "");  // at constant speed no inertia is felt
+  EXPECT_EQ(refusal_text([&] { problem_of(mass + energy); }), "");  // at constant speed inertia has no effect
   const std::string drawn = with(vary, "= 0.01", "= { uniform = [0.005, 0.02] }");
   expect_said("design_refusals.txt",
               {{"constant", constant_speed},
@@ -68,7 +68,7 @@ TEST(DesignProblem, EverySpinUpKeepsToItsLimits) {
   shape.until = 100.0;
   shape.low = 0.0;
   shape.high = 5.0;
-  shape.slope = 0.05;  // too little for most of what is asked: from 0 to 5 takes all the time there is
+  shape.slope = 0.05;  // too small for most requests: going from 0 to 5 takes all the time there is
   shape.final = 2.0;
   double latest = 0.0;
   for (int k = 0; k < 2000; ++k) {
@@ -126,7 +126,7 @@ TEST(DesignProblem, LimitsInOtherUnitsAreThoseOfTheFigure) {
     EXPECT_NEAR(*limit.below, limit.figure == 0 ? 0.2 : 0.05, 1e-12);  // roundings of two conversions
 }
 
-// What the study as it is says of a number that is wanted, whatever its unit.
+// What the original study says of a wanted number, whatever its unit.
 TEST(DesignProblem, WantedNumbersOfTheStudyAsItIsAreKnown) {
   const auto own = [](const std::string& of_balls) {
     const DesignProblem problem = problem_of(
@@ -159,8 +159,8 @@ TEST(DesignStanding, LimitsComeFirstThenEveryObjective) {
   };
   EXPECT_TRUE(beats(sample(0.9, 0.1), sample(0.9, 0.2)));
   EXPECT_FALSE(beats(sample(0.9, 0.2), sample(0.8, 0.1)));
-  EXPECT_TRUE(beats(sample(0.6, 0.9), sample(0.4, 0.1)));  // the second one may not be
-  EXPECT_TRUE(beats(sample(0.4, 0.9), sample(0.3, 0.1)));  // the first one comes nearer
+  EXPECT_TRUE(beats(sample(0.6, 0.9), sample(0.4, 0.1)));  // the second misses a limit
+  EXPECT_TRUE(beats(sample(0.4, 0.9), sample(0.3, 0.1)));  // the first comes nearer
   EXPECT_EQ(standing.violation(sample(0.52, 0.1, 0.03), Side::estimate), 0.0);
   EXPECT_NEAR(standing.violation(sample(0.52, 0.1, 0.03), Side::worst), 0.02, 1e-12);
   const std::vector<DesignSample> all{sample(0.9, 0.3), sample(0.8, 0.2), sample(0.7, 0.25), sample(0.99, 0.9),

@@ -1,5 +1,5 @@
-// Searches on problems whose answers are known: convex fronts, optima inside a cube, and what methods that do not learn
-// make of the same number of points.
+// Searches on problems with known solutions: convex fronts, optima inside a cube, and the results of methods that do
+// not learn with equally many points.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 using Worths = std::vector<SearchWorth>;
 using Toy = std::function<SearchWorth(const SearchPoint&)>;
 
-// All worths of `points` points.
+// Worths of all `points` points.
 Worths searched(DesignMethod method, std::size_t dimensions, std::size_t objectives, std::uint64_t points,
                 std::uint64_t seed, const Toy& toy, std::vector<SearchPoint>* at = nullptr) {
   Worths all;
@@ -47,7 +47,7 @@ SearchWorth zdt1(const SearchPoint& x) {
   return {x[0], g * (1.0 - std::sqrt(x[0] / g))};
 }
 
-// Area up to (1.1, 1.1) that the points dominate.
+// Area up to (1.1, 1.1) dominated by the points.
 double dominated_area(Worths worths) {
   std::sort(worths.begin(), worths.end());
   double area = 0.0, low = 1.1;
@@ -85,7 +85,7 @@ TEST(DesignSearch, ConvexOptimumIsFoundToOnePercentOfTheRange) {
   }
 }
 
-// A share of starts as designs have it: flat far away, steps of 1/1000, best on a narrow ridge.
+// Like a share of starts in a design: flat far away, steps of 1/1000, best on a narrow ridge.
 SearchWorth share_like(const SearchPoint& x) {
   const double along = x[0] - 0.3 - 0.4 * x[1], across = x[1] - 0.62, depth = x[2] - 0.2;
   const double share = std::exp(-30.0 * along * along - 6.0 * across * across - 8.0 * depth * depth);

@@ -1,4 +1,4 @@
-// Names from outside as any output can hold them.
+// Names from outside made fit for any output.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(DisplayText, EscapesControlCharactersOfBothSets) {
   EXPECT_EQ(display_text(std::string("\0", 1)), "\\u0000");
 }
 
-// 1e+02 % was once told of all starts.
+// All starts were once reported as 1e+02 %.
 TEST(PercentText, HasNoExponentAndNeverRoundsToAllOrNone) {
   EXPECT_EQ(percent_text(1.0), "100 %");
   EXPECT_EQ(percent_text(0.0), "0 %");

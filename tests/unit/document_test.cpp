@@ -1,4 +1,4 @@
-// Reports as HTML and Markdown: nothing is loaded from elsewhere, nothing written is taken for markup.
+// Reports as HTML and Markdown: nothing is loaded from elsewhere, and no text becomes markup.
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -63,7 +63,7 @@ TEST(Html, ASheetHasDrawingsAndListingsButNoScript) {
                            "<pre>x &lt; y\n</pre>", "prefers-color-scheme: dark"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const char* none : {"<script", "<nav", "<svg>&"}) EXPECT_EQ(page.find(none), std::string::npos) << none;
-  // A report with charts keeps to light: its pictures are. (What the chart library asks for stands behind the style.)
+  // A report with charts stays light, as its pictures are. (The chart library's own styles come after this style.)
   const std::string charts = document_html(sample(""));
   EXPECT_EQ(charts.substr(0, charts.find("</style>")).find("prefers-color-scheme"), std::string::npos);
   const std::string text = document_markdown(d, "");

@@ -1,4 +1,4 @@
-// What the equations make of parameters before the first evaluation: all of it in their number type.
+// What the equations derive from parameters before the first evaluation, all of it in their number type.
 #include <cmath>
 #include <set>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-// Doubles that were handed to the number type.
+// Doubles passed to the number type.
 std::set<double> given;
 
 struct Noted {
@@ -36,8 +36,8 @@ void sin_cos(const Noted& a, Noted& sine, Noted& cosine) {
 namespace equipoise {
 namespace {
 
-// A proof encloses what follows from the parameters as doubles. A product or a sum of them that was rounded before it
-// became an interval would be enclosed as if it were exact.
+// A proof encloses what follows from the parameters, which are doubles. A product or sum of them rounded before it
+// became an interval would be treated as exact.
 TEST(EquationConstants, AreFormedInTheNumberType) {
   constexpr int n = 3;
   model::Parameters p;
@@ -55,7 +55,7 @@ TEST(EquationConstants, AreFormedInTheNumberType) {
   Noted z[model::dimension(n)], rate[model::dimension(n)];
   for (int i = 0; i < model::dimension(n); ++i) z[i] = Noted::of(0.1 * i);
   flow(Noted::of(0.0), z, rate);
-  // Parameters (zeta and kappa as means of two equal numbers are exact), and numbers that stand in the equations.
+  // Parameters (zeta and kappa as means of two equal numbers are exact), and numbers in the equations.
   std::set<double> exact{0.0, 0.5, 1.0, 2.0, 5.0, p.eccentricity, p.damping[0], p.stiffness[0], speed};
   for (int i = 0; i < n; ++i) exact.insert({p.mass[i], p.drag[i], p.ball_radius[i]});
   for (const double v : given) EXPECT_TRUE(exact.count(v)) << v << " was rounded in doubles";

@@ -1,4 +1,4 @@
-// Intervals of evenly sampled shares: coverage on sets whose area is known, rare ones, aligned ones.
+// Intervals of evenly sampled shares: coverage for sets of known area, rare sets, aligned sets.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -21,7 +21,7 @@ Set disc(double area) {
   const double radius = std::sqrt(area / pi);
   return [=](double x, double y) { return std::hypot(x - 0.47, y - 0.53) < radius; };
 }
-// Two discs apart from each other, mirror images under exchange of the balls.
+// Two separate discs, mirror images under exchange of the balls.
 Set mirrored_discs(double area) {
   const double radius = std::sqrt(0.5 * area / pi);
   return [=](double x, double y) {
@@ -64,8 +64,8 @@ Coverage coverage(SamplingMethod method, bool exchange, std::uint64_t starts, co
   return result;
 }
 
-// 300 trials: 95 % are known to 1.26 points, and five such errors are allowed; a variance over so many is known to 8.2
-// % and the mean of so many claimed ones, of 15 degrees of freedom each, to 2.1 %: five errors of the ratio are 42 %.
+// With 300 trials 95 % are known to 1.26 points; five such errors are allowed. A variance from so many is known to 8.2
+// %, and the mean of so many claimed ones, of 15 degrees of freedom each, to 2.1 %: five errors of the ratio are 42 %.
 constexpr int trials = 300;
 
 class SobolIntervals : public testing::TestWithParam<double> {};
@@ -86,8 +86,8 @@ TEST(EvenShares, SobolIntervalsCoverForAnyNumberOfStarts) {
   EXPECT_NEAR(c.claimed / c.error, 1.0, 0.42);
 }
 
-// Wilson's interval is for binomial counts, whose variance rare sets nearly have: coverage of 95 % or more, but for
-// what a discrete count takes away (1.5 points) and five errors of 1.8 points for 150 trials.
+// Wilson's interval is for binomial counts, whose variance rare sets nearly have. Coverage is 95 % or more, less the
+// effect of a discrete count (1.5 points) and five errors of 1.8 points for 150 trials.
 class RareShares : public testing::TestWithParam<double> {};  // 0.8, 8 and 41 of 4096 starts
 constexpr int rare = 150;
 TEST_P(RareShares, AreCoveredBySobolIntervals) {
@@ -101,7 +101,7 @@ TEST_P(RareShares, AreCoveredByFoldedGridIntervals) {
 }
 INSTANTIATE_TEST_SUITE_P(Area, RareShares, testing::Values(0.0002, 0.002, 0.01));
 
-// Where the two intervals meet, near 80 starts, either is taken.
+// Where the two intervals meet, near 80 starts, either may be used.
 TEST(EvenShares, EitherIntervalIsTakenWhereTheyMeet) {
   const Coverage meeting = coverage(SamplingMethod::sobol, false, 4096, disc(0.0195), 0.0195, trials);
   EXPECT_GT(meeting.by_spread, trials / 10);
@@ -121,8 +121,7 @@ TEST(EvenShares, FoldedGridIntervalsCoverDiscsAsOftenAsTheySay) {
   expect_covered_by_a_grid(true, mirrored_discs(0.2), 0.2);
 }
 
-// The set of a half turn has a share that every replicate meets exactly: the interval stays open by the rule of
-// agreeing replicates.
+// Every replicate meets the share of a half turn exactly: the rule for agreeing replicates keeps the interval open.
 TEST(EvenShares, IntervalsNeverCollapse) {
   const Set half = [](double x, double) { return x < 0.5; };
   const Sampler sobol(SamplingMethod::sobol, 2, 4096, false), grid(SamplingMethod::grid, 2, 2 * 40 * 40, false);
@@ -171,7 +170,7 @@ TEST(SamplingChoice, TakesWhatNeedsFewerStarts) {
   EXPECT_EQ(smooth.method, SamplingMethod::sobol);
   EXPECT_NEAR(smooth.random_starts, 806733, 20000);  // the pilot knows 0.21 to 0.0015 at one standard error
   EXPECT_LT(smooth.sobol_starts, 0.5 * smooth.random_starts);
-  // Stripes far finer than the points are noise to them.
+  // For such points, stripes much finer than their spacing are noise.
   const SamplingChoice noise = choose([](double x, double y) { return std::fmod(1e6 * (x + 0.3 * y), 1.0) < 0.3; });
   EXPECT_EQ(noise.pilot, pilot_starts);
   EXPECT_NEAR(noise.random_starts, 806733, 40000);

@@ -1,4 +1,4 @@
-// What a study explained says of balance: each sentence where it is true and where it is not, against trajectories.
+// What an explained study says of balance: each sentence where it is true and where it is not, against trajectories.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,8 +20,8 @@
 namespace equipoise {
 namespace {
 
-// Of a start that is `off` balance: the rate at which the difference between one strobe and the next changes, from
-// `from` to `to` strobes, each the largest within a period of the slow oscillation.
+// For a start that is `off` balance: the rate at which the difference between successive strobes changes, from `from`
+// to `to` strobes, with the largest value within each period of the slow oscillation.
 double measured_rate(const Explanation& e, double off, int from, int to) {
   Study study = e.study;
   for (int i = 0; i < study.parameters.balls; ++i)
@@ -46,7 +46,7 @@ double measured_rate(const Explanation& e, double off, int from, int to) {
   return std::log(largest(to) / largest(from)) / ((to - from) * strobe);
 }
 
-// What each leaves out of the equilibrium of a plain rotor.
+// Features that each remove the equilibrium of a plain rotor.
 const std::vector<std::vector<std::string>> not_plain{
     {"rotor.gravity=0.05"},
     {"rotor.stiffness=[0.8,1.2]"},
@@ -60,8 +60,8 @@ TEST(ExplainedBalance, RatesOfRotorsThatAreNotPlainAreThoseOfTrajectories) {
     ASSERT_TRUE(e.motion.has_value()) << overrides.front() << e.no_motion;
     EXPECT_TRUE(e.motion->stable);
     EXPECT_EQ(e.motion->less, "") << overrides.front();
-    // A slow pair and, half as fast again, another one: gone by then. Maxima over a period
-    // of 31 strobes know the envelope to some percent.
+    // A slow pair, and one half as fast again that has died out by then. Maxima over a period of 31 strobes give the
+    // envelope to a few percent.
     EXPECT_NEAR(measured_rate(e, 0.05, 200, 280), e.motion->slowest_rate, 0.05 * std::fabs(e.motion->slowest_rate))
         << overrides.front();
   }
@@ -110,12 +110,12 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
   const Explanation dry = explained(constant_speed, {"balancer.rolling=0.001"});
   EXPECT_EQ(dry.motion->less, "without dry friction");
   EXPECT_TRUE(holds(rule(dry, "settling").words, "friction holds balls before they are there"));
-  // Of a continuum one state stands for itself only.
+  // One state of a continuum represents only itself.
   const Explanation unstable = explained(constant_speed, {"balancer.balls=4"});
   EXPECT_TRUE(warned(unstable, "unstable at the final speed, in the state shown of a continuum"));
   EXPECT_TRUE(holds(verdict_text(unstable), "in the state shown of a continuum"));
   EXPECT_FALSE(holds(verdict_text(explained(constant_speed, {"speed.speed=1.5", "balancer.drag=0.01"})), "continuum"));
-  // Equal or not, supports of three balls and more have multipliers without the continuum's own.
+  // Unequal supports as well: with three balls or more, multipliers are shown without the continuum's own.
   const Explanation uneven = explained(constant_speed, {"rotor.stiffness=[0.8,1.2]", "balancer.balls=4"});
   EXPECT_EQ(uneven.motion->less, "");
   EXPECT_EQ(uneven.motion->eigenvalues.size(), 12u - 2u);
@@ -125,7 +125,7 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
 }
 
 TEST(ExplainedBalance, SoftSpringsUnderGravityHaveABalancedMotionToo) {
-  // The rotor sags by 33 race radii, 12 000 times what the balls make it move by.
+  // The rotor sags by 33 race radii, 12 000 times the movement that the balls cause.
   const Explanation e = explained(constant_speed, {"rotor.gravity=30", "speed.speed=150", "balancer.drag=8"});
   ASSERT_TRUE(e.motion.has_value()) << e.no_motion;
   EXPECT_EQ(e.motion->less, "");
@@ -135,7 +135,7 @@ TEST(ExplainedBalance, SoftSpringsUnderGravityHaveABalancedMotionToo) {
 TEST(ExplainedBalance, GravityMayLeaveNoBalancedMotion) {
   const Explanation e = explained(constant_speed, {"rotor.gravity=1"});
   EXPECT_EQ(verdict_text(e), "yes by mass and room, but no balanced motion was found with gravity");
-  // A ball that begins where it would balance without gravity does not stay: it passes half a turn.
+  // A ball that begins where it would balance without gravity does not stay: it moves by more than half a turn.
   Study study = e.study;
   const double phi = std::acos(-0.1);
   study.initial.phi = {phi, -phi};
@@ -153,7 +153,7 @@ TEST(ExplainedBalance, BallsCancelWhatTheyHaveRoomFor) {
   EXPECT_EQ(rule(more, "ball_mass").kept, false);
   EXPECT_FALSE(more.motion.has_value());
   EXPECT_FALSE(nlohmann::json::parse(explain_json(more))["can_balance"]);
-  // The same masses without a size can.
+  // The same masses without a size can balance it.
   const std::string& points = constant_machine;
   EXPECT_EQ(verdict_text(explained(points)), "yes");
   EXPECT_FALSE(holds(explain_text(explained(points)), "side by side\n"));
@@ -173,7 +173,7 @@ TEST(ExplainedBalance, TheStateShownHasRoom) {
 
 TEST(ExplainedBalance, OneBallIsNotSeveral) {
   const Explanation just = explained(constant_speed, {"balancer.balls=1", "rotor.eccentricity=0.05"});
-  // One ball has one way out of balance, and that brings it back.
+  // One ball has only one way out of balance, and on that it is pulled back.
   EXPECT_FALSE(holds(rule(just, "drag").words, "nothing brings"));
   EXPECT_TRUE(just.motion->stable);
 }
@@ -182,7 +182,7 @@ TEST(ExplainedBalance, WithoutUnbalanceTwoBallsAreBroughtBack) {
   const Explanation e = explained(constant_speed, {"rotor.eccentricity=0"});
   EXPECT_TRUE(e.motion->stable);
   EXPECT_FALSE(holds(rule(e, "drag").words, "nothing brings"));
-  // Three in line with the unbalance do lack it: none of first order.
+  // Three balls in line with the unbalance lack a pull of first order.
   const Explanation line = explained(constant_speed, {"rotor.eccentricity=0.1"});
   EXPECT_TRUE(holds(rule(line, "drag").words, "nothing brings the balls of this balanced state back"));
   EXPECT_FALSE(line.motion->stable);
@@ -191,32 +191,32 @@ TEST(ExplainedBalance, WithoutUnbalanceTwoBallsAreBroughtBack) {
 }
 
 TEST(ExplainedBalance, DoesNotContradictItself) {
-  // The rule is kept from half to twice the drag of its formula, and there nothing is overdamped.
+  // The rule holds from half to twice the drag of its formula, and there nothing is overdamped.
   for (const double drag : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 3.0}) {
     const Explanation e = explained(constant_speed, {"balancer.drag=" + std::to_string(drag)});
     const RuleOfThumb& r = rule(e, "drag");
     EXPECT_FALSE(r.kept == true && warned(e, "overdamped")) << drag;
     EXPECT_EQ(warned(e, "overdamped"), holds(r.words, "too much")) << drag;
   }
-  // Rates that are nothing are called so everywhere.
+  // Negligible rates are called so everywhere.
   const Explanation slow = explained(constant_speed, {"speed.speed=0.0017"});
   EXPECT_TRUE(holds(explain_text(slow), "NOT stable: the largest rate is within 1e-9 of 0"));
   EXPECT_FALSE(holds(explain_text(slow), "growth rate"));
   EXPECT_FALSE(holds(explain_text(slow), "grows"));
   EXPECT_TRUE(warned(slow, "its largest rate is within 1e-9 of 0"));
-  // With four balls as well: the continuum's own zeros are two, not all that is small.
+  // With four balls as well: the continuum's own zeros are two, not all small values.
   EXPECT_FALSE(explained(constant_speed, {"speed.speed=0.0017", "balancer.balls=4"}).motion->stable);
 }
 
 TEST(ExplainedBalance, SaysOfDragWhatDragDoes) {
-  // Of strong drag on weak supports the rotor's own way to rest is the slowest, and no ball's drag helps.
+  // With strong drag on weak supports the rotor's own decay is the slowest, and no ball's drag helps.
   const std::vector<std::string> weak{"rotor.damping=0.002", "balancer.drag=0.3", "speed.speed=12",
                                       "rotor.eccentricity=0.07"};
   const Explanation e = explained(constant_speed, weak);
   EXPECT_EQ(e.motion->more_drag(), 0);
   EXPECT_TRUE(warned(e, "in more than 1000 units of time; the balls' drag hardly changes that"));
   EXPECT_TRUE(holds(explain_text(e), "hardly changed with more drag"));
-  // And it does not: twice the drag moves the slowest rate by less than a hundredth.
+  // And indeed twice the drag changes the slowest rate by less than a hundredth.
   const Explanation twice = explained(constant_speed, {weak[0], "balancer.drag=0.6", weak[2], weak[3]});
   EXPECT_NEAR(twice.motion->slowest_rate, e.motion->slowest_rate, 0.02 * std::fabs(e.motion->slowest_rate));
 }
@@ -226,7 +226,7 @@ TEST(ExplainedBalance, AnOffCentreRaceChangesWhatThereIsToCancel) {
   EXPECT_LT(e.unbalance, 0.002);
   EXPECT_TRUE(holds(explain_text(e), "the rotor's own is 0.01; the race off the shaft makes that of it"));
   EXPECT_FALSE(holds(explain_text(explained(constant_speed)), "the rotor's own is"));
-  // Balls that could cancel the rotor's own unbalance, but not that of a race so far off.
+  // Balls that could cancel the rotor's own unbalance, but not that of a race so far off centre.
   const Explanation far = explained(constant_speed, {"balancer.race_offset=[-0.2,0]"});
   EXPECT_GT(far.unbalance, 0.1);
   EXPECT_TRUE(holds(verdict_text(far), "no: the unbalance is larger"));
@@ -241,7 +241,7 @@ TEST(ExplainedBalance, EigenvaluesAreReadable) {
   const std::string text = explain_text(explained(constant_speed, {"balancer.balls=5", "balancer.drag=1"}));
   EXPECT_FALSE(holds(text, "e-15 i"));
   EXPECT_FALSE(holds(text, "e-16 i"));
-  // Numbers of any length keep their distance from the next column.
+  // Numbers of any length stay clear of the next column.
   const std::string slow = explain_text(explained(constant_speed, {"speed.speed=0.01"}));
   EXPECT_FALSE(holds(slow, " i0"));
   for (const std::string& all : {text, slow})

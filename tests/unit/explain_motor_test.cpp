@@ -1,4 +1,4 @@
-// What a study explained says of motors: the final speed, the time to it, torque that never ends; against trajectories.
+// What an explained study says of motors: final speed, run-up time, torque that never ends; against trajectories.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ Explanation driven(const std::string& torque, std::vector<std::string> more = {}
 double speed_at(const Explanation& e, double time) { return simulate(e.study, {0.0, time}).psi_dot.back(); }
 
 TEST(ExplainedMotor, RunUpIsThatOfTheTrajectory) {
-  // Hardly any unbalance, and balls that drag takes along: nothing is left out.
+  // Hardly any unbalance, and balls that drag pulls along: nothing is neglected.
   const std::vector<std::string> smooth{"rotor.eccentricity=1e-5", "balancer.mass=0.0005", "balancer.drag=2"};
   for (const char* torque :
        {"{stall=0.01, no_load_speed=3.0}", "{times=[0, 50, 100], values=[0.01, 0.03, 0.0]}",
@@ -32,14 +32,14 @@ TEST(ExplainedMotor, RunUpIsThatOfTheTrajectory) {
         "{gain=0.02, integral=0.001, target={profile='constant', speed=3.0}}"}) {
     const Explanation e = driven(torque, smooth);
     ASSERT_TRUE(e.run_up && e.run_up->alone && e.run_up->shaken) << torque;
-    // Balls that are pulled along by drag lag by 1/beta of a time of 50 or more, and are a thousandth of the inertia.
+    // Balls pulled along by drag lag by 1/beta of a time of at least 50, and are a thousandth of the inertia.
     EXPECT_NEAR(speed_at(e, *e.run_up->alone), e.run_up->speed, 2e-3 * e.run_up->speed) << torque;
     EXPECT_NEAR(e.run_up->speed, 0.95 * *e.speed, 1e-12) << torque;
   }
 }
 
 TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {
-  // 0.01^2 omega^3/0.1 = 0.00086 is taken at resonance: most of what the first motor gives there, 0.00102.
+  // 0.01^2 omega^3/0.1 = 0.00086 is absorbed at resonance: most of the 0.00102 that the first motor delivers there.
   const auto motor = [](const char* stall, const char* release) {
     return driven("{stall=" + std::string(stall) + ", no_load_speed=3.0}", {"rotor.damping=0.1", release});
   };
@@ -55,7 +55,7 @@ TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {
   held.study.initial.phi = {0.5 * pi, -0.5 * pi};
   const double stalled = speed_at(held, 20000.0);
   EXPECT_LT(stalled, 1.0);
-  EXPECT_NEAR(stalled, weak.run_up->stalls_at, 1e-3);  // it still comes closer, and swings about it once a turn
+  EXPECT_NEAR(stalled, weak.run_up->stalls_at, 1e-3);  // it comes closer still, and swings about it once a turn
   EXPECT_TRUE(warned(weak, "too weak for the critical speed"));
   EXPECT_TRUE(
       warned(slow, "may not suffice at the critical speed: whether it is enough depends on where the balls are"));
@@ -79,7 +79,7 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
     EXPECT_TRUE(holds(study_heading(e.study), "the last torque acts for ever")) << torque;
     EXPECT_TRUE(holds(e.no_motion, "no speed is held")) << torque;
     EXPECT_TRUE(holds(verdict_text(e), "yes by mass and room, but the motor's last torque acts for ever")) << torque;
-    // A rotor that begins in balance, as of two equal balls.
+    // A rotor that begins in balance, with two equal balls.
     Explanation balanced = e;
     const double phi = std::acos(-0.01 / (2.0 * 0.05));
     balanced.study.initial.phi = {phi, -phi};
@@ -88,7 +88,7 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
     EXPECT_GT(sooner, 3.5) << torque;
     EXPECT_GT(later, sooner + 1.0) << torque;
   }
-  // Torque that ends, or falls with speed, or is taken by the damper of a race off the shaft.
+  // Torque that ends, falls with speed, or is absorbed by the damper of an off-centre race.
   for (const char* torque :
        {"{times=[0, 2, 4], values=[0.2, 0.3, 0.0]}", "{constant=0.05, slope=-0.01}", "{constant=0.05, until=20}"}) {
     const Explanation e = driven(torque);
@@ -100,7 +100,7 @@ TEST(ExplainedMotor, TorqueThatNeverEndsHoldsNoSpeed) {
 }
 
 TEST(ExplainedMotor, KnowsTheSpeedThatABalancedRotorComesTo) {
-  // Torque 0.03 - 0.01 psi' vanishes at 3, and the balanced rotor, followed until it settles, turns as fast as that.
+  // Torque 0.03 - 0.01 psi' vanishes at 3, and the balanced rotor, once settled, turns at that speed.
   const Explanation e = driven("{constant=0.3, slope=-0.1}");
   EXPECT_DOUBLE_EQ(*e.speed, 3.0);
   EXPECT_TRUE(holds(explain_text(e), "where the motor's torque vanishes: a balanced rotor needs none"));
@@ -109,13 +109,13 @@ TEST(ExplainedMotor, KnowsTheSpeedThatABalancedRotorComesTo) {
   balanced.study.initial.phi = e.motion->angles;
   balanced.study.speed.initial = 2.9;
   EXPECT_NEAR(speed_at(balanced, 400.0), 3.0, 1e-3);
-  // A motor that lets go leaves the speed that it gave, if nothing else has braked the rotor.
+  // A motor that lets go leaves the rotor at its speed, if nothing else has braked it.
   const Explanation coasts = driven("{constant=0.02, until=100}", {"rotor.eccentricity=1e-5", "balancer.mass=0.0005"});
   EXPECT_NEAR(*coasts.speed, 0.02 * 100.0 / (0.5 + 0.001), 1e-6);
-  EXPECT_NEAR(speed_at(coasts, 200.0), *coasts.speed, 5e-3 * *coasts.speed);  // balls of 0.2 % are left a little behind
+  EXPECT_NEAR(speed_at(coasts, 200.0), *coasts.speed, 5e-3 * *coasts.speed);  // balls of 0.2 % lag a little
   EXPECT_TRUE(holds(explain_text(coasts), "when its motor lets go if nothing has braked it"));
   EXPECT_TRUE(coasts.motion.has_value());
-  // Torque that acts for a time has to bring it through in that.
+  // A torque that acts for a limited time must bring the rotor through within it.
   EXPECT_EQ(rule(driven("{constant=0.05, until=1}"), "torque").words, "the final speed is below the critical speed");
   EXPECT_EQ(rule(driven("{times=[0, 60, 61], values=[0.05, 0.05, 0]}"), "torque").kept, true);
   EXPECT_EQ(rule(driven("{stall=0.1, no_load_speed=3}", {"speed.initial=2"}), "torque").words,

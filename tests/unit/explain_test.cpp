@@ -1,4 +1,4 @@
-// A study explained: figures against hand calculations and closed forms, warnings each by a study that earns it.
+// A study explained: figures against hand calculations and closed forms; each warning with a study that causes it.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -79,7 +79,7 @@ TEST(Explain, LinearisesTheWayIntoBalance) {
   // Equal balls: cos phi = -lambda/(2 mu).
   EXPECT_NEAR(std::cos(e.motion->angles[0]), -(0.2 / 30.0) / (2.0 * 0.005), 1e-12);
   for (const auto& v : e.motion->eigenvalues) EXPECT_LE(v.real(), e.motion->slowest_rate);
-  // The sensitivity tells which way the slowest rate moves.
+  // The sensitivity shows which way the slowest rate moves.
   const Explanation more = of(machine, {"balancer.drag=2.02e-4 N m s"});
   EXPECT_EQ(e.motion->drag_sensitivity > 0.0, more.motion->slowest_rate < e.motion->slowest_rate);
   // Of WP's first table: unstable at Omega = 1.5, beta = 0.01 with rate 0.0218.
@@ -100,7 +100,7 @@ TEST(Explain, SaysWhatRollingChanges) {
   EXPECT_FALSE(holds(explain_text(slides), "slid"));
   EXPECT_EQ(nlohmann::json::parse(explain_json(rolls))["balanced"]["slowest_rate_if_sliding"],
             slides.motion->slowest_rate);
-  // Strong drag slows a ball by 5/7 beta and more, as far as the rotor, of a hundred times the balls' mass, gives way.
+  // Strong drag slows a ball by 5/7 beta and more, as far as the rotor, a hundred times heavier, yields.
   const auto fastest = [](const Explanation& e) { return e.motion->eigenvalues.back().real(); };
   EXPECT_NEAR(fastest(of(machine, {thick[1]})) / fastest(of(machine, thick)), 1.4, 0.02);
 }
@@ -126,7 +126,7 @@ TEST(Explain, SaysAndWarnsWhatTheSnapshotSays) {
                 for (const std::string& warning : e.warnings) said += "warning: " + warning + "\n";
                 return said;
               });
-  // Where balls that do not fit touch, as by default, there is no such study.
+  // By default balls touch, and there is no such study if they do not fit.
   EXPECT_THROW(of(machine, {"balancer.ball_diameter=59 mm", "balancer.balls=4"}), InputError);
 }
 

@@ -1,4 +1,4 @@
-// What motions look like from rotor to rotor.
+// How features of a motion change from rotor to rotor.
 #include "equipoise/attractor_search/feature_trends.hpp"
 
 #include <vector>
@@ -12,7 +12,7 @@
 namespace equipoise {
 namespace {
 
-// Largest r as given, of balls that drift at `rate`.
+// The given largest r, with balls that drift at `rate`.
 Features shown(double largest, double rate) {
   Features f{};
   f[0] = 0.5 * largest;
@@ -22,7 +22,7 @@ Features shown(double largest, double rate) {
   return f;
 }
 
-// Of rotors from one end of the box to the other, as `slope` has it.
+// Rotors from one end of the box to the other, changing with `slope`.
 std::vector<ShownFeatures> along(double first, double slope, double rate) {
   std::vector<ShownFeatures> all;
   for (int k = 0; k <= 40; ++k) {
@@ -45,7 +45,7 @@ TEST(FeatureTrends, MotionsOfOneNameHaveOneEach) {
   EXPECT_EQ(trends.add(7, 2, 0.05, shrinking[20], shrinking), 1);
   OwnRotor rotor = rotor_at(0.9);
   trends.place(rotor);
-  // As the middle's motion shows it.
+  // As on the middle rotor's motion.
   EXPECT_NEAR(brought_back(shown(0.145, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
   EXPECT_NEAR(brought_back(shown(0.21, -0.5), 1, rotor.shifts.data(), 2)[1], 0.25, 1e-9);
   EXPECT_NEAR((*trends.features(7, {0.9}))[1], 0.145, 1e-9);
@@ -61,7 +61,7 @@ TEST(FeatureTrends, TooFewThatStayMakeNone) {
   EXPECT_TRUE(rotor.shifts.empty());
 }
 
-// Others that went elsewhere do not bend it.
+// Rotors that went elsewhere do not distort it.
 TEST(FeatureTrends, IsThatOfTheRotorsThatStayed) {
   FeatureTrends trends;
   auto mixed = along(0.1, 0.05, -1.0);

@@ -1,4 +1,4 @@
-// A study's form: what is written, what may be, and that a form filled in gives the study back.
+// A study's form: stated keys, possible keys, and the study recovered from a filled-in form.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -52,7 +52,7 @@ TEST(Form, ShowsQuantitiesWithTheirUnits) {
   EXPECT_EQ(speed->unit, "rpm");
 }
 
-// A study's echo has no angles that nobody chose; the form offers those that hold.
+// A study's echo omits angles that nobody chose; the form offers those in effect.
 TEST(Form, OffersTheAnglesWhereBallsStart) {
   const std::vector<FormField> form = form_of(constant_speed, "rotor");
   const FormField* angles = find(form, "initial.phi");
@@ -82,7 +82,7 @@ TEST(Form, OffersDefaultsThatStandBesideWhatIsWritten) {
   ASSERT_TRUE(gravity);
   EXPECT_FALSE(gravity->given);
   EXPECT_EQ(gravity->value, "0");
-  // The unbalance that is written is not offered again as an eccentricity.
+  // A stated unbalance is not offered again as an eccentricity.
   const std::string unbalanced = with(machine, "eccentricity = \"0.2 mm\"", "unbalance = \"2400 g mm\"");
   EXPECT_FALSE(find(form_of(unbalanced, "machine"), "rotor.eccentricity"));
   EXPECT_TRUE(find(form_of(unbalanced, "machine"), "rotor.unbalance"));

@@ -1,4 +1,5 @@
-// The well of a stalled rotor: its bottom rests, nothing climbs in it, what it holds stays and what has more goes over.
+// The well of a stalled rotor: its bottom is at rest, nothing climbs out of it, what it holds stays and what has more
+// energy leaves.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +26,7 @@ using Eigen::VectorXd;
 using model::GravityWell;
 using model::System;
 
-// A rotor that gravity turns back with 0.02 at most.
+// A rotor that gravity turns back with at most 0.02.
 model::System rotor(const std::string& torque, const std::vector<std::string>& changes = {}) {
   const std::string toml =
       "[rotor]\neccentricity = 0.1\ndamping = 0.5\ninertia = 0.5\ngravity = 0.2\n"
@@ -57,8 +58,8 @@ TEST(GravityWell, RestsAtItsBottom) {
   }
 }
 
-// The rotor turned by hand towards both tops beside the well and let go at rest, all else at the bottom. The lower top
-// is known in closed form; beyond it another well begins, which is the same one a turn on.
+// The rotor turned by hand towards both maxima beside the well and released at rest, everything else at the bottom. The
+// lower maximum is known in closed form. Beyond it lies another well: the same one, a turn further.
 TEST(GravityWell, EndsAtTheLowerTop) {
   for (const System& system : rotors()) {
     const model::Parameters& p = system.parameters();
@@ -82,21 +83,21 @@ TEST(GravityWell, EndsAtTheLowerTop) {
     };
     EXPECT_TRUE(well->holds(turned(0.999 * to_top, 0.0).data()));
     EXPECT_TRUE(well->holds(turned(0.999 * to_top + two_pi, 0.0).data()));
-    // As near to the higher top it would fall over the lower one.
+    // As near to the higher maximum it would fall over the lower one.
     const double other_way = to_top - std::copysign(two_pi, to_top);
     EXPECT_FALSE(well->holds(turned(0.999 * other_way, 0.0).data()));
     EXPECT_FALSE(well->holds(turned(0.999 * to_top, 0.2).data()));
   }
 }
 
-// States all around the bottom, some far: those that are held never get a turn away, and come to rest.
+// States all around the bottom, some far: those that are held never move a turn away, and come to rest.
 TEST(GravityWell, HoldsForGood) {
   for (const System& system : rotors()) {
     const auto well = GravityWell::of(system);
     const VectorXd bottom = well->bottom();
     int held = 0;
     for (int k = 0; k < 1000 && held < 8; ++k) {
-      const double size = std::ldexp(0.8, -(k % 4));  // wells of motors that miss little are shallow
+      const double size = std::ldexp(0.8, -(k % 4));  // wells are shallow if the motor nearly suffices
       VectorXd state = bottom;
       for (int i = 0; i < system.dimension(); ++i)
         state[i] += size * std::sin(1.0 + 2.3 * k + 1.7 * i * (k + 1)) * (i < 4 ? 0.1 : i < 6 ? 4.0 : 0.5);
@@ -122,7 +123,7 @@ TEST(GravityWell, IsThereOnlyWhereGravityHolds) {
       rotor("{ gain = 1.0, integral = 0.1, limit = 0.015, target = { profile = \"constant\", speed = 2.0 } }")));
 }
 
-// Of balls in opposite places nothing is left but the rotor; of balls beside its own heavy side it is harder to lift.
+// Balls at opposite places cancel, leaving the rotor alone; balls beside its heavy side make it harder to lift.
 TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
   const auto held_at = [](const System& system, double first, double second, double speed, double asked) {
     VectorXd state = GravityWell::of(system)->bottom();
@@ -135,10 +136,10 @@ TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
   };
   const System system = rotor(weak);
   EXPECT_TRUE(held_at(system, 1.0, 1.0 + pi, 0.0, 1.0));
-  // The heavy side outweighed by balls opposite: no more than 0.2 (0.1 - 0.1) is left of its weight.
+  // Balls opposite outweigh the heavy side: at most 0.2 (0.1 - 0.1) of its weight is left.
   EXPECT_FALSE(held_at(system, pi, pi, 0.0, 1.0));
   EXPECT_TRUE(held_at(system, 0.0, 0.0, 0.0, 1.0));
-  // What it still has of energy may bring it to a low speed.
+  // Its remaining energy may bring it to a low speed.
   EXPECT_FALSE(held_at(system, 0.0, 0.0, 0.1, 0.05));
   EXPECT_TRUE(held_at(system, 0.0, 0.0, 0.1, 1.0));
   EXPECT_FALSE(held_at(system, 0.0, 0.0, 1.0, 2.0));

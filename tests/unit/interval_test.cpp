@@ -1,4 +1,4 @@
-// Outward rounding: intervals, affine forms and what is built on them hold the exact result, in 400-bit arithmetic.
+// Outward rounding: intervals, affine forms and what is built on them contain the exact result, in 400-bit arithmetic.
 #include "equipoise/math/interval.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ class Random {
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   // Either sign, any size between 1e-20 and 1e20.
   double wide() { return (uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * std::pow(10.0, uniform(-20.0, 20.0)); }
-  // One of the number's neighbours within a few ulps, or itself.
+  // A neighbour of the number within a few ulps, or the number itself.
   double nudged(double v) {
     for (int k = static_cast<int>(uniform(0.0, 4.0)); k > 0; --k) v = std::nextafter(v, uniform(-1.0, 1.0) * 1e300);
     return v;

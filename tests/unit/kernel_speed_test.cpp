@@ -1,4 +1,4 @@
-// The lane kernels stay as fast as they are: nanoseconds of an evaluation against the scalar integrator's in one run.
+// Lane kernels stay fast: nanoseconds per evaluation compared with the scalar integrator in one run.
 #include <algorithm>
 #include <ctime>
 #include <iostream>
@@ -30,7 +30,7 @@ std::vector<double> starts(int count) {
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Of CPU time, an evaluation and trajectory.
+// CPU time per evaluation and trajectory.
 double lane_nanoseconds() {
   const model::Parameters p = paper_rotor().parameters;
   constexpr int count = 256;
@@ -64,13 +64,13 @@ double scalar_nanoseconds() {
   return 1e9 * (seconds() - begin) / static_cast<double>(evaluations);
 }
 
-// Least times of interleaved rounds: what other work on the machine adds is left out.
+// Least times of interleaved rounds, which exclude other work on the machine.
 TEST(KernelSpeed, LanesKeepTheirLeadOverTheScalarIntegrator) {
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
   GTEST_SKIP() << "instrumented or unoptimised code says nothing of speed";
 #endif
-  // Half the lead measured (docs/performance.md): what a slip of the compiler or of the code costs is more, what the
-  // machine's other work costs within one run is less. A scalar kernel only has to keep up.
+  // Half the measured lead (docs/performance.md). A slip of the compiler or of the code costs more than that; the
+  // machine's other work costs less within one run.
   const std::map<std::string, double> least_lead{{"AVX-512", 7.0}, {"AVX2", 4.5}, {"SSE4", 1.5}, {"scalar", 0.7}};
   double scalar = 1e300;
   std::map<std::string, double> lanes;

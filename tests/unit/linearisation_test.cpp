@@ -34,8 +34,8 @@ std::vector<double> balanced_angles(const model::Parameters& p) {
   return phi;
 }
 
-// Unknowns (x, y, dphi_1, .., dphi_n), constant speed w, isotropic supports: typed from the derivation, and turned into
-// a first-order system in the project's variables (x, y, u, v, phi, q) with u = x' - w y, v = y' + w x.
+// Unknowns (x, y, dphi_1, .., dphi_n), constant speed w, isotropic supports. Written down from the derivation, then
+// turned into a first-order system in the project's variables (x, y, u, v, phi, q) with u = x' - w y, v = y' + w x.
 MatrixXd second_order_form(const model::Parameters& p, double w, const std::vector<double>& phi) {
   const int n = p.balls, size = 2 + n;
   const double total = 1.0 + p.total_mass(), zeta = p.damping[0];
@@ -93,7 +93,7 @@ TEST(Jacobian, EqualsTheSecondOrderFormAtBalancedStates) {
         const bool unequal = kind % 2;
         model::Parameters p = base_rotor(n);
         p.rolls = kind >= 2;
-        if (p.rolls) p.ball_radius.fill(0.2);  // which plays no part at constant speed
+        if (p.rolls) p.ball_radius.fill(0.2);  // no effect at constant speed
         p.damping = {0.37, 0.37};
         if (n == 1) p.mass[0] = p.eccentricity;
         if (unequal && n > 1)
@@ -124,7 +124,7 @@ TEST(Jacobian, EqualsDifferencesOfTheDerivativeAnywhere) {
     const double step = 1e-3;
     for (int column = 0; column < z.size(); ++column) {
       VectorXd sum = VectorXd::Zero(z.size());
-      // Central differences of sixth order: truncation and rounding both about 1e-13 at this step.
+      // Sixth-order central differences: truncation and rounding are both about 1e-13 at this step.
       const double weights[] = {45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0};
       for (int k = 1; k <= 3; ++k) {
         VectorXd up = z, down = z;
@@ -141,7 +141,7 @@ TEST(Jacobian, EqualsDifferencesOfTheDerivativeAnywhere) {
   RecordProperty("largest_difference", fmt::format("{:.2g}", largest));
 }
 
-// Leading eigenvalues of two balls (mu = 0.05, lambda = 0.01, zeta = 0.5) found by an earlier, independent code and
+// Leading eigenvalues of two balls (mu = 0.05, lambda = 0.01, zeta = 0.5), found by an earlier, independent code and
 // printed to the digits given here.
 struct Leading {
   double drag, speed, real, imaginary;
@@ -198,7 +198,8 @@ TEST(Eigenvalues, VanishOnceForEveryBallBeyondTwo) {
     const auto phi = balanced_angles(p);
     int zeros = 0;
     for (const std::complex<double>& value : jacobian_at(p, 2.4, phi).eigenvalues()) {
-      // Zero eigenvalues are simple directions of the family, found to rounding; the next smallest are about beta/2.
+      // Zero eigenvalues belong to directions along the continuum, found to rounding; the next smallest are about
+      // beta/2.
       if (std::abs(value) < 1e-12)
         ++zeros;
       else
@@ -212,7 +213,7 @@ TEST(Eigenvalues, VanishAlongTheFamilyOfBalancedStates) {
   model::Parameters p = base_rotor(3);
   p.mass[2] = 0.07;
   const auto phi = balanced_angles(p);
-  // Moving along the family keeps sum mu_i e^{i phi_i}: the angles' rates d solve two linear equations.
+  // Moving along the continuum keeps sum mu_i e^{i phi_i}: the angles' rates d solve two linear equations.
   const double d[] = {p.mass[1] * p.mass[2] * std::sin(phi[2] - phi[1]),
                       p.mass[2] * p.mass[0] * std::sin(phi[0] - phi[2]),
                       p.mass[0] * p.mass[1] * std::sin(phi[1] - phi[0])};

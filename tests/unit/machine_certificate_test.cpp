@@ -1,5 +1,5 @@
-// Certificates of driven rotors and of races off their centre: proved, checked from their own data, true at random
-// points of the equations, and refuted once anything in them is changed.
+// Certificates of driven rotors and of off-centre races: proved, checked from their own data, true at random points of
+// the equations, and refuted once anything in them is changed.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -62,7 +62,7 @@ model::System driven(const model::Parameters& p, const model::DriveSegment& moto
 struct Case {
   std::string name;
   model::System system;
-  double promised;  // share of the sampled critical level: measured 0.86 to 0.98, and 0.83 where the limit cuts it
+  double promised;  // share of the sampled critical level: measured 0.86 to 0.98, and 0.83 where the limit cuts it off
 };
 
 std::vector<Case> cases() {
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Systems, MachineCertificateOf, testing::ValuesIn(cases(
   return name;
 });
 
-// Where the limit is what bounds the level, states on it come near to the limit and none reaches it.
+// Where the limit bounds the level, states on the level come close to the limit and none reaches it.
 TEST(MachineCertificate, StaysBelowTheLimitOfTheMotor) {
   const model::System system = driven(balancer(), control(0.05, 0.02));
   const Certificate certificate = largest(system).certificate;

@@ -1,4 +1,4 @@
-// Mean rates of angles: slow drifts of regular motion are seen, slips of chaos are weighed against their scatter.
+// Mean rates of angles: slow drifts of regular motion are detected, slips of chaos are judged by their scatter.
 #include <cmath>
 #include <functional>
 #include <random>
@@ -24,7 +24,7 @@ double swing(double t) { return 0.5 * std::sin(0.731 * t) + 0.5 * std::cos(2.0 *
 TEST(MeanRate, SeesADriftOfATorusThatIsFarBelowATurn) {
   for (const double drift : {0.0378, -1e-3, 3e-5, -1e-6}) {
     const MeanRate mean = mean_rate(record_of(4000.0, 0.4, [&](double t) { return drift * t + swing(t); }), true);
-    // Weights that fall like exp(-1/s) leave swings of 400 periods and more to below 1e-9.
+    // Weights that fall like exp(-1/s) reduce swings of 400 periods and more to below 1e-9.
     EXPECT_NEAR(mean.rate, drift, 1e-9) << drift;
     EXPECT_EQ(drift_of(mean, true, 0.01), Drift::some) << drift;
   }
@@ -38,7 +38,8 @@ TEST(MeanRate, CallsASwingingBallCaptured) {
   }
 }
 
-// A turn every 3000 units of time, at rest between: halves differ by as much as the drift, yet it only slips one way.
+// One turn every 3000 units of time, at rest in between: halves differ by as much as the drift, yet it slips only one
+// way.
 TEST(MeanRate, SeesRareSlipsOfRegularMotion) {
   const auto slips = [](double t) { return two_pi * std::floor(t / 3000.0 + 0.5) + 0.3 * std::sin(t); };
   EXPECT_EQ(drift_of(mean_rate(record_of(5000.0, 0.4, slips), true), true, 0.01), Drift::some);
@@ -63,10 +64,11 @@ TEST(MeanRate, WeighsSlipsOfChaosAgainstTheirScatter) {
     // 200 slips in 2e4: a standard deviation of 2 pi sqrt(200) / 2e4 = 0.0044, three of them below 0.024.
     const MeanRate none = mean_rate(random_slips(seed, 2e4, 100.0, 0.5), false);
     captured += drift_of(none, false, 0.024) == Drift::none;
-    EXPECT_NEAR(none.error, 3.0 * 0.0044, 0.0075) << seed;  // sixteen blocks know it to 18 %, here to three times that
+    EXPECT_NEAR(none.error, 3.0 * 0.0044, 0.0075) << seed;  // sixteen blocks know it to 18 %; three times that is
+                                                            // allowed
     // Three of four forwards: a drift of 0.031, seven standard deviations.
     EXPECT_EQ(drift_of(mean_rate(random_slips(seed, 2e4, 100.0, 0.75), false), false, 0.024), Drift::some) << seed;
-    // A tenth of the time does not tell.
+    // A tenth of the time is not enough.
     too_soon += drift_of(mean_rate(random_slips(seed, 2e3, 100.0, 0.5), false), false, 0.024) == Drift::none;
   }
   EXPECT_LE(too_soon, 2u);   // three standard deviations are 0.042 there, which blocks know to 18 %

@@ -1,4 +1,4 @@
-// Proofs about members of a continuum: true at random points of the equations, in accord with linear theory, and
+// Proofs about members of a continuum: true at random points of the equations, consistent with linear theory, and
 // refuted once anything in them is changed.
 #include "equipoise/proof/member_certificate.hpp"
 
@@ -49,7 +49,7 @@ Eigen::VectorXd h_of(const model::Parameters& p, const Eigen::VectorXd& z, const
   return h;
 }
 
-// The largest of (dV/dt + 2 rate V) / |h|^2 at random states of the box that the certificate speaks of.
+// The largest (dV/dt + 2 rate V) / |h|^2 at random states of the certificate's box.
 double worst(const MemberCertificate& c) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -87,7 +87,7 @@ TEST(MemberCertificate, AgreesWithLinearTheoryAndHoldsInTheEquations) {
       const MemberCertificate proof = prove_member(p, c.speed, phi.data());
       ASSERT_GT(proof.radius, 0.0) << c.balls;
       EXPECT_TRUE(check_member(proof).proved);
-      // Of the Jacobian's eigenvalues n - 2 are 0, along the continuum, to within rounding.
+      // n - 2 eigenvalues of the Jacobian are 0, along the continuum, to rounding.
       Eigen::VectorXcd rates =
           dense::eigenvalues(model::jacobian(p, c.speed, model::centred_state(p, phi.data()).data()));
       double growth = -INFINITY;
@@ -103,7 +103,7 @@ TEST(MemberCertificate, AgreesWithLinearTheoryAndHoldsInTheEquations) {
   EXPECT_GT(unstable, 20);
 }
 
-// What is proved to attract does, and what is proved unstable is left: followed in small steps of the classical method.
+// Members proved to attract do, and those proved unstable are left. Followed in small steps of the classical method.
 TEST(MemberCertificate, SaysWhereTrajectoriesGo) {
   const model::Parameters p = balancer(4);
   ContinuumDraws draws(p);
@@ -112,7 +112,7 @@ TEST(MemberCertificate, SaysWhereTrajectoriesGo) {
   for (int k = 0; k < 30 && (seen[0] < 2 || seen[1] < 2) && draws.next(phi); ++k) {
     const MemberCertificate c = prove_member(p, 2.4, phi.data());
     const double growth = across_continuum(p, 2.4, phi.data());
-    // Fast enough to be seen in 3000 units.
+    // Fast enough to show within 3000 units.
     if (std::fabs(growth) < 4e-3 || seen[c.attracts]++ >= 2) continue;
     Eigen::VectorXd z = model::centred_state(p, phi.data());
     const double begin = c.attracts ? std::sqrt(c.level / c.form.norm()) : 1e-4;
@@ -182,7 +182,7 @@ TEST(MemberCertificate, OfAStudyIsWrittenAndReadBack) {
   const CertifyResult result = certify(parse_study(text, "study"));
   EXPECT_TRUE(result.proved());
   EXPECT_EQ(result.attracting() + result.unstable(), 64);
-  // About half of this continuum attracts (docs/numerics.md: 50 % of 1024 members); 64 tell that to 6 %.
+  // About half of this continuum attracts (docs/numerics.md: 50 % of 1024 members); 64 members show that to 6 %.
   EXPECT_NEAR(result.attracting(), 32, 13);
   EXPECT_NE(certify_text(result).find("nothing is proved of members that were not drawn"), std::string::npos);
   std::vector<MemberCertificate> members;

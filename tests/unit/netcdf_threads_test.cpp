@@ -14,7 +14,7 @@
 namespace equipoise::io {
 namespace {
 
-// A file that holds `number` a hundred times, and its text.
+// A file with `number` a hundred times, and its text.
 void write(const std::string& path, double number) {
   const std::vector<double> values(100, number);
   write_netcdf_file(path, [&](NetcdfFile& file) {
@@ -33,8 +33,8 @@ bool reads_back(const std::string& path, double number) {
   return values == std::vector<double>(100, number) && file.attribute("number") == std::to_string(number);
 }
 
-// Without the lock threads get each other's file numbers: files are closed twice, written into others, or the process
-// ends, within the first hundred.
+// Without the lock threads get each other's file numbers: within the first hundred files some are closed twice or
+// written into others, or the process ends.
 TEST(NetcdfFile, IsWrittenAndReadBySeveralThreads) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / ("netcdf_threads_" + std::to_string(getpid()));

@@ -1,4 +1,4 @@
-// Lane arithmetic on every instruction set this machine has: sine and cosine against the C library, step factors.
+// Lane arithmetic on every instruction set of this machine: sine and cosine against the C library, step factors.
 #include <cmath>
 #include <random>
 #include <vector>
@@ -99,7 +99,7 @@ TEST(Pack, StepFactorsFollowTheErrorWithinTheCoarseLogarithm) {
                   0.08);
     EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(std::nan(""), 0.0), 0.2, 0.02);
     EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(HUGE_VAL, 0.0), 0.2, 0.02);
-    const double floor = 0.9 * std::pow(1e-6, -0.1);  // errors count as 1e-6 at least
+    const double floor = 0.9 * std::pow(1e-6, -0.1);  // errors count as at least 1e-6
     EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(step_factor)(0.0, 0.0), floor, 0.08 * floor);
     for (double a : {1e-9, 0.3, 1.0, 7.0, 1e9}) EXPECT_NEAR(HWY_DYNAMIC_DISPATCH(coarse_round_trip)(a), a, 1e-6 * a);
   });

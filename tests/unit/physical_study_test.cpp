@@ -1,4 +1,4 @@
-// Studies in physical units: what each key becomes, what is refused and with which words, and the way back.
+// Studies in physical units: conversion of each key, refusals with their words, and the way back.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,7 +107,7 @@ TEST(PhysicalStudy, TakesTheDragOfOil) {
   EXPECT_DOUBLE_EQ(parse(with("drag = \"2e-4 N m s\"\n", oil)).parameters.drag[0], beta);
   const std::string thin = "ball_diameter = \"8 mm\"\noil_viscosity = \"100 cSt\"\noil_density = \"1000 kg/m3\"\n";
   EXPECT_DOUBLE_EQ(parse(with("drag = \"2e-4 N m s\"\n", thin)).parameters.drag[0], beta);
-  // A ball of half the channel's width: Haberman's exact factor is 5.970, the formula's error 2 %.
+  // A ball half as wide as the channel: Haberman's exact factor is 5.970, the formula's error 2 %.
   const Study narrow = parse(with("drag = \"2e-4 N m s\"\n", oil + "channel_diameter = \"16 mm\"\n"));
   EXPECT_NEAR(narrow.parameters.drag[0], 5.970 * beta, 0.02 * 5.970 * beta);
 }
@@ -174,7 +174,7 @@ TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
   EXPECT_EQ(at(d, "balancer.rolling"), 0.001);
   EXPECT_DOUBLE_EQ(at(d, "speed.stalled_below"), 50.0 * pi / omega_c);
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.gain"), 0.1 * omega_c / torque);
-  // A constant error of one critical speed raises the torque by 0.2 * omega_c each second.
+  // A constant error of one critical speed raises the torque by 0.2 * omega_c per second.
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.integral"), 0.2 * omega_c / torque / omega_c);
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.limit"), 5.0 / torque);
   EXPECT_DOUBLE_EQ(at(d, "speed.torque.target.duration"), 5.0 * omega_c);
@@ -237,19 +237,19 @@ TEST(PhysicalStudy, LetsItsBallsRunFreeUnlessItSaysOtherwise) {
     EXPECT_EQ(parse(machine, {speed, "release={}"}).release_time(), 0.0) << speed;
     EXPECT_DOUBLE_EQ(parse(machine, {speed, "release.time=2 s"}).release_time(), 2.0 * omega_c) << speed;
     EXPECT_GT(parse(machine, {speed, "release.speed=1000 rpm"}).release_time(), 0.0) << speed;
-    // What a result carries is dimensionless, and would hold the balls if it said nothing.
+    // A result carries the dimensionless study, which would hold the balls if it did not say otherwise.
     EXPECT_NE(to_toml(s).find("[release]\ntime = 0.0\n"), std::string::npos) << to_toml(s);
     EXPECT_EQ(parse(to_toml(s)).release_time(), 0.0) << speed;
     EXPECT_EQ(parse(to_physical_toml(s)).release_time(), 0.0) << speed;
   }
 }
 
-// Without units balls are held to the end of the ramp, and they still are once units are written.
+// Without units balls are held to the end of the ramp, and still are once units are written.
 TEST(PhysicalEcho, OfADimensionlessStudyStatesItsRelease) {
   const std::string units = "[units]\nmass = 12.0\nlength = 0.03\nfrequency = 63.2\n";
   const Study held = parse(equipoise::with(ramp_speed, "500.0", "40.0") + units);
   EXPECT_EQ(held.release_time(), 40.0);
-  EXPECT_NEAR(parse(to_physical_toml(held)).release_time(), 40.0, 1e-12);  // times a scale and over it
+  EXPECT_NEAR(parse(to_physical_toml(held)).release_time(), 40.0, 1e-12);  // multiplied and divided by a scale
   const Study constant = parse(constant_speed + units);
   EXPECT_EQ(parse(to_physical_toml(constant)).release_time(), 0.0);
 }
@@ -265,7 +265,7 @@ TEST(PhysicalStudy, ThatDrawsValuesStatesItsReleaseToo) {
   }
 }
 
-// Its result would else be told of balls that ran free.
+// Otherwise its result would be read as if the balls had run free.
 TEST(PhysicalStudy, OfAnOlderResultHeldItsBalls) {
   std::string older = to_toml(parse(machine, {"rotor.eccentricity={uniform=['0.1 mm', '0.3 mm']}"}));
   const std::string release = "\n[release]\ntime = \"0 s\"\n";

@@ -34,10 +34,10 @@ TEST(Pilot, ABoxAsksForMoreThanTwiceTheLongestStayThatEndedElsewhere) {
   audit.add(7, other, 4);
   EXPECT_EQ(audit.hits(), 9);
   audit.add(1, other, 40);
-  EXPECT_EQ(audit.hits(), 0);  // 81 half windows: long ones decide as soon
+  EXPECT_EQ(audit.hits(), 0);  // 81 half windows: long windows decide as soon
 }
 
-// A rare attractor's own few stays, even without a wrong one among them, do not say that the next is right.
+// The few stays of a rare attractor, even if all are right, do not show that the next will be.
 TEST(Pilot, ABoxThatFewStayedInDecidesNothing) {
   Audit audit;
   audit.add(4000, other, 0);
@@ -47,7 +47,7 @@ TEST(Pilot, ABoxThatFewStayedInDecidesNothing) {
   EXPECT_EQ(audit.hits(), 3);
 }
 
-// Stays shorter than what decides are no evidence: a box would not have told these.
+// Stays shorter than a decision are no evidence: a box would not have decided them.
 TEST(Pilot, OnlyStaysThatWouldHaveDecidedAreEvidence) {
   Audit audit;
   audit.add(4000, own, 8);

@@ -1,4 +1,4 @@
-// Which pixels of a painted map are computed, and what the others are filled with.
+// Which pixels of a painted slice are computed, and how the others are filled in.
 #include "equipoise/basin_slices/pixel_plan.hpp"
 
 #include <cmath>
@@ -20,10 +20,10 @@ using Paint = std::function<short(int column, int row)>;
 struct Painted {
   std::vector<SlicePixel> pixels;
   std::uint64_t computed = 0;
-  bool twice = false;  // some pixel was asked for again
+  bool twice = false;  // some pixel was requested again
 };
 
-// All that a plan asks for, `most` at a time, in bands of blocks at the end.
+// Everything that a plan requests, `most` pixels at a time; filled in by bands of blocks at the end.
 Painted painted_by_plan(int columns, int rows, int block, const Paint& paint, std::size_t most = 1000000) {
   PixelPlan plan(columns, rows, block);
   Painted result;
@@ -62,7 +62,7 @@ TEST(PixelPlan, WithoutBlocksEveryPixelIsComputed) {
   EXPECT_FALSE(map.twice);
 }
 
-// A line of basins that crosses the whole map crosses edges: none is missed, whatever the sides of map and blocks.
+// A line of basins across the whole slice crosses edges: none is missed, whatever the sides of slice and blocks.
 TEST(PixelPlan, WithBlocksLessIsComputedAndALineIsFound) {
   const Paint line = [](int column, int row) -> short { return column == row / 2 + 20 ? 3 : 2; };
   for (const auto& [columns, rows] : {std::pair{128, 96}, {129, 97}, {100, 81}, {130, 66}})
@@ -78,7 +78,7 @@ TEST(PixelPlan, WithBlocksLessIsComputedAndALineIsFound) {
       }
 }
 
-// Of one outcome: the edges of blocks of 16 are computed, two rows in 16, and no more.
+// With one outcome only the edges of blocks of 16 are computed: two rows in 16.
 TEST(PixelPlan, UniformMapsCostTheirEdges) {
   const Painted map = painted_by_plan(161, 161, 16, [](int, int) -> short { return 1; });
   EXPECT_EQ(map.computed, 161u * 161u - 100u * 15u * 15u);
@@ -99,7 +99,7 @@ TEST(PixelPlan, UndecidedAndFailedAreNoOutcomeToBeFilledIn) {
   EXPECT_LT(painted_by_plan(40, 40, 8, [](int, int) { return diverged_code; }).computed, 1600u);
 }
 
-// A plane is what interpolation between corners gives back.
+// Interpolation between corners reproduces a plane.
 TEST(PixelPlan, BalanceIsInterpolatedBetweenCornersAndTimesAreNotMadeUp) {
   const Painted map = painted_by_plan(50, 45, 16, [](int, int) -> short { return 1; });
   for (std::size_t k = 0; k < map.pixels.size(); ++k)  // roundings of numbers up to 100
@@ -115,7 +115,7 @@ TEST(PixelPlan, SmallMapsArePlanned) {
   }
 }
 
-// A pixel that a file brought along and that differs from its block's edges divides the block.
+// A pixel from a file that differs from its block's edges divides the block.
 TEST(PixelPlan, WhatIsKnownWithinABlockCounts) {
   PixelPlan plan(17, 17, 16);
   plan.know(8 * 17 + 5, 2);
@@ -135,7 +135,7 @@ TEST(SliceNames, OthersThanTheUsualHaveCodesInTheOrderOfPixels) {
   names.see(usual, 50);
   names.see(late, 40);
   const auto whole = names.seen(true);
-  EXPECT_EQ(whole.size(), 3u);  // balanced was seen nowhere
+  EXPECT_EQ(whole.size(), 3u);  // balanced was not seen
   EXPECT_EQ(whole.at(early).id + 1, whole.at(late).id);
   EXPECT_EQ(whole.at(usual).id, usual);
   EXPECT_EQ(names.seen(false).at(late).id, late);
@@ -159,7 +159,7 @@ TEST(ThinnedAxis, KeepsCentres) {
     for (int k = 0; k < thin.pixels; ++k)
       EXPECT_NEAR(thin.centre(k), axis.centre(k * every + first_of(every)), 1e-14)
           << every;                                        // roundings of numbers near 1
-    EXPECT_GE(first_of(every) + thin.pixels * every, 23);  // no further one is in the map
+    EXPECT_GE(first_of(every) + thin.pixels * every, 23);  // no further one is in the slice
   }
 }
 

@@ -1,4 +1,4 @@
-// The printed tables as data, the judgement of cells, and the conclusions asked of both laws.
+// The printed tables as data, the judgement of cells, and the conclusions tested under both laws.
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -12,7 +12,7 @@
 namespace equipoise {
 namespace {
 
-// The counts that the paper's tables have: 7 tables, 95 ensembles, 265 cells, 21.1 million starts.
+// The size of the paper's tables: 7 tables, 95 ensembles, 265 cells, 21.1 million starts.
 TEST(PublishedTables, AreAllThere) {
   std::map<int, std::size_t> cells;
   std::size_t rows = 0;
@@ -52,7 +52,7 @@ TEST(PublishedTables, NumbersAndTheirRoundingAreRead) {
   EXPECT_NEAR(row.cells[1].share.rounding, 5e-6, 1e-18);
 }
 
-// The studies inside the library are those of the repository, and their ramps follow the law asked for.
+// The studies inside the library are those of the repository; their ramps follow the requested law.
 TEST(PublishedTables, StudiesAreTheFiles) {
   for (const PublishedTable& table : published_tables())
     for (const PublishedRow& row : table.rows) {
@@ -77,7 +77,7 @@ EnsembleResult ensemble(std::uint64_t starts, double balanced) {
   return e;
 }
 
-// Every row as printed, but for what `change` does to it.
+// Every row as printed, except for what `change` does to it.
 template <class Change>
 ReproducedTable as_printed(int number, Change change) {
   ReproducedTable table;
@@ -136,7 +136,7 @@ TEST(Conclusions, NameRowsThatExist) {
     }
 }
 
-// The printed numbers carry the conclusions drawn from them; a law under which nothing changes does not.
+// The printed numbers support the conclusions drawn from them; a law under which nothing changes does not.
 TEST(Conclusions, HoldOfThePrintedNumbersOnly) {
   std::vector<ReproducedTable> tables;
   for (int number = 2; number <= 7; ++number)

@@ -37,8 +37,8 @@ double coverage(int n, double p, const RankInterval& ranks) {
   return sum;
 }
 
-// Of the exponential law, whose quantiles are known. Ranks are whole numbers, so that coverage is at least 95 % and a
-// little more; 4000 trials find it to four standard errors, 4 sqrt(0.05 / 4000) = 1.4 %.
+// For the exponential law, whose quantiles are known. Ranks are integers, so coverage is 95 % or a little more; 4000
+// trials measure it to four standard errors, 4 sqrt(0.05 / 4000) = 1.4 %.
 TEST(Distribution, IntervalsCoverAsOftenAsTheySay) {
   std::mt19937_64 random(5);
   std::exponential_distribution<float> law(1.0f);
@@ -94,7 +94,7 @@ TEST(Distribution, CountsWhatHasNoEnd) {
   EXPECT_EQ(s.quantiles[0].low, 2.0);  // rank 2 of 10
 }
 
-// Quantiles from bins are middles of bins 0.54 % wide.
+// Quantiles from bins are centres of bins 0.54 % wide.
 TEST(Distribution, BinsAgreeWithOrderStatistics) {
   std::mt19937_64 random(11);
   std::lognormal_distribution<float> law(-4.0f, 1.5f);
@@ -123,7 +123,7 @@ TEST(Distribution, BinsAgreeWithOrderStatistics) {
   EXPECT_NEAR(c.mean_high, a.mean_high, 1e-12);
 }
 
-// A start of weight 2 is two starts to a quantile; intervals are those of fewer, Kish's number.
+// A start of weight 2 counts as two starts for a quantile; intervals are those of fewer starts, Kish's number.
 TEST(Distribution, CountsWeights) {
   Distribution weighted, repeated;
   for (int i = 1; i <= 200; ++i) {

@@ -20,21 +20,21 @@ TEST(Random, FractionsLieBelowOne) {
   EXPECT_EQ(fraction(~std::uint64_t{0}), 1.0 - 0x1p-53);
 }
 
-// Computed apart from this program, in whole numbers of any length: trapping regions depend on them. Six are more than
-// a block.
+// Computed by another program with integers of any length. Trapping regions depend on these numbers. Six are more than
+// one block.
 TEST(Random, StreamsBeginAsTheyAlwaysDid) {
   RandomStream even, bell;
   for (const double expected : {0.10497218847413847, 0.6931135233729437, 0.9764103069660157, 0.4221709537778485,
                                 0.19972611387175898, 0.018609283776805707})
     EXPECT_EQ(even.uniform(), expected);
-  // Logarithm and cosine of the system: its last digit.
+  // The system's logarithm and cosine, to the last digit.
   for (const double expected : {-0.16477211388538707, -2.416652424881293, 0.6629767127656954})
     EXPECT_DOUBLE_EQ(bell.normal(), expected);
   EXPECT_NE(RandomStream(1).uniform(), RandomStream(2).uniform());
 }
 
-// Each mean of a power within five of its standard errors, by the moments of the distribution: of N numbers the mean of
-// x^k has the variance (m_2k - m_k^2) / N.
+// Each mean of a power lies within five standard errors, from the moments of the distribution: for N numbers the mean
+// of x^k has the variance (m_2k - m_k^2) / N.
 TEST(Random, MomentsAreThoseOfTheirDistributions) {
   constexpr int count = 200000;
   RandomStream random;

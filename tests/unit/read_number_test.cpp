@@ -1,4 +1,4 @@
-// Numbers read the C library's way against std::from_chars(), to the bit and to the character.
+// Numbers read by the C library against std::from_chars(): the same bits, and the same end.
 #include "equipoise/base/read_number.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// What reports say, from results made by hand: bounds beside intervals, units, what may be missing, what is folded
-// away.
+// Reports of results made by hand: bounds beside intervals, units, optional parts, folded parts.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -44,7 +43,7 @@ Fate fate(Outcome outcome, int attractor = 0) {
           static_cast<short>(attractor), 100.0};
 }
 
-// `starts` in turns of ten: six balanced, one elsewhere, three undecided.
+// Of every ten `starts`: six balanced, one elsewhere, three undecided.
 Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = false) {
   const Sampler sampler(method, 2, starts, true);
   Tally tally(sampler, 1, 0.0);
@@ -58,8 +57,8 @@ Tally tally_of(SamplingMethod method, std::uint64_t starts, bool all_balanced = 
   return tally;
 }
 
-// Six motions, three of one alias, the rarest of them common in one cell only: every column has a name of its own, the
-// commonest over all cells come first, and what the last column holds is said.
+// Six motions, three of one alias, the rarest common only in one cell. Every column has its own name, the most common
+// over all cells come first, and the content of the last column is listed.
 TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
   SweepResult r;
   r.study = parse_study(machine, "s.toml");
@@ -98,7 +97,7 @@ TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
   EXPECT_EQ(sweep_text(r).find("thers"), std::string::npos);
 }
 
-// Two motions of one name, which no catalogue makes, still have columns of their own.
+// Two motions of one name, which no catalogue makes, still get different columns.
 TEST(SweepText, NeverHasTwoColumnsOfOneTitle) {
   SweepResult r;
   r.study = parse_study(machine, "s.toml");
@@ -117,7 +116,7 @@ TEST(SweepText, NeverHasTwoColumnsOfOneTitle) {
   EXPECT_NE(sweep_text(r).find("stuck #8  stuck #9"), std::string::npos) << sweep_text(r);
 }
 
-// RFC 4180: quotes around what holds a comma or a quote, its own quotes twice.
+// RFC 4180: quotes around text that contains a comma or a quote, inner quotes doubled.
 TEST(Csv, QuotesAndDoublesQuotes) {
   EXPECT_EQ(csv_text("two balls stuck"), "two balls stuck");
   EXPECT_EQ(csv_text("a, b"), "\"a, b\"");
@@ -132,7 +131,7 @@ TEST(OpenShares, HaveBoundsThatHoldWhateverTheUndecidedAre) {
     const char* name = sampling_method_names[static_cast<std::size_t>(method)];
     EXPECT_EQ(s.least, s.low) << name;
     EXPECT_LT(s.high, 0.65) << name;
-    // What it would be if all of the undecided had balanced: the same starts counted so.
+    // Its value if all undecided starts had balanced: the same starts counted so.
     EXPECT_DOUBLE_EQ(s.most, all.high) << name;
     EXPECT_GT(s.most, 0.9) << name;
     EXPECT_EQ(all.most, all.high) << name;
@@ -278,7 +277,7 @@ std::string heading_of(const std::string& text, const std::vector<std::string>& 
   return study_heading(parse_study(text, "rotor", overrides));
 }
 
-// Said where it holds, and nowhere else.
+// Said where it is true, and nowhere else.
 TEST(StudyHeading, SaysHowLongBallsAreHeld) {
   const std::string ramp = "speed={profile='ramp', final=2.4, duration=40.0}";
   const auto dimensionless = [&](std::vector<std::string> overrides) { return heading_of(constant_speed, overrides); };

@@ -1,4 +1,4 @@
-// Work on other threads, callbacks on the caller's: order, stops, what is thrown on either side.
+// Work on other threads, callbacks on the caller's: order, stops, exceptions on either side.
 #include "equipoise/running/reporting.hpp"
 
 #include <chrono>
@@ -26,7 +26,7 @@ TEST(Reported, WithoutCallbacksWorkRunsWhereItIs) {
   EXPECT_NE(reported(options, [](const RunOptions&) { return std::this_thread::get_id(); }), here);
 }
 
-// Many threads report at once: each report is heard on this thread, one after the other, and its teller waits for it.
+// Many threads report at once: this thread hears each report, one after the other, and its sender waits.
 TEST(Reported, EveryReportIsHeardHere) {
   RunOptions options;
   std::uint64_t heard = 0;
@@ -95,7 +95,7 @@ TEST(Reported, WhatACallbackThrowsStopsTheWorkAndComesOut) {
     reported(options, [&](const RunOptions& o) {
       o.progress({});
       went_on = !stopped(o);
-      o.progress({});  // is not heard
+      o.progress({});  // not heard
       return 0;
     });
     ADD_FAILURE() << "nothing came";
@@ -127,7 +127,7 @@ TEST(Reported, CallsMayStandInsideEachOther) {
   EXPECT_EQ(heard, std::vector<std::string>{"inner work"});
 }
 
-// Four threads: counts never fall while a stage lasts, and no two threads tell at once.
+// Four threads: counts never fall during a stage, and no two threads report at once.
 TEST(Stages, AreToldInOrderByWhicheverThreadWorks) {
   std::vector<Progress> heard;
   bool telling = false, overlapping = false;

@@ -1,5 +1,5 @@
-// Rules of thumb: against hand calculations, against exact geometry and balance of power. (Over drawn rotors, against
-// the linearised equations: drawn_rules_test.cpp.)
+// Rules of thumb against hand calculations, exact geometry and the balance of power. (drawn_rules_test.cpp: over drawn
+// rotors, against the linearised equations.)
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -42,13 +42,13 @@ TEST(CriticalSpeedRule, KnowsGravityAndSupportsThatDiffer) {
 }
 
 TEST(RoomRule, CountsBallsAndSpacing) {
-  // 2 asin(10/60) = 19.19 degree: 18 fit; in balance the two are 2 acos(lambda/(2 mu)) = 96.4 degree apart.
+  // 2 asin(10/60) = 19.19 degrees: 18 fit; in balance the two are 2 acos(lambda/(2 mu)) = 96.4 degrees apart.
   const Explanation e = explained(machine, {"balancer.ball_diameter=10 mm"});
   const RuleOfThumb& r = rule(e, "room");
   EXPECT_EQ(figure(r, "balls of this size that fit"), 18.0);
   EXPECT_NEAR(figure(r, "angle between them in balance"), 2.0 * std::acos(0.2 / 30.0 / 0.01), 1e-12);
   EXPECT_EQ(r.kept, true);
-  // Of 50 mm, 112.9 degree wide: side by side they cancel 2 mu cos(56.4 degree), less than there is.
+  // Balls of 50 mm are 112.9 degrees wide: side by side they cancel 2 mu cos(56.4 degrees), less than there is.
   const Explanation wide = explained(machine, {"balancer.ball_diameter=50 mm"});
   EXPECT_TRUE(holds(rule(wide, "room").words, "overlap"));
   EXPECT_EQ(rule(wide, "room").kept, false);
@@ -105,7 +105,7 @@ TEST(DragRule, TwoEqualBallsByHand) {
   EXPECT_EQ(rule(e, "drag").kept, true);
   EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=0.001"}), "drag").words, "too little"));
   EXPECT_TRUE(holds(rule(explained(constant_speed, {"balancer.drag=5.0"}), "drag").words, "too much: the balls creep"));
-  // Below 0.1 omega^3/(0.5 (2.4 - omega)) = 0.1198 all balls can be left behind, and are: the paper's V1.
+  // Below 0.1 omega^3/(0.5 (2.4 - omega)) = 0.1198 all balls can lag behind, and do: the paper's V1.
   EXPECT_NEAR(figure(rule(e, "drag"), "below it balls may lag at the critical speed"), 0.1198, 1e-4);
   EXPECT_TRUE(holds(rule(e, "drag").words, "may lag behind"));
 }
@@ -119,7 +119,7 @@ TEST(DragRule, TheScansEndsAreWhereItSays) {
   // Bisected to 1.2^(1/4096) = 4e-5 of the factor, on which the rate depends about linearly; the best of the grid.
   EXPECT_NEAR(scan.slowest(range->low), 0.25 * scan.slowest(range->best), 1e-4 * std::abs(scan.slowest(range->best)));
   EXPECT_NEAR(scan.slowest(range->high), 0.25 * scan.slowest(range->best), 1e-4 * std::abs(scan.slowest(range->best)));
-  // Whatever drag the scan is told in parts of: found to 0.2 % of 0.16.
+  // Whatever drag the scan is scaled by: found to 0.2 % of 0.16.
   const Explanation other = explained(constant_speed, {"balancer.drag=0.37"});
   EXPECT_NEAR(figure(rule(other, "drag"), "fastest, by linear theory"),
               figure(rule(e, "drag"), "fastest, by linear theory"), 5e-4);

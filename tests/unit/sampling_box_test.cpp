@@ -1,4 +1,4 @@
-// [sampling.box]: reading, echo, errors, and what it draws.
+// [sampling.box]: reading, echo, errors, and draws.
 #include <array>
 #include <cmath>
 #include <set>
@@ -84,13 +84,13 @@ TEST(SamplingBox, DrawsWhatItNamesAndKeepsAnglesAndTheRest) {
   // Means of 4000 numbers of standard deviation 1/sqrt(3) and 1/3: five standard errors.
   EXPECT_NEAR(x_sum / count, 0.0, 5.0 / std::sqrt(3.0 * count));
   EXPECT_NEAR(rate_product / count, 0.0, 5.0 / (3.0 * std::sqrt(count)));
-  EXPECT_EQ(values.size(), 5u * count);  // no number serves twice
+  EXPECT_EQ(values.size(), 5u * count);  // no number is used twice
 }
 
 TEST(SamplingBox, TakesFurtherCoordinatesOfTheSameSobolPoint) {
   const Study with = parse(free_balls + box, {"sampling.method=sobol"});
   const Study without = parse(free_balls, {"sampling.method=sobol"});
-  // Balls' angles, x, y_dot, balls' rates: each of 2^6 points of a replicate in a cell of its own, in each of them.
+  // Balls' angles, x, y_dot, balls' rates: in each coordinate, each of a replicate's 2^6 points lies in its own cell.
   std::array<std::set<int>, 6> cells;
   for (std::uint64_t i = 3; i < 16 * 64; i += 16) {
     const InitialState s = start_of(with, 1, i);

@@ -26,7 +26,7 @@ Points replicate(std::uint64_t seed, int number, std::size_t count, int dimensio
   return points;
 }
 
-// How many points the fullest and the emptiest box of 2^-splits[d] a side hold.
+// Number of points in the fullest and the emptiest box with sides 2^-splits[d].
 std::pair<int, int> fullest_and_emptiest(const Points& points, const std::vector<int>& splits) {
   int bits = 0;
   for (const int s : splits) bits += s;
@@ -96,12 +96,13 @@ TEST(ScrambledSobol, AStartIsAFunctionOfSeedAndIndexAlone) {
   const Sampler sampler(SamplingMethod::sobol, 2, 1000, true), shorter(SamplingMethod::sobol, 2, 10, true);
   double phi[2], again[2];
   sampler.angles(5, 77, phi);
-  shorter.angles(5, 77, again);  // the number of starts does not matter: runs extend
+  shorter.angles(5, 77, again);  // the number of starts does not matter: runs can be extended
   EXPECT_EQ(phi[0], again[0]);
   EXPECT_EQ(phi[1], again[1]);
 }
 
-// A point's first 53 bits, and those of two points, are independent over replicates and seeds if the scrambling is.
+// If the scrambling is independent, so are the first 53 bits of a point, and those of two points, over replicates and
+// seeds.
 TEST(ScrambledSobol, EachPointIsUniformAndReplicatesAreIndependent) {
   constexpr int seeds = 4000;
   double mean = 0.0, square = 0.0, between_replicates = 0.0, between_angles = 0.0, within = 0.0;
@@ -125,7 +126,7 @@ TEST(ScrambledSobol, EachPointIsUniformAndReplicatesAreIndependent) {
   EXPECT_NEAR(within, -0.75, 5 / 63.2);
 }
 
-// Nested scrambling, not a shift: points that share j bits before keep sharing them, and the next bits are random.
+// Nested scrambling, not a shift: points that share their first j bits keep sharing them, and the next bits are random.
 TEST(ScrambledSobol, ScramblingIsNested) {
   const Points one = replicate(1, 0, 64, 1), two = replicate(2, 0, 64, 1);
   int same_flips = 0, pairs = 0;
@@ -141,8 +142,8 @@ TEST(ScrambledSobol, ScramblingIsNested) {
       const auto top = [&](double x) { return static_cast<unsigned>(std::ldexp(x, 6)); };
       same_flips += (top(one[i][0]) ^ top(two[i][0])) == (top(one[j][0]) ^ top(two[j][0]));
     }
-  // A mere digital shift flips the same bits of all points. Of random flips six bits agree in 1 of 64 pairs, more
-  // among pairs with shared bits: 1/64 sum over shared bits s of 2^-(s+1) 2^s = 6/2 times 1/64 = 5 %.
+  // A mere digital shift flips the same bits of all points. With random flips six bits agree in 1 of 64 pairs, and more
+  // often for pairs with shared bits: 1/64 sum over shared bits s of 2^-(s+1) 2^s = 6/2 times 1/64 = 5 %.
   EXPECT_LT(same_flips, pairs / 5);
 }
 
@@ -160,7 +161,7 @@ TEST(JitteredGrid, FillsWithTheStartsItIsGiven) {
   EXPECT_EQ(JitteredGrid(2, false, 1000000000000).side(), 707106u);
 }
 
-// Every cell once, in an order of its own for each seed; two starts in each; weights add up to the whole.
+// Every cell once, in a different order for each seed; two starts in each; weights add up to the whole.
 void expect_tiling(int balls, bool exchange, std::uint64_t starts) {
   const JitteredGrid grid(balls, exchange, starts);
   std::map<std::vector<int>, int> visits;

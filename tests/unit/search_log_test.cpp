@@ -1,4 +1,4 @@
-// What long work notes, and what it is given back: the same bits or nothing.
+// What long work records, and what it gets back: the same bits or nothing.
 #include "equipoise/running/search_log.hpp"
 
 #include <filesystem>
@@ -77,7 +77,7 @@ TEST(Bytes, GiveBackARecordOfThePilot) {
   EXPECT_EQ(back.range.trend, 3);
 }
 
-// Of no length but their own.
+// Only the exact length is accepted.
 TEST(Bytes, AreRefusedIfCutOffOrSpoilt) {
   const std::vector<std::vector<double>> lists{{1.0, 2.0}, {}, {3.0}};
   const std::vector<char> bytes = bytes_of(lists);
@@ -88,7 +88,7 @@ TEST(Bytes, AreRefusedIfCutOffOrSpoilt) {
   std::vector<char> longer = bytes, huge = bytes;
   longer.push_back(0);
   EXPECT_TRUE(again<std::vector<std::vector<double>>>(longer).empty());
-  huge[7] = 0x7f;  // so many lists that no memory holds them
+  huge[7] = 0x7f;  // more lists than any memory holds
   EXPECT_TRUE(again<std::vector<std::vector<double>>>(huge).empty());
 }
 
@@ -112,7 +112,7 @@ TEST(SearchLog, AreAnswersToTheSameQuestionsInTheSameOrder) {
   };
   EXPECT_EQ(ask(*known(), "this", "many"), answers);
   EXPECT_EQ(worked, 2);
-  EXPECT_EQ(ask(*known(), "this", "others"), answers);  // another question is worked out
+  EXPECT_EQ(ask(*known(), "this", "others"), answers);  // another question is computed
   EXPECT_EQ(worked, 3);
   EXPECT_EQ(ask(*known(), "that", "many"), answers);
   EXPECT_EQ(worked, 5);
@@ -132,7 +132,7 @@ TEST(SearchLog, AreNotTakenOfWorkThatWasStopped) {
   EXPECT_EQ(kept.size(), 1u);
 }
 
-// Of short work, unless it is given up, nothing is kept where that is asked.
+// Short work is recorded only if it is abandoned.
 TEST(SearchLog, AreKeptOnceTheyAreWorthIt) {
   constexpr double for_ever = 1e9;
   const auto ask_twice = [](NotePage& page) {
@@ -176,7 +176,7 @@ TEST(SearchLog, AreKeptAmongUnfinishedResults) {
   {
     Journal journal(path, path, "mine");
     ASSERT_EQ(journal.records().size(), 3u);
-    EXPECT_EQ(ask(*io::notes_kept_in(journal), 4.0), 3.0);  // as it was noted
+    EXPECT_EQ(ask(*io::notes_kept_in(journal), 4.0), 3.0);  // as recorded
     io::leave_notes(journal, false);
     EXPECT_EQ(journal.records().size(), 1u);
   }

@@ -1,4 +1,4 @@
-// How much a search for attractors follows: what it can leave out, and that it leaves out no more.
+// How much an attractor search follows: what it can skip, and that it skips no more.
 #include <cstdint>
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@
 namespace equipoise {
 namespace {
 
-// The discovery of a rotor, and how many of each thing its stages counted in all.
+// The search of a rotor, and the total count of each stage.
 struct Search {
   Search(const model::Parameters& p, double speed) {
     AttractorSearchSettings settings{.threads = 2};
@@ -57,8 +57,8 @@ TEST(SearchWork, AllOfThePilotIsFollowedWhereBoxesAreAudited) {
   EXPECT_EQ(search.totals.at("pilot trajectories"), scouts + all);
 }
 
-// On V2 some scouts repeat their windows and others do not: one of the former is followed to the torus, and both are
-// known by their looks.
+// On V2 some scouts repeat their windows and others do not. One of the former is followed to the torus, and features
+// identify both kinds.
 TEST(SearchWork, OneTorusIsFollowedOnce) {
   const Search search(base_rotor(2), 2.4);
   EXPECT_EQ(search.totals.at("motions followed until they are steady"), 2u);  // V1, V2

@@ -1,4 +1,4 @@
-// Figures of maps whose basins are known.
+// Figures of slices whose basins are known.
 #include "equipoise/basin_slices/slice_figures.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ SliceFigures slice_figures(const BasinSlice& map) {
   return count.figures();
 }
 
-// A square over both angles with the code that `code` gives each pixel's place, 0 to 1.
+// A square over both angles; `code` gives the code at each pixel's place, 0 to 1.
 BasinSlice painted(int side, const std::function<short(double, double)>& code) {
   BasinSlice map;
   map.study = parse_study(constant_speed, "rotor");
@@ -53,8 +53,8 @@ TEST(SliceFigures, OfASmoothBoundary) {
   EXPECT_GT(f.basin_entropy->value, 0.0);
 }
 
-// The ends of the middle-third Cantor set's gaps, times a line: dimension 1 + log 2 / log 3. Gaps of a generation have
-// one colour, those of the next the other.
+// The ends of the middle-third Cantor set's gaps, times a line: dimension 1 + log 2 / log 3. Gaps of successive
+// generations have alternating colours.
 TEST(SliceFigures, OfACantorSetOfLines) {
   const SliceFigures f = slice_figures(painted(729, [](double x, double) -> short {
     int generation = 0;
@@ -68,7 +68,7 @@ TEST(SliceFigures, OfACantorSetOfLines) {
   }));
   const double dimension = 1.0 + std::log(2.0) / std::log(3.0);
   ASSERT_TRUE(f.box_dimension && f.uncertainty_exponent);
-  // Boxes that double do not match gaps that treble: counts waver by a tenth.
+  // Boxes that double do not match gaps that treble: counts vary by a tenth.
   EXPECT_NEAR(f.box_dimension->value, dimension, 0.06);
   EXPECT_NEAR(f.uncertainty_exponent->value, 2.0 - dimension, 0.06);
   EXPECT_LT(f.box_dimension->low, f.box_dimension->value);
@@ -78,7 +78,7 @@ TEST(SliceFigures, OfChance) {
   const SliceFigures f = slice_figures(painted(500, coin));
   EXPECT_NEAR(f.box_dimension->value, 2.0, 0.05);
   EXPECT_NEAR(f.uncertainty_exponent->value, 0.0, 0.01);
-  // The entropy of 25 tosses falls short of log 2 by 1 / 50 on average (G. A. Miller 1955), and 10 000 boxes know it to
+  // The entropy of 25 tosses falls short of log 2 by 1 / 50 on average (G. A. Miller 1955); 10 000 boxes give it to
   // 3e-4.
   EXPECT_NEAR(f.basin_entropy->value, std::log(2.0) - 0.02, 0.002);
   EXPECT_NEAR(f.boundary_basin_entropy->value, f.basin_entropy->value, 1e-3);
@@ -94,8 +94,8 @@ TEST(SliceFigures, SayNothingOfWhatIsNotThere) {
   EXPECT_EQ(undecided.basin_entropy->value, 0.0);
 }
 
-// Boxes of twice the side are counted as unions of smaller ones: against boxes looked at one by one, on a map whose
-// sides are no multiples of them.
+// Larger boxes are counted as unions of smaller ones. Compares with boxes examined one by one, on a slice whose sides
+// are no multiples of them.
 TEST(SliceFigures, BoxesAreThoseThatHoldTwoOutcomes) {
   BasinSlice map = painted(107, [](double x, double y) -> short { return static_cast<short>(1 + (x * x + y > 0.7)); });
   for (std::size_t k = 0; k < map.code.size(); k += 7) map.code[k] = undecided_code;

@@ -15,7 +15,7 @@ namespace {
 
 using Inputs = std::vector<double>;
 
-// Rows of `f` over inputs that are uniform on [0, 1).
+// Rows of `f` over inputs uniform on [0, 1).
 PickFreezeRows rows_of(std::size_t inputs, std::size_t rows, std::uint64_t seed,
                        const std::function<double(const Inputs&)>& f) {
   RandomStream random(seed);
@@ -80,8 +80,8 @@ TEST(SobolIndices, OfSobolsG) {
 }
 
 TEST(SobolIndices, OfAnIndicator) {
-  // [x + y < 1] of two uniform numbers: variance 1/4, conditional means 1 - x: first order 1/12 over 1/4 = 1/3; total
-  // is 1 less the other's first order. The third input plays no part.
+  // [x + y < 1] of two uniform numbers: variance 1/4, conditional means 1 - x. First order is 1/12 over 1/4 = 1/3;
+  // total is 1 less the other's first order. The third input has no effect.
   const auto below = [](const Inputs& u) { return u[0] + u[1] < 1.0 ? 1.0 : 0.0; };
   expect_indices(sobol_indices(rows_of(3, 20000, 3, below)), {1.0 / 3.0, 1.0 / 3.0, 0.0}, {2.0 / 3.0, 2.0 / 3.0, 0.0},
                  0.04);
@@ -96,8 +96,8 @@ TEST(SobolIndices, IntervalsHoldTheTruthAsOftenAsTheySay) {
     first += found[0].first.low <= 1.0 / 3.0 && 1.0 / 3.0 <= found[0].first.high;
     total += found[0].total.low <= 2.0 / 3.0 && 2.0 / 3.0 <= found[0].total.high;
   }
-  // 95 % of 200 are 190, give or take 3.1; percentile intervals of 256 rows miss a little more often: down to 92 %,
-  // less four deviations.
+  // 95 % of 200 are 190, give or take 3.1. Percentile intervals of 256 rows miss slightly more often: 92 %, less four
+  // deviations.
   EXPECT_GE(first, 184 - 16);
   EXPECT_GE(total, 184 - 16);
   EXPECT_LT(first + total, 2 * samples);  // and some do miss

@@ -36,10 +36,10 @@ const std::vector<SpeedProfile>& profiles() {
   return all;
 }
 
-// Releases at the start, within branches, at corners and after the last one.
+// Releases at the start, within pieces, at corners and after the last one.
 constexpr double releases[] = {0.0, 3.3, 12.0, 25.0, 30.0, 50.0, 80.0, 123.0};
 
-double omega(const SpeedProfile& p, double t) {  // the ramp function, by a search of its own
+double omega(const SpeedProfile& p, double t) {  // the ramp function by a separate search
   std::size_t i = 0;
   while (i + 1 < p.times.size() && p.times[i + 1] <= t) ++i;
   if (i + 1 == p.times.size()) return p.speeds[i];
@@ -52,7 +52,7 @@ double slope(const SpeedProfile& p, double t) {  // of the ramp function, from t
   return i == p.times.size() ? 0.0 : (p.speeds[i] - p.speeds[i - 1]) / (p.times[i] - p.times[i - 1]);
 }
 
-// Times inside a segment, its begin included.
+// Times inside a segment, including its start.
 std::vector<double> times_in(const Segment& s) {
   const double length = std::min(s.end - s.begin, 50.0);
   return {s.begin, s.begin + 0.25 * length, s.begin + 0.5 * length, s.begin + 0.9 * length};

@@ -16,7 +16,7 @@ TEST(Starts, AreAddressedBySeedAndIndexAlone) {
   start_angles(7, 123456789, 8, a);
   start_angles(7, 123456789, 8, b);
   for (int i = 0; i < 8; ++i) EXPECT_EQ(a[i], b[i]);
-  start_angles(7, 123456789, 2, b);  // fewer balls see the same first angles
+  start_angles(7, 123456789, 2, b);  // fewer balls get the same first angles
   EXPECT_EQ(a[0], b[0]);
   EXPECT_EQ(a[1], b[1]);
   start_angles(8, 123456789, 2, b);
@@ -70,7 +70,7 @@ TEST(Share, IntervalsCoverTheTruthAsOftenAsTheySay) {
       const Share s = wilson_share(draw(random), 1000);
       covered += s.low <= truth && truth <= s.high;
     }
-    // 95 % nominal; the discrete count moves coverage by a point and a half, 4000 trials by five standard errors of
+    // 95 % nominal; the discrete count changes coverage by a point and a half, 4000 trials by five standard errors of
     // 0.34 %.
     EXPECT_NEAR(covered / double(trials), 0.95, 0.032) << truth;
   }

@@ -1,4 +1,4 @@
-// Motions known in closed form: the clamped rotor's steady response and equilibria of the free one.
+// Motions known in closed form: the clamped rotor's steady response, and equilibria of the free one.
 #include <Eigen/Dense>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,10 +40,10 @@ Complex unbalance(const Study& s) {
   return u;
 }
 
-// By then what is left of the start, exp(-zeta t / (2 (1 + N))), is below 1e-20 (zeta at least 0.35).
+// By then the remainder of the start, exp(-zeta t / (2 (1 + N))), is below 1e-20 (zeta at least 0.35).
 const std::vector<double> late{320.0, 323.7, 351.2, 399.0};
 
-// simulate() is good to 1e-9 relative over 100 time units; here the start is forgotten and errors do not add up.
+// simulate() is accurate to 1e-9 relative over 100 time units; here the start is forgotten and errors do not add up.
 constexpr double allowed = 1e-11;
 
 TEST(ClampedSteadyResponse, IsTheClosedFormOnIsotropicSupports) {
@@ -82,7 +82,7 @@ TEST(ClampedSteadyResponse, IsTheClosedFormOnAnisotropicSupportsUnderGravity) {
     const auto run = equipoise::simulate(s, late);
     ASSERT_EQ(run.t, late);
     for (std::size_t k = 0; k < late.size(); ++k) {
-      // Each axis is an oscillator of its own, driven by the real and imaginary parts of U w^2 e^{i psi}.
+      // Each axis is an independent oscillator, driven by the real and imaginary parts of U w^2 e^{i psi}.
       const Complex turn = std::polar(1.0, s.initial.psi + w * late[k]), drive = unbalance(s) * turn;
       const double X = (response(0) * drive).real(),
                    Y = (response(1) * drive).imag() - total * p.gravity / p.stiffness[1];
@@ -95,7 +95,7 @@ TEST(ClampedSteadyResponse, IsTheClosedFormOnAnisotropicSupportsUnderGravity) {
   RecordProperty("largest_relative_error", fmt::format("{:.2g}", largest));
 }
 
-// One ball at rest in the race, on the side the rotor has moved to (sign +1) or opposite (-1).
+// One ball at rest in the race, on the side that the rotor moved to (sign +1) or opposite (-1).
 struct Synchronous {
   double r, state[6];
 };
@@ -138,7 +138,7 @@ TEST(OneBall, IsAtRestAtTheClosedFormSynchronousStates) {
         EXPECT_LT(rate, 1e-14) << "mass " << mu << ", speed " << w;
       }
     }
-  EXPECT_GE(found, 12);  // two for every speed while the ball is lighter than the unbalance, at least
+  EXPECT_GE(found, 12);  // at least two for every speed while the ball is lighter than the unbalance
   RecordProperty("largest_rate", fmt::format("{:.2g}", largest));
 }
 

@@ -1,4 +1,4 @@
-// Searches for motions that are stopped on their way answer nothing, rather than what they had come to.
+// Interrupted searches for motions return nothing, rather than what they had reached.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@
 namespace equipoise {
 namespace {
 
-// On the paper's V1, both balls left behind together.
+// On the paper's V1, where both balls lag behind together.
 class StoppedFollowing : public testing::Test {
  protected:
   void SetUp() override {
@@ -50,7 +50,7 @@ TEST_F(StoppedFollowing, DrawsNoWholePath) {
   EXPECT_EQ(motion_path(system_, *motion_, 100.0, 50, options).x.size(), 1u);
 }
 
-// A start's motion that was cut short must not be taken for the motion of that start.
+// An interrupted search's motion must not be taken for the start's motion.
 TEST_F(StoppedFollowing, ListsNoStart) {
   Study study = study_;
   study.numerics.horizon = 3000.0;

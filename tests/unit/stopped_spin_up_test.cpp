@@ -1,4 +1,4 @@
-// Spin-ups that take long obey the stop flag.
+// Long spin-ups obey the stop flag.
 #include <ctime>
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ Study ramp(const std::string& duration) {
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Ten million steps and more of integration, seconds of them; none is begun.
+// More than ten million integration steps, seconds of work; none is begun.
 TEST(StoppedSpinUp, DoesNotIntegrate) {
   const StopFlag stop{true};
   const double begin = cpu_now();
@@ -40,7 +40,7 @@ TEST(StoppedSpinUp, MakesNoStarts) {
   EXPECT_FALSE(source.make(1, 0, 10, starts));
 }
 
-// The grid of times at which transients are watched: 64 points a turn, a hundred thousand turns' worth of sums.
+// The grid of times for transients: 64 points per turn, over a hundred thousand turns.
 TEST(StoppedSpinUp, IsNotWatched) {
   const StopFlag stop{true};
   const Study study = ramp("3e5");
@@ -50,7 +50,7 @@ TEST(StoppedSpinUp, IsNotWatched) {
   EXPECT_LT(cpu_now() - begin, 1.0);  // the times themselves are listed
 }
 
-// Seventy million times of 104 bytes are refused before any work: of all that hold balls so long, and of nobody else.
+// Seventy million times of 104 bytes are refused before any work, wherever balls are held so long and nowhere else.
 TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
   const auto refused = [](const std::vector<std::string>& overrides) -> std::string {
     const Study study = parse_study(rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = 3e6\n",
@@ -73,8 +73,8 @@ TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
   EXPECT_EQ(refused({"speed={profile='trapezoid', peak=3.0, final=2.4, rise_until=2e6, hold_until=2.1e6, "
                      "fall_until=2.2e6}"}),
             "speed.rise_until = 2e+06");
-  EXPECT_EQ(refused({"speed.duration=2e5", "speed.final=1.3"}), "");  // 1.3 * 64 / (2 pi) a unit of time: 2.6 million
-  EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free all along
+  EXPECT_EQ(refused({"speed.duration=2e5", "speed.final=1.3"}), "");  // 1.3 * 64 / (2 pi) per unit of time: 2.6 million
+  EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free from the start
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Files of results under faults: cut off, spoilt, a full disk, two writers; every prefix of a journal can be read.
+// Files of results under faults: cut off, damaged, a full disk, two writers; every prefix of a journal can be read.
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -30,7 +30,7 @@ void overwrite(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
 }
 
-// In place: cutting a file to nothing and writing it again waits for the disk on some file systems.
+// In place: truncating a file and writing it again waits for the disk on some file systems.
 void flip_bit(const std::string& path, std::size_t at) {
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   file.seekg(static_cast<std::streamoff>(at));
@@ -52,7 +52,7 @@ class Files : public testing::Test {
   std::string folder_, path_, part_;
 };
 
-// No file of this process may grow beyond `bytes`: writing fails then as on a full disk.
+// No file of this process may grow beyond `bytes`: writing then fails as on a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -76,7 +76,7 @@ BasinFileHeader header_of(const std::string& drag = "0.05") {
   return header;
 }
 
-// Start i as no other.
+// A fate unlike any other start's.
 Fate fate_of(std::uint64_t i) {
   Fate fate;
   fate.outcome = i % 5 == 0 ? Outcome::undecided : Outcome::attracted;
@@ -176,7 +176,7 @@ TEST_F(Files, AJournalCutAnywhereIsReadOrRefused) {
   std::uint64_t most = 0;
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     overwrite(part_, whole.substr(0, size));
-    BasinFile file(path_, header_of());  // whoever was killed at any moment is taken up
+    BasinFile file(path_, header_of());  // resumes after a kill at any moment
     EXPECT_GE(file.stored(), most);
     most = file.stored();
     expect_starts(file, most);
@@ -198,7 +198,7 @@ TEST_F(Files, AJournalWithAnyByteSpoiltGivesNothingButWhatWasWritten) {
     overwrite(part_, spoilt);
     try {
       const BasinFile file(path_, header_of());
-      EXPECT_LT(file.stored(), 12u) << at;  // every byte counts for something
+      EXPECT_LT(file.stored(), 12u) << at;  // every byte matters
       expect_starts(file, file.stored());
     } catch (const InputError& e) {
       EXPECT_NE(std::string(e.what()).find(".part"), std::string::npos) << e.what();
@@ -236,7 +236,7 @@ TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
   expect_starts(again, 151);
   EXPECT_EQ(again.discoveries(), std::vector<std::vector<double>>{std::vector<double>(8, 2.5)});
   EXPECT_EQ(again.cpu_targets(), (std::vector<std::string>{"AVX2", "AVX-512"}));
-  // This run's own second, and the quarter that its last record says of the one before that was not finished.
+  // This run's second, and the quarter second that the last record states for the unfinished earlier run.
   EXPECT_EQ(again.time().seconds, 1.0 + 0.25 + 1.0);
   const std::vector<OutcomeShare> summary = again.summary();
   ASSERT_EQ(summary.size(), 2u);
@@ -347,7 +347,7 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
     kept = file.stored();
     EXPECT_GT(kept, 1000u);
     EXPECT_THROW(file.finish("", summary_of(kept), true, {}), RunError);
-    EXPECT_THROW(append(file, 100), RunError);  // and is still in order
+    EXPECT_THROW(append(file, 100), RunError);  // and still works
   }
   EXPECT_EQ(content(path_), finished);
   EXPECT_FALSE(fs::exists(path_ + ".new"));

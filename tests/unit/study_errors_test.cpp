@@ -15,7 +15,7 @@
 namespace equipoise {
 namespace {
 
-// Cases below count on its line numbers.
+// The cases below depend on its line numbers.
 const std::string good =
     ramp_speed + "[release]\nspeed = 2.2\n[initial]\nphi = [1.0, 4.0]\n[sampling]\nstarts = 1000\n";
 
@@ -42,7 +42,7 @@ TEST(BadInput, IsRefusedInTheWordsOfTheSnapshot) {
   });
 }
 
-// Where the words, or the column, are not the reader's own.
+// Cases whose words or column are not the reader's own.
 struct Bad {
   std::string text;
   std::vector<std::string> overrides;
@@ -64,13 +64,13 @@ void expect_rejected(const std::vector<Bad>& cases) {
   }
 }
 
-// The same for --set alone, on a good file.
+// The same for --set alone, with a good file.
 void expect_override_rejected(const std::string& item, const std::string& where, const std::string& key,
                               const std::string& value, const std::string& problem) {
   expect_rejected({{good, {item}, where, key, value, problem}});
 }
 
-// The column and most of the wording are the TOML library's.
+// The column and most of the wording come from the TOML library.
 TEST(BadInput, WhatIsNotTomlIsNamedByLineAndColumn) {
   expect_rejected({
       {"this is not TOML\n", {}, "f.toml:1:", "", "", "not TOML: "},
@@ -146,7 +146,7 @@ TEST(BadInput, NestingEndsInAMessageBeforeItEndsTheStack) {
 }
 
 TEST(GoodInput, MayLookStrangeWhereTomlAllowsIt) {
-  // Dots that are no key's are no matter.
+  // Dots outside keys do not matter.
   EXPECT_NO_THROW(parse_study("# " + repeated("a.", 100) + "\n" + good + "# ...........................\n", "f.toml"));
   EXPECT_NO_THROW(parse_study(with("phi = [1.0, 4.0]", "phi = [1.0, 4.0] # " + repeated("'a.", 99)), "f.toml"));
   EXPECT_NO_THROW(parse_study("\xEF\xBB\xBF# \u03bb\n" + good, "f.toml"));

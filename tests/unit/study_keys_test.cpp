@@ -1,4 +1,4 @@
-// The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables say it.
+// The table of keys, key by key: messages, suggestions, echo and units follow from it, and the guide's tables match it.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -92,7 +92,7 @@ TEST(StudyKeys, EachIsMeantByItsMisspelling) {
   });
 }
 
-// Of numbers, one at either end that the range has and one in it; what other keys forbid is not asked.
+// For numbers: values at both ends of the range and inside it, except those that other keys forbid.
 TEST(StudyKeys, EachIsEchoedAsItWasRead) {
   std::map<std::string, int> taken;
   for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
@@ -127,7 +127,7 @@ TEST(StudyKeys, QuantitiesAreOfTheirDimension) {
         parse_study(machine, "machine", {dotted(table, key) + "=0.25"});
         EXPECT_EQ(*key.dimension, study::Dimension::angle) << dotted(table, key);
       } catch (const InputError& e) {
-        if (e.problem().find("a plain number") == std::string::npos) continue;  // another key is in its way
+        if (e.problem().find("a plain number") == std::string::npos) continue;  // another key is in the way
         EXPECT_NE(e.problem().find(study::words(*key.dimension).example), std::string::npos) << e.what();
       }
     }

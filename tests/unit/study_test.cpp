@@ -40,7 +40,7 @@ Study parse(const std::string& text, const std::vector<std::string>& overrides =
   return parse_study(text, "test.toml", overrides);
 }
 
-// Release times are one interpolation in a branch, so a few units in the last place (EXPECT_DOUBLE_EQ) are expected.
+// A release time is one interpolation within a piece, accurate to a few units in the last place (EXPECT_DOUBLE_EQ).
 double release_time(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return parse(text, overrides).release_time();
 }

@@ -1,5 +1,4 @@
-// Studies as trees of values: read, written, checked as they are, and refused with errors whose parts can be told
-// apart.
+// Studies as trees of values: read, written, checked, and refused with errors that have separate parts.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -129,7 +128,7 @@ TEST(InputErrors, TellFileLineKeyValueAndRangeApart) {
   EXPECT_EQ(error.wrong(), "");
   EXPECT_EQ(error.allowed(), "a finite number at least 0");
   const InputError syntax = refused([] { parse_study("[rotor]\n x = = 1\n", "f:1"); });
-  EXPECT_EQ(syntax.place().name, "f:1");  // a colon and a number in the name are the name's
+  EXPECT_EQ(syntax.place().name, "f:1");  // a colon and a number in the name belong to the name
   EXPECT_EQ(syntax.place().line, 2);
   EXPECT_GT(syntax.place().column, 0);
   EXPECT_EQ(syntax.allowed(), "");
@@ -171,7 +170,7 @@ TEST(Check, RefusesWhatNoTextCouldSay) {
               s.parameters.ball_radius[1] = 1.0;
             }),
             "balancer.ball_radius");
-  // A motor by stall torque whose law says table: which it is nobody can tell.
+  // A motor by stall torque whose law says table is ambiguous.
   EXPECT_EQ(key_of([](Study& s) {
               s.speed.profile = Profile::torque;
               s.parameters.inertia = 1.0;
@@ -191,7 +190,7 @@ TEST(Check, NamesTheStudyAndNoLineOfATextThatNobodyWrote) {
   EXPECT_EQ(refused([&] { check(study); }).where(), "study");
 }
 
-// A number that is mostly good, and sometimes one of those that are hardly ever.
+// A number that is mostly good, and sometimes one of the rarely good ones.
 class Draw {
  public:
   explicit Draw(unsigned seed) : bits_(seed) {}
@@ -303,7 +302,7 @@ TEST(Check, SaysOfAStudyWhatTheReaderSaysOfItsText) {
       EXPECT_EQ(first_difference(study_from(to_tree(study)), parse_study(to_toml(study), "drawn")), "");
     }
   }
-  EXPECT_GT(accepted, 50);  // the draw is of both kinds, so neither answer is given by habit
+  EXPECT_GT(accepted, 50);  // the draw has both kinds, so neither result is accidental
   EXPECT_GT(refusals, 100);
 }
 

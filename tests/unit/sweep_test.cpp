@@ -1,4 +1,4 @@
-// Sweeps: parameters as people write them, cells to bytes and back, identifiers across cells, blocks.
+// Sweeps: parameters as written, cells to bytes and back, identifiers across cells, blocks.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -58,7 +58,7 @@ TEST(SweepAxis, RefusesWhatIsNone) {
   EXPECT_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, false, "--over"), InputError);
   EXPECT_NO_THROW(sweep_axes({"a=1", "b=1", "c=1", "d=1"}, true, "--over"));
   EXPECT_THROW(sweep_axes({"a=1,1"}, false, "--over"), InputError);
-  // Of parameters that vary together only the first tells cells apart.
+  // Of parameters that vary together only the first identifies cells.
   EXPECT_THROW(sweep_axes({"a=1,1", "b=1,2"}, true, "--over"), InputError);
   const std::vector<SweepAxis> axes = sweep_axes({"a=1,2,3", "b=5,5,6"}, true, "--over");
   ASSERT_EQ(axes.size(), 1u);
@@ -121,8 +121,8 @@ std::vector<SweepAxis> axis(std::size_t size) {
   return {{{p}}};
 }
 
-// Two motions of one name change places in the numbering from one cell to the next, as catalogues do that list the more
-// frequent one first.
+// Two motions of one name change places in the numbering between cells, as in catalogues that list the more frequent
+// one first.
 TEST(AttractorLabels, FollowMotionsThroughTheCells) {
   auto cells = in_a_row({{outcome(1, "balanced", 0.0, 0.0), outcome(8, "both captured", 0.1, 1.0),
                           outcome(9, "both captured (2)", 0.3, 2.0)},
@@ -134,13 +134,13 @@ TEST(AttractorLabels, FollowMotionsThroughTheCells) {
   const auto id = [&](std::size_t cell, std::size_t k) { return cells[cell]->outcomes[k].id; };
   EXPECT_EQ(id(0, 0), 1);
   EXPECT_EQ(id(1, 1), id(0, 2));
-  EXPECT_EQ(id(1, 2), id(0, 1));  // exchanged balls drift the other way about
+  EXPECT_EQ(id(1, 2), id(0, 1));  // exchanged balls drift the other way round
   EXPECT_EQ(id(2, 1), id(0, 2));
   EXPECT_NE(id(3, 1), id(0, 1));
   EXPECT_NE(id(3, 1), id(0, 2));
   EXPECT_EQ(cells[1]->outcomes[1].name, cells[0]->outcomes[2].name);
   EXPECT_EQ(cells[3]->outcomes[1].name, "both captured (3)");
-  // Reading labelled cells back changes nothing.
+  // Labelling cells that are labelled already changes nothing.
   const auto name = cells[2]->outcomes[1].name;
   label_attractors(axis(4), cells);
   EXPECT_EQ(cells[2]->outcomes[1].name, name);
@@ -216,7 +216,7 @@ TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {
   EXPECT_EQ(to_toml(parse_study(lines.study, "again")), to_toml(plan.study()));
 }
 
-// Byte for byte: what is in a file of results does not hang on when it was written.
+// Byte for byte: the content of a file of results does not depend on when it was written.
 TEST(SweepFile, IsTheSameFromMemory) {
   const auto axes = sweep_axes({"balancer.drag=0.05,0.1"}, false, "test");
   const SweepPlan plan({rotor, "rotor.toml", {"sampling.starts=20"}}, axes, {}, "test");

@@ -28,7 +28,7 @@ using equipoise::Trajectory;
 using model::SpeedLaw;
 
 // The same cases on every run and machine (RapidCheck would seed itself from the clock); read before the first check.
-// Setting RC_PARAMS in the environment overrides it.
+// RC_PARAMS in the environment overrides it.
 [[maybe_unused]] const int fixed_seed = setenv("RC_PARAMS", "seed=20190417 max_success=100", 0);
 
 double between(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
@@ -79,8 +79,8 @@ Study random_study(bool isotropic_without_gravity = false) {
 
 const std::vector<double> times{0.0, 1.0, 2.5, 5.0, 9.9, 14.0, 18.0};
 
-// Two runs of the same motion differ by rounding and by where their steps end: 1e-12 a step; neighbouring trajectories
-// part by less than a factor 100 in 18 time units.
+// Two runs of the same motion differ by rounding and by where their steps end: 1e-12 per step. Neighbouring
+// trajectories separate by less than a factor of 100 in 18 time units.
 constexpr double same = 1e-10;
 
 double difference(const std::vector<double>& a, const std::vector<double>& b, double shift = 0.0, double sign = 1.0) {
@@ -199,7 +199,7 @@ RC_GTEST_PROP(Trajectories, AreTheSameFromARampAndFromPointsWithItsCorners, ()) 
   const Trajectory a = equipoise::simulate(s, times);
   s.speed.profile = Profile::points;
   const Trajectory b = equipoise::simulate(s, times);
-  // The same numbers reach the same code: not even rounding differs.
+  // The same numbers run through the same code: not even rounding differs.
   RC_ASSERT(a.psi == b.psi);
   RC_ASSERT(a.x == b.x);
   RC_ASSERT(a.y_dot == b.y_dot);
@@ -266,7 +266,7 @@ RC_GTEST_PROP(Equations, HaveTheSameBitsCompiledForACountAndForAny, ()) {
   expect_the_same_with_room_for_any<7>(segment, t);
 }
 
-// Balls held at one set of angles, integrated as they are.
+// Balls held at fixed angles, integrated without superposition.
 struct ClampedFlow {
   kernels::ClampedBody body;
   kernels::SegmentMotion<double, kernels::Terms{}> motion;
@@ -304,7 +304,7 @@ RC_GTEST_PROP(ClampedSuperposition, EqualsDirectIntegration, ()) {
     z[2] -= jump * z[1];
     z[3] += jump * z[0];
   }
-  // Each is good to 1e-12 a step, and a stable linear system does not amplify it.
+  // Each is accurate to 1e-12 per step, and a stable linear system does not amplify it.
   for (int i = 0; i < 4; ++i) RC_ASSERT(std::fabs(superposed[i] - z[i]) < 1e-11);
 }
 

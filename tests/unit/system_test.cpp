@@ -1,5 +1,5 @@
-// Systems: sections, states and symmetries; the rates of the general equations against those of the plain ones; flows
-// and their derivatives against simulate() and against differences of whole trajectories.
+// Systems: sections, states and symmetries; the general equations' rates against those of the plain ones; flows and
+// their derivatives against simulate() and against differences of whole trajectories.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -106,7 +106,7 @@ TEST(System, SectionAndStateFollowFromParametersAndDrive) {
   EXPECT_EQ(turning.angles().back().place, 8);
 
   model::Parameters level = rotor(2);
-  level.stiffness = {1.0, 1.2};  // looks the same after half a turn
+  level.stiffness = {1.0, 1.2};  // unchanged after half a turn
   EXPECT_DOUBLE_EQ(System(level, 2.0).section_angle(), pi);
   EXPECT_DOUBLE_EQ(System(level, motor(0.0)).angles().back().turn, pi);
 
@@ -135,8 +135,8 @@ TEST(System, GeneralEquationsAreThePlainOnes) {
   }
 }
 
-// Central differences: with steps of 1e-5 their own error is some 1e-10 of the third derivative, and errors of 1e-12 a
-// step of the integration count a hundred thousandfold.
+// Central differences: with steps of 1e-5 their own error is about 1e-10 of the third derivative, and integration
+// errors of 1e-12 per step count a hundred thousand times.
 TEST(System, DerivativesAreThoseOfRatesAndOfWholeTrajectories) {
   constexpr double step = 1e-5, duration = 3.0, psi = 0.4;
   for (const auto& [name, s] : systems()) {
@@ -160,7 +160,7 @@ TEST(System, DerivativesAreThoseOfRatesAndOfWholeTrajectories) {
   }
 }
 
-// The same trajectories as another integrator of the same machine takes, which has the rotor's angle as a state always.
+// The same trajectories as from another integrator of the same machine, in which the rotor's angle is always a state.
 TEST(System, FlowsAreWhatSimulateFollows) {
   const std::string common =
       "[rotor]\neccentricity = 0.01\ndamping = [0.5, 0.6]\nstiffness = [1.0, 1.2]\n"
@@ -196,7 +196,7 @@ TEST(System, FlowsAreWhatSimulateFollows) {
   }
 }
 
-// Every answer but those that take anything refuses what it needs, with one line that says which commands do not.
+// Every kind of result with needs refuses what it lacks, in one line that names the commands without this need.
 TEST(System, WhatAnAnswerLacksIsSaid) {
   using model::Need;
   using model::ResultKind;

@@ -25,7 +25,7 @@ class Tangents : public testing::TestWithParam<Kind> {
   const Study study_ = parse_study(GetParam().text, "tangents.toml", GetParam().overrides);
   const model::System system_ = study_.system();
 
-  // Off every symmetry.
+  // Away from every symmetry.
   Eigen::VectorXd state() const {
     Eigen::VectorXd z(system_.dimension());
     for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = 0.1 * std::sin(1.0 + 2.0 * static_cast<double>(i));
@@ -44,7 +44,7 @@ TEST_P(Tangents, AreTheSameOnEveryTarget) {
     ASSERT_TRUE(there.has_value());
     EXPECT_EQ(there->end, here->end) << target;
     EXPECT_EQ(there->tangents, here->tangents) << target;
-    // A few by themselves, whose steps are their own.
+    // Fewer tangents have their own steps.
     const auto few = follow_tangents(system_, state(), Eigen::MatrixXd::Identity(system_.dimension(), 3), 3.0, 1e-10);
     ASSERT_TRUE(few.has_value());
     EXPECT_LT((few->tangents - here->tangents.leftCols(3)).lpNorm<Eigen::Infinity>(), 1e-6) << target;

@@ -1,5 +1,5 @@
-// Uncertain values: what distributions draw, what starts keep when values are drawn beside them, what is refused, and
-// studies that are read, echoed and drawn.
+// Uncertain values: what distributions draw, what of a start stays when values are drawn too, what is refused, and
+// studies read, echoed and drawn.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr std::uint64_t draws = 100000;
 
 Study study_with(const std::vector<std::string>& overrides) { return parse_study(constant_speed, "study", overrides); }
 
-// Physical, as an engineer would have it.
+// In physical units, as an engineer would write it.
 const std::string machine = R"([rotor]
 mass = "12 kg"
 stiffness = "48 kN/m"
@@ -43,7 +43,7 @@ duration = "10 s"
 
 Study machine_with(const std::vector<std::string>& overrides) { return parse_study(machine, "machine", overrides); }
 
-// The draws of the one uncertain value that a study has.
+// Draws of a study's only uncertain value.
 std::vector<double> drawn(const Study& study, std::uint64_t count = draws) {
   const Sampler sampler = sampler_of(study);
   std::vector<double> values;
@@ -62,7 +62,7 @@ Moments moments(const std::vector<double>& values) {
   return m;
 }
 
-// Four standard errors of a mean of so many draws; of a deviation they are no larger for all laws here.
+// Four standard errors of a mean of this many draws; those of a deviation are no larger for the laws used here.
 double four_errors(double deviation) { return 4.0 * deviation / std::sqrt(static_cast<double>(draws)); }
 
 TEST(Uncertain, UniformDrawsHaveItsMomentsAndBounds) {
@@ -147,7 +147,7 @@ TEST(Uncertain, DrawsAreIndependentOfAnglesOfEachOtherAndOfTheSeed) {
     with_each_other += (values[0] - 0.5) * (values[1] - 0.5);
     with_seed += (values[0] - 0.5) * (other[0] - 0.5);
   }
-  // A product of two independent fractions less their means has the deviation 1/12.
+  // The product of two independent centred fractions has the deviation 1/12.
   for (const double sum : {with_angle, with_each_other, with_seed})
     EXPECT_NEAR(sum / static_cast<double>(draws), 0.0, four_errors(1.0 / 12.0));
 }
@@ -157,7 +157,7 @@ TEST(Uncertain, SobolPointsSpreadTheDrawsEvenly) {
   auto values = drawn(study, 4096);  // 16 replicates of 256 points
   std::array<int, 256> hits{};
   for (const double v : values) ++hits[static_cast<std::size_t>(v * 256.0)];
-  for (const int n : hits) EXPECT_EQ(n, 16);  // a net: one point of each replicate in every 256th
+  for (const int n : hits) EXPECT_EQ(n, 16);  // a net: one point of each replicate in every interval of 1/256
 }
 
 TEST(Uncertain, ADrawIsTheStudyOfItsValues) {
@@ -170,7 +170,7 @@ TEST(Uncertain, ADrawIsTheStudyOfItsValues) {
 TEST(Uncertain, AQuantityChangesAllThatFollowsFromIt) {
   const Study study = machine_with({"balancer.mass={uniform=[\"5 g\", \"7 g\"]}"});
   const std::array values{5.5};
-  // The drag of a ball over its mass and the rest, as if the mass had been written.
+  // The ball's drag over its mass, and everything else, as if this mass had been written.
   EXPECT_EQ(first_difference(drawn_study(study, values), machine_with({"balancer.mass=5.5 g"})), "");
   EXPECT_NE(drawn_study(study, values).parameters.drag[0], study.parameters.drag[0]);
 }
@@ -209,7 +209,7 @@ TEST(Uncertain, WhatIsSampledAndFollowedMayChangeAfterReading) {
   study.numerics.horizon = 4000.0;
   const Study back = parse_study(to_toml(study), "echo");
   EXPECT_EQ(back.sampling.starts, 77u);
-  EXPECT_NEAR(*back.numerics.horizon, 4000.0, 4000.0 * 4e-16);  // there and back by omega_c: a rounding each
+  EXPECT_NEAR(*back.numerics.horizon, 4000.0, 4000.0 * 4e-16);  // there and back by omega_c: one rounding each
   EXPECT_NO_THROW(check(study));
   study.parameters.eccentricity *= 2.0;  // its draws would not show it
   EXPECT_THROW(check(study), InputError);

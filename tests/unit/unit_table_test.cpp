@@ -1,4 +1,4 @@
-// The table of usual units against UDUNITS-2, to the bit.
+// The table of usual units against UDUNITS-2: bit-identical values.
 #include "equipoise/units/unit_table.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace equipoise::study {
 namespace {
 
-// An SI unit of everything that a study measures.
+// SI units of everything that a study measures.
 const std::vector<std::string> si_units{"kg",  "m",     "s",     "rad/s", "m/s",   "m/s2", "N",    "N/m", "N s/m",
                                         "N m", "N m s", "kg m2", "kg m",  "kg/m3", "Pa s", "m2/s", "rad"};
 
@@ -25,7 +25,7 @@ void expect_same(const std::string& text) {
   EXPECT_EQ(ours->radian == 1, theirs.counts_radians()) << text;
   for (const std::string& si : si_units) {
     const double worth = theirs.worth_in(Unit(si));
-    // What UDUNITS converts to a reciprocal, seconds to hertz, is nobody's proportion here.
+    // UDUNITS also converts to reciprocals, such as seconds to hertz; those do not count here.
     EXPECT_EQ(ours->same_kind(*table_unit(si)) ? ours->si : 0.0, worth) << text << " in " << si;
   }
 }

@@ -1,4 +1,4 @@
-// Values with units: what each text is worth in SI units, and what is refused and how.
+// Values with units: each text in SI units, and refusals.
 #include <atomic>
 #include <cstdarg>
 #include <string>
@@ -63,8 +63,7 @@ TEST(Units, AreWorthTheirSiValue) {
   }
 }
 
-// As people write them and keyboards make them: the micro sign and the Greek letter, raised digits, dots, signs of
-// units.
+// As people and keyboards write them: the micro sign and the Greek letter, superscript digits, dots, unit signs.
 TEST(Units, BeyondAsciiAreWorthTheSame) {
   for (const auto& [text, dimension, si] : std::vector<Reading>{
            {"20 \u00B5m", Dimension::length, 20e-6},
@@ -170,7 +169,7 @@ TEST(Units, AreShownSoThatTheyReadBack) {
 int messages = 0;
 int count_message(const char*, va_list) { return ++messages; }
 
-// UDUNITS has one handler of messages and one status for all of the process.
+// UDUNITS has one message handler and one status for the whole process.
 TEST(Units, LeaveTheHostProgramItsUdunits) {
   const auto before = ut_set_error_message_handler(&count_message);
   ut_set_status(UT_PARSE);
@@ -182,8 +181,7 @@ TEST(Units, LeaveTheHostProgramItsUdunits) {
   EXPECT_EQ(messages, 0);
 }
 
-// Units are made and given back under the lock as well: without it, memory of UDUNITS breaks within the first
-// thousands.
+// Units are made and freed under the lock as well: without it, UDUNITS corrupts its memory within the first thousands.
 TEST(Units, AreReadBySeveralThreads) {
   std::atomic<int> good{0};
   {

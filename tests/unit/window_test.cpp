@@ -58,7 +58,7 @@ TEST(Windows, ABoxNeedsSeveralHitsInARow) {
   WindowTracker tracker;
   tracker.begin(rule);
   const auto hit = [&] { return tracker.add(circling(-1.0, 0.1)); };
-  // A window is two halves; every half but the first ends one.
+  // A window has two halves; every half but the first ends one.
   for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
   EXPECT_FALSE(tracker.add(circling(-0.5, 0.1)).decided);
   for (int half = 0; half < 3; ++half) EXPECT_FALSE(hit().decided);
@@ -76,7 +76,7 @@ TEST(Windows, LongWindowsNameTheKnownMotionTheyResemble) {
   EXPECT_EQ(nearest_known(features(circling(-1.5, 0.1), 2, true), known, 2), nullptr);
 }
 
-// Before and after a bifurcation a motion looks alike and has two names.
+// Before and after a bifurcation a motion looks alike but has two names.
 TEST(Windows, OfRotorsThatDifferWhatLooksLikeTwoMotionsIsNeither) {
   const Features f = features(circling(-1.0, 0.1), 2, true), beside = features(circling(-1.001, 0.1), 2, true);
   const std::vector<KnownFeatures> known{{f, 3, false, -1, -1}, {beside, 5, false, -1, -1}};
@@ -86,7 +86,8 @@ TEST(Windows, OfRotorsThatDifferWhatLooksLikeTwoMotionsIsNeither) {
   EXPECT_EQ(nearest_known(f, {known[0], known[0]}, 2, none.data())->attractor, 3);
 }
 
-// What other starts of the same rotor came to; a motion that repeats has to be that to the 2 % that count as no change.
+// What other starts of the same rotor came to. A motion that repeats must match it within the 2 % that count as no
+// change.
 TEST(Windows, MotionsMetBeforeNameWhatTheRuleDoesNotList) {
   const ClassificationRule rule;
   const std::vector<KnownFeatures> met{{features(circling(-1.0, 0.1), 2, true), -1},

@@ -61,7 +61,7 @@ class Calls(unittest.TestCase):
             check = self.call("check", read(path))
             expected = json.loads(program("explain", path, "--json"))
             self.assertEqual(check["study"], expected["study"], path)
-            # But for the study's name, which the page does not know.
+            # Except for the study's name, which the page does not know.
             self.assertEqual(check["explain"].split("\n")[1:], program("explain", path).split("\n")[1:], path)
 
     def test_wrong_values_are_refused_in_the_programs_words(self):
@@ -72,7 +72,7 @@ class Calls(unittest.TestCase):
             done = subprocess.run([PROGRAM, "explain", path, "--set", f"{key}={value}"], capture_output=True, text=True,
                                   check=False)
             self.assertEqual(done.returncode, 2)
-            # The program names the option that the value came by.
+            # The program names the option that gave the value.
             self.assertIn(raised.exception.parts["message"].replace("overridden value: ", "--set: ", 1), done.stderr)
             self.assertEqual(raised.exception.parts["key"], key)
             self.assertEqual(raised.exception.parts["kind"], "input")
@@ -96,7 +96,7 @@ class Calls(unittest.TestCase):
         for ours, theirs in zip(found, expected):
             self.assertEqual(ours["kind"], theirs["kind"])
             self.assertEqual(ours["stable"], theirs["stable"])
-            for key in ("min", "mean", "max"):  # refined to 1e-9 or so by Newton's method, with roundings of their own
+            for key in ("min", "mean", "max"):  # refined to about 1e-9 by Newton's method, with separate roundings
                 self.assertAlmostEqual(ours["radial"][key], theirs["radial"][key], delta=1e-7)
             path = ours["path"]
             self.assertEqual(len(path["psi"]), len(path["x"]))
@@ -140,7 +140,8 @@ class Calls(unittest.TestCase):
                 answer = self.call("play_advance", start["handle"], expected["t"])
                 self.assertEqual(answer["status"], "done")
                 ours = dict(zip(columns, answer["row"]))
-                for name in ("t", "psi", "psi_dot", "x", "y", "phi_1", "phi_2", "radial"):  # 1e-12 a step, a thousand steps
+                for name in ("t", "psi", "psi_dot", "x", "y", "phi_1", "phi_2", "radial"):  # 1e-12 per step, a thousand
+                                                                                            # steps
                     self.assertAlmostEqual(ours[name], expected[name], delta=1e-6, msg=f"{path} {name}")
             self.call("play_close", start["handle"])
             with self.assertRaises(EngineError):

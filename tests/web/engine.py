@@ -22,7 +22,7 @@ class Engine:
         self._process = subprocess.Popen(
             [node, "--no-experimental-fetch", os.path.join(HERE, "engine.mjs"), folder, door],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-        self.seconds = 0.0  # that the last call took
+        self.seconds = 0.0  # of the last call
 
     def call(self, name, *arguments):
         self._process.stdin.write(json.dumps([name, *arguments]) + "\n")

@@ -47,7 +47,7 @@ STUDIES = {
     "contact-and-stiction": paper_row().replace(
         "drag = 0.05\n", "drag = 0.05\ncontact_angle = 0.2\nrolling = 0.0002\nstiction = 0.0004\n"),
 }
-# xarray may be the system's alone.
+# Only the system's Python may have xarray.
 PYTHON = next((p for p in (sys.executable, "/usr/bin/python3") if subprocess.run(
     [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
 READER = """
@@ -55,8 +55,8 @@ import json, sys, xarray
 with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
     print(json.dumps([data[name].values.ravel().tolist() for name in ("outcome", "decision_time", "phi")]))
 """
-# Starts whose fate may differ where lanes fuse: those that pass so near the edge of a basin that roundings decide. A
-# start in five hundred, for chaotic transients; each difference is the kernels' own, not the engine's.
+# Starts whose fate may differ where lanes fuse operations: they pass so near the edge of a basin that rounding decides.
+# One in five hundred, for chaotic transients; each difference comes from the kernels, not from the engine.
 MOST_FUSED = 0.002
 
 

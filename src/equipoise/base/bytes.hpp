@@ -14,12 +14,12 @@
 
 namespace equipoise {
 
-/// A struct lists its members once, for both ways: `template <class Bytes, Like<S> T> void members(Bytes& b, T& s) {
-/// b(s.first, s.second); }`.
+/// A struct lists its members once, for writing and reading: `template <class Bytes, Like<S> T> void members(Bytes& b,
+/// T& s) { b(s.first, s.second); }`.
 template <class T, class S>
 concept Like = std::same_as<std::remove_const_t<T>, S>;
 
-/// An array of numbers without its last zeros.
+/// An array of numbers, written without its trailing zeros.
 template <class Array>
 struct Trimmed {
   Array& numbers;
@@ -43,7 +43,7 @@ template <class T>
 inline constexpr bool is_trimmed = false;
 template <class T>
 inline constexpr bool is_trimmed<Trimmed<T>> = true;
-// Eigen's.
+// Eigen's matrices.
 template <class T>
 concept Matrix = requires(T& m) {
   m.resize(m.rows(), m.cols());
@@ -105,7 +105,7 @@ class BytesIn {
   void operator()(T&&... values) {
     (get(values), ...);
   }
-  /// All bytes were read, and no more were asked for.
+  /// All bytes were read, and none beyond them.
   bool whole() const { return good_ && at_ == bytes_.size(); }
 
  private:
@@ -115,7 +115,7 @@ class BytesIn {
     if (size > 0) std::memcpy(to, bytes_.data() + at_, size);
     at_ += size;
   }
-  // Of things that take a byte or more each.
+  // The length of a list whose elements take at least one byte each.
   std::size_t size() {
     std::uint64_t count = 0;
     raw(&count, sizeof count);

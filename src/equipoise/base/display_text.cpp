@@ -1,4 +1,4 @@
-// UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, at most U+10FFFF.
+// UTF-8 as in RFC 3629: shortest forms only, no surrogates, nothing above U+10FFFF.
 #include "equipoise/base/display_text.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::string display_text(std::string_view text) {
       shown += "\xEF\xBF\xBD";
     else if (length == 1 && (lead < 0x20 || lead == 0x7F))
       shown += fmt::format("\\u{:04X}", lead);
-    else if (length == 2 && lead == 0xC2 && next < 0xA0)  // control characters again
+    else if (length == 2 && lead == 0xC2 && next < 0xA0)  // also control characters
       shown += fmt::format("\\u{:04X}", next);
     else
       shown += text.substr(at, length);

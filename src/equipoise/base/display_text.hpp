@@ -1,4 +1,4 @@
-// Names from outside, such as files', made fit for any output.
+// Makes names from outside, such as file names, fit for any output.
 #pragma once
 
 #include <cstddef>

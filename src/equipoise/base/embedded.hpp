@@ -1,4 +1,4 @@
-// Files that a library carries inside itself.
+// Files embedded in a library.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ struct File {
   std::string_view text;
 };
 
-/// Files put into a library where it is built (cmake/embed.cmake).
+/// Files embedded in a library when it is built (cmake/embed.cmake).
 struct Archive {
   const File* files = nullptr;
   std::size_t count = 0;
 
-  /// The text of a file by its name; empty if the library was built without it.
+  /// The text of the file with this name; empty if the library was built without it.
   std::string_view find(std::string_view name) const {
     for (std::size_t i = 0; i < count; ++i)
       if (files[i].name == name) return files[i].text;

@@ -23,8 +23,8 @@ struct Parts {
   std::string_view wrong, allowed;
 };
 
-// Problems say what is wrong, then "must be" (or "must have" and the like) and what is allowed; of unknown keys the
-// allowed ones stand last, in parentheses.
+// A problem says what is wrong, then "must be" (or "must have" and so on) and what is allowed. For an unknown key the
+// allowed ones come last, in parentheses.
 Parts parts_of(std::string_view problem) {
   constexpr std::string_view list = "(allowed: ", be = "must be ", must = "must ";
   if (const std::size_t at = problem.find(list); at != problem.npos && problem.ends_with(')'))

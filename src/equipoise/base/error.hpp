@@ -1,4 +1,4 @@
-// What the library throws.
+// Exceptions of the library.
 #pragma once
 
 #include <stdexcept>
@@ -9,14 +9,14 @@
 
 namespace equipoise {
 
-/// Where something unusable stands.
+/// Where an unusable value stands.
 struct Place {
   Place(std::string named) : name(std::move(named)) {}
   Place(const char* named) : name(named) {}
   Place(std::string file, int at_line, int at_column = 0) : name(std::move(file)), line(at_line), column(at_column) {}
 
-  std::string name;          ///< a file, an option, or the name of a study that came from neither
-  int line = 0, column = 0;  ///< in the file, from 1; 0: not known
+  std::string name;          ///< a file, an option, or the name of a study that has neither
+  int line = 0, column = 0;  ///< in the file, from 1; 0: unknown
   std::string text() const;  ///< "study.toml:12"
 };
 
@@ -41,7 +41,7 @@ class InputError : public std::runtime_error {
   std::string where_, key_, value_, problem_, wrong_, allowed_;
 };
 
-/// Work that began and could not be finished for a reason outside the input (a full disk, a lost file).
+/// Work that began and could not finish for a reason outside the input, such as a full disk or a lost file.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-// The number types of the equations: SIMD lanes (Pack), with the same small vocabulary for double.
+// The number types of the equations: SIMD lanes (Pack), and the same functions for double.
 //
 // Included once per CPU target (see Highway's foreach_target), hence the unusual include guard. Everything lives in
 // equipoise::HWY_NAMESPACE, so that code for one instruction set never links in place of another's.
@@ -54,7 +54,7 @@ struct Pack {
   friend HWY_INLINE Mask operator<=(Pack a, Pack b) { return {hn::Le(a.v, b.v)}; }
 };
 
-// What comparing two of a number type answers.
+// Result type of comparing two numbers of a type.
 template <class T>
 struct MaskOfType {
   using type = bool;
@@ -74,34 +74,34 @@ HWY_INLINE Pack maximum(Pack a, Pack b) { return Pack(hn::Max(a.v, b.v)); }
 HWY_INLINE Pack absolute(Pack a) { return Pack(hn::Abs(a.v)); }
 HWY_INLINE Pack nearest_integer(Pack a) { return Pack(hn::Round(a.v)); }
 HWY_INLINE Pack select(Mask m, Pack yes, Pack no) { return Pack(hn::IfThenElse(m.m, yes.v, no.v)); }
-// base[index] in every lane; index: whole numbers >= 0.
+// base[index] in every lane; the indices are whole numbers >= 0.
 HWY_INLINE Pack gather(const double* base, Pack index) {
   const PackTag d;
   const hn::RebindToSigned<PackTag> di;
   return Pack(hn::GatherIndex(d, base, hn::ConvertTo(di, index.v)));
 }
-// The mask with these bits, one a lane.
+// The mask with these bits, one per lane.
 HWY_INLINE Mask mask_of(unsigned bits) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
   return {hn::LoadMaskBits(PackTag(), bytes)};
 }
 HWY_INLINE bool any(Mask m) { return !hn::AllFalse(PackTag(), m.m); }
 
-// One bit a lane.
+// One bit per lane.
 HWY_INLINE unsigned lane_bits(Mask m) {
   alignas(64) std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(PackTag(), m.m, bytes);
   return bytes[0];
 }
 
-// For |a| <= 1e8 absolute errors are below 6e-14, tested against the C library; outside results are meaningless. The
-// nearest multiple k of pi is taken off in parts of pi, so that nothing is lost; both results take the sign (-1)^k;
-// minimax polynomials on [-pi/2, pi/2] by the Remez exchange do the rest (sin to degree 13: 5.0e-14, cos to degree 14:
-// 2.1e-15). A reduction by pi/2 would save a coefficient or two and cost an exchange of sin and cos.
+// For |a| <= 1e8 absolute errors are below 6e-14, tested against the C library; beyond, results are meaningless. The
+// nearest multiple k of pi is subtracted in parts, so that nothing is lost; both results get the sign (-1)^k. Minimax
+// polynomials on [-pi/2, pi/2], from the Remez exchange, do the rest: sin to degree 13 (error 5.0e-14), cos to degree
+// 14 (2.1e-15). Reducing by pi/2 would save a coefficient or two but cost an exchange of sin and cos.
 HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
   const PackTag d;
   const hn::RebindToSigned<PackTag> di;
-  const Pack shift(0x1.8p52);  // a sum with it ends in the digits of k
+  const Pack shift(0x1.8p52);  // adding it leaves k in the last digits
   const Pack shifted = multiply_add(a, Pack(0.31830988618379067154), shift);
   const Pack k = shifted - shift;
 #if HWY_NATIVE_FMA
@@ -133,7 +133,7 @@ HWY_INLINE void sin_cos(Pack a, Pack& sine, Pack& cosine) {
   cosine = Pack(hn::Xor(c.v, sign));
 }
 
-// One lane of a pack, and of all packs of an aggregate.
+// One lane of a pack, then one lane of every pack in an aggregate.
 HWY_INLINE double& element(Pack& a, int lane) { return reinterpret_cast<double*>(&a)[lane]; }
 HWY_INLINE double element(const Pack& a, int lane) { return reinterpret_cast<const double*>(&a)[lane]; }
 template <class Packs>
@@ -142,7 +142,7 @@ void take_lane(Packs& mine, const Packs& from, int lane) {
   for (std::size_t i = 0; i < sizeof(Packs) / sizeof(Pack); ++i)
     element(reinterpret_cast<Pack*>(&mine)[i], lane) = element(reinterpret_cast<const Pack*>(&from)[i], lane);
 }
-// The same of these members of an object.
+// The same for these members of an object.
 template <class X, class... Members>
 void take_lane_of(X& mine, const X& from, int lane, Members X::*... members) {
   (take_lane(mine.*members, from.*members, lane), ...);

@@ -1,4 +1,4 @@
-// A share in words of two digits.
+// A share as a percentage with two digits.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace equipoise {
 
-/// "0.15 %", "3.2 %", "47 %"; "more than 99 %" and "less than 0.01 %" where rounding would say all or none.
+/// "0.15 %", "3.2 %", "47 %"; "more than 99 %" or "less than 0.01 %" where rounding would give all or none.
 inline std::string percent_text(double share) {
   const double percent = 100.0 * share;
   if (percent > 99.0 && share < 1.0) return "more than 99 %";

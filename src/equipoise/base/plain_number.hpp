@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// So many digits, and all that stand before the point.
+/// `digits` significant digits, but never fewer than stand before the point.
 inline std::string plain_number(double value, int digits) {
   return std::fabs(value) < std::pow(10.0, digits) ? fmt::format("{:.{}g}", value, digits)
                                                    : fmt::format("{:.0f}", value);

@@ -1,4 +1,4 @@
-// The counter-based generator, and numbers made of its words.
+// The counter-based generator, and numbers made from its words.
 #include "equipoise/base/random.hpp"
 
 #include <cmath>

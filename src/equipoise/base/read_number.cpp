@@ -1,4 +1,4 @@
-// std::from_chars() where there is one, else strtod() on a text cut to the number.
+// Uses std::from_chars() where it reads doubles, else strtod() on a copy of the number's text.
 #include "equipoise/base/read_number.hpp"
 
 #include <cerrno>
@@ -18,7 +18,7 @@ const char* digits(const char* at, const char* end) {
   return at;
 }
 
-// "inf", "infinity", "nan", "nan(word)", in either case.
+// "inf", "infinity", "nan", "nan(word)", in upper or lower case.
 const char* word(const char* at, const char* end) {
   const auto starts = [&](const char* letters) {
     const char* here = at;
@@ -37,7 +37,7 @@ const char* word(const char* at, const char* end) {
   return close < end && *close == ')' ? close + 1 : at + 3;
 }
 
-// Where a number that begins at `begin` ends; `begin` if there is none.
+// End of the number that begins at `begin`; `begin` if there is none.
 const char* number_end(const char* begin, const char* end) {
   const char* first = begin < end && *begin == '-' ? begin + 1 : begin;
   const char* at = digits(first, end);

@@ -1,4 +1,4 @@
-// A number from its digits, where a standard library reads none.
+// Reads a double from text, also where the standard library cannot.
 #pragma once
 
 #include <system_error>
@@ -6,15 +6,15 @@
 namespace equipoise {
 
 struct NumberRead {
-  const char* end;  ///< first character that is no part of it; where reading began if there is none
-  std::errc error;  ///< invalid_argument: none; result_out_of_range: too large or too small for a double
+  const char* end;  ///< first character after the number; where reading began if there is none
+  std::errc error;  ///< invalid_argument: no number; result_out_of_range: too large or too small for a double
 };
 
-/// std::from_chars() of a double in general form: digits, point and exponent, "inf" or "nan", with no blank nor plus
-/// sign before; rounded to nearest. `value` is left as it is where there is an error.
+/// Like std::from_chars() for a double in general form: digits, point and exponent, "inf" or "nan", without leading
+/// blank or plus sign, rounded to nearest. An error leaves `value` unchanged.
 NumberRead read_number(const char* begin, const char* end, double& value);
 
-/// The same by the C library, for standard libraries without std::from_chars() of a double.
+/// The same with the C library, for standard libraries whose std::from_chars() reads no doubles.
 NumberRead read_number_by_c(const char* begin, const char* end, double& value);
 
 }  // namespace equipoise

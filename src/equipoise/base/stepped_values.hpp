@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// To twelve digits of the largest: so 1.4 + 20 * 0.05 is 2.4.
+/// Rounded to twelve digits of the largest value, so that 1.4 + 20 * 0.05 is 2.4.
 inline double to_twelve_digits(double value, double largest) {
   const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
   const std::string text = fmt::format("{:.12g}", std::round(value / unit) * unit);
@@ -20,7 +20,7 @@ inline double to_twelve_digits(double value, double largest) {
   return value;
 }
 
-/// Adds the values, at most so many; returns what is wrong with them, if anything.
+/// Appends the values, at most `most`. Returns what is wrong with them, or an empty text.
 inline std::string stepped_values(double from, double to, double step, std::size_t most, std::vector<double>& values) {
   if (step == 0.0 || (to - from) * step < 0.0)
     return fmt::format("STEP = {} does not lead from {} to {}; it must not be 0 and must have the sign of TO - FROM",

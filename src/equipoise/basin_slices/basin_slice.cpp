@@ -1,4 +1,4 @@
-// From a study and two axes to a map: pixels asked for, computed, kept, put together.
+// From a study and two axes to a basin slice: pixels are requested, computed, kept and put together.
 #include "equipoise/basin_slices/basin_slice.hpp"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ namespace equipoise {
 
 namespace {
 
-// Unless the study says: pixels of a family whose rotors may settle slowly.
+// Unless the study states it: long enough for pixels of a family whose rotors may settle slowly.
 constexpr double default_horizon = 3000.0;
-// Starts that are asked for at once: 16 MB of numbers, minutes of work.
+// Starts requested at once: 16 MB of numbers, minutes of work.
 constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
 
 void check(const BasinSlice& map) {
@@ -76,7 +76,7 @@ void check(const BasinSlice& map) {
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
 }
 
-// Along a parameter no rule is made that could go by other grounds.
+// Along a parameter no rule is made that could use other grounds.
 void check_decides(const Study& study) {
   const ClassificationMode decide = study.numerics.decide;
   if (decide != ClassificationMode::validated)
@@ -85,7 +85,7 @@ void check_decides(const Study& study) {
                      "\"validated\"");
 }
 
-// Another size numbers pixels otherwise, and so draws other starts.
+// A slice of another size numbers its pixels differently, and so draws other starts.
 void check_reuse(const BasinSlice& map, const std::string& from) {
   if (!from.empty() && draws_starts(map))
     throw InputError("map", "from", from,
@@ -235,7 +235,7 @@ class Mapper {
   }
 
   void put_together() {
-    const auto seen = names_.seen(complete_);  // what goes on must find the codes that it left
+    const auto seen = names_.seen(complete_);  // a run that continues must find the codes that this one gave
     SliceAssembly assembly(map_, *store_, &*plan_, seen);
     if (!file_ || !file_->unfinished()) return assembly.run({});
     file_->finish(
@@ -252,7 +252,7 @@ class Mapper {
   BasinSlice map_;
   io::SliceFileHeader header_;
   std::unique_ptr<PixelStore> store_;
-  SliceStore* file_ = nullptr;  // the store, if it is one
+  SliceStore* file_ = nullptr;  // the store, if it is a file
   SliceNames names_;
   std::optional<PixelPlan> plan_;
   std::optional<StartPixels> start_pixels_;

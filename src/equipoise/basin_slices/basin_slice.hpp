@@ -1,4 +1,4 @@
-// Maps: the outcome of one start at every pixel of a plane of two quantities.
+// Basin slices: the outcome of one start at every pixel of a plane of two quantities.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,34 @@
 
 namespace equipoise {
 
-inline constexpr std::uint64_t most_pixels_in_memory = std::uint64_t{1} << 24;  ///< of a map without a file
-inline constexpr int most_held_side = 2048;  ///< pixels along a side of what basin_slice() returns of larger maps
+inline constexpr std::uint64_t most_pixels_in_memory = std::uint64_t{1} << 24;  ///< for a slice without a file
+inline constexpr int most_held_side = 2048;  ///< pixels along a side of what basin_slice() returns of larger slices
 inline constexpr int largest_map_block = 64;
 
 /// Progress is in pixels.
 struct BasinSliceSettings : RunOptions {
   SliceAxis x, y;
   std::vector<AngleLink> links;  ///< applied in order, after the axes
-  /// Not 0: edges of blocks of so many pixels (a power of two from 2) are computed first, and what is within edges of
-  /// one outcome is filled in; other blocks are divided until single pixels are left (basin_slices/pixel_plan.hpp).
+  /// If not 0: edges of blocks with this many pixels per side (a power of two from 2) are computed first, and the
+  /// inside of edges with one outcome is filled in. Other blocks are divided down to single pixels
+  /// (basin_slices/pixel_plan.hpp).
   int block = 0;
-  /// Pixels are kept in this file as they are known, from which another call of the same map goes on; a whole map is
-  /// read from it. Empty: none.
+  /// Pixels are kept in this file as they become known. Another call of the same slice continues from it, or reads a
+  /// complete slice from it. Empty: none.
   std::string output;
-  /// A finished map of the same study over the same keys, whose computed pixels with the same centres, to rounding, are
-  /// taken over. Empty: none.
+  /// A finished slice of the same study over the same keys. Its computed pixels with the same centres, up to rounding,
+  /// are reused. Empty: none.
   std::string from;
 };
 
-/// Follows the start [initial] of `study`, with the pixel's two values; where draws_starts() one of its own. Over two
-/// initial values pixels are
-/// decided as basin() decides its starts, else as it decides those of a study with uncertain values, within
-/// numerics.horizon (unset: 3000) after the last branch begins. Codes are the identifiers of the catalogue; motions
-/// without one of their own get the next ones, one a name: those usual in maps the same ones everywhere, others in the
-/// order of pixels. The map depends on the study, the axes and the blocks alone. Memory is bounded: of a map of more
-/// than most_pixels_in_memory pixels all are in the output, and the answer holds some of them (BasinSlice::every).
-/// Throws InputError for keys, links and values that make no study, studies that cannot be decided, and files that hold
-/// something else.
+/// Follows the start [initial] of `study` with the pixel's two values; with draws_starts() each pixel follows its own
+/// start. Over two initial values pixels are decided as basin() decides its starts, else as it decides those of a study
+/// with uncertain values, within numerics.horizon (unset: 3000) after the last piece begins. Codes are the identifiers
+/// of the catalogue. Motions without a fixed identifier get the next codes, one per name: names usual in slices always
+/// the same ones, others in the order of pixels. The slice depends only on the study, the axes and the blocks. Memory
+/// is bounded: of a slice with more than most_pixels_in_memory pixels the output has all, and the result some
+/// (BasinSlice::every). Throws InputError for keys, links and values that make no valid study, studies that cannot be
+/// decided, and files with other content.
 BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Pixels at even distances along each line, decided many lines at a time.
+// Probes pixels at even distances along each line, many lines at a time.
 #include "equipoise/basin_slices/line_motions.hpp"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ void members(Bytes& b, T& m) {
 
 namespace {
 
-// As many lines fill the lanes while the slowest of their pixels are followed to the end.
+// This many lines keep the lanes full while the slowest pixels are followed to the end.
 constexpr std::size_t lines_together = 16;
 constexpr std::size_t fewest_probes = 4, most_probes = 16;
 
-// One pixel in eight at most is decided twice.
+// At most one pixel in eight is decided twice.
 std::size_t probes_of(std::size_t length) { return std::min(most_probes, length / 8); }
 
 }  // namespace
@@ -70,7 +70,7 @@ bool LineMotions::look_along(const std::vector<std::uint32_t>& positions, const 
   return true;
 }
 
-// Nothing if stopped.
+// Empty if stopped.
 std::vector<MetMotions> LineMotions::look(std::size_t group, const StartAt& start) const {
   const std::size_t first = group * lines_together, count = std::min(lines_together, lines_ - first);
   const MetMotions none;

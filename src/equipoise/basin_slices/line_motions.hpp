@@ -1,4 +1,4 @@
-// Motions that the pixels of a line of a map come to, found before all of them are decided.
+// Motions that the pixels of a line come to, found before all pixels are decided.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,21 @@
 
 namespace equipoise {
 
-/// Where one axis of a map is a parameter and the other an initial value, all pixels of a line have the same rotor.
-/// What a few of them come to that the mesh does not list names the rest, which then need not be followed one by one.
+/// If one axis of a slice is a parameter and the other an initial value, all pixels of a line have the same rotor. A
+/// few of them find motions that the mesh does not list; the other pixels are then recognised by these, not followed
+/// one by one.
 class LineMotions {
  public:
   using StartAt = std::function<FamilyStart(std::uint32_t position)>;
 
-  /// Whether lines of so many pixels are long enough.
+  /// Whether lines of this many pixels are long enough.
   static bool pays(int pixels);
-  /// `columns`: these are the lines, else rows; they are long enough. `runner` outlives it. `notes`: may be null.
+  /// `columns`: the lines are columns, else rows, and long enough. `runner` must outlive this; `notes` may be null.
   LineMotions(const BasinSlice& map, bool columns, const StartRunner& runner, SearchLog* notes);
 
-  /// Looks along the lines of these pixels, unless that is done. False if stopped.
+  /// Probes the lines of these pixels, unless that is done. False if stopped.
   bool look_along(const std::vector<std::uint32_t>& positions, const StartAt& start, const RunOptions& options);
-  /// Of a line that has been looked along.
+  /// For a line that has been probed.
   const MetMotions& at(std::uint32_t position) const;
 
  private:
@@ -40,7 +41,7 @@ class LineMotions {
   const std::size_t lines_, length_, probes_;
   NotePage page_;
   std::uint64_t first_note_;
-  std::vector<std::vector<MetMotions>> groups_;  // of lines looked along together; empty: not yet
+  std::vector<std::vector<MetMotions>> groups_;  // by groups of lines probed together; empty: not yet
 };
 
 }  // namespace equipoise

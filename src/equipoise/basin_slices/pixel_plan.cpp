@@ -1,4 +1,4 @@
-// Edges asked, blocks judged, insides filled in.
+// Requests edges, judges blocks, fills in their insides.
 #include "equipoise/basin_slices/pixel_plan.hpp"
 
 #include <algorithm>
@@ -10,8 +10,7 @@ namespace equipoise {
 
 namespace {
 
-// Marks of a pixel: nothing of it is known; it was asked for; it is known and is no outcome, or one of too many; its
-// outcome is the one of these numbers on.
+// Marks of a pixel: unknown; asked for; known, but no outcome or one too many; from first_outcome on: its outcome.
 constexpr std::uint8_t unknown = 0, asked = 1, alone = 2, first_outcome = 3;
 constexpr std::size_t most_outcomes = 256 - first_outcome;
 
@@ -81,7 +80,7 @@ bool PixelPlan::live(std::size_t level, int x, int y) const {
                         static_cast<std::size_t>(x / 2)];
 }
 
-// From the block that comes next on. False if `most` were asked for before the level's end.
+// Starts at the next block. False if `most` were requested before the level's end.
 bool PixelPlan::ask_edges(std::size_t level, std::size_t most, std::vector<std::uint32_t>& batch) {
   const Level& l = levels_[level];
   for (; row_ < l.down; ++row_, column_ = 0)
@@ -104,7 +103,7 @@ void PixelPlan::ask(int column, int row, std::vector<std::uint32_t>& batch) {
   batch.push_back(here);
 }
 
-// All of it that is known: its edges, and what a file brought along.
+// Compares everything known of the block: its edges, and pixels from a file.
 bool PixelPlan::agrees(const Span& x, const Span& y) const {
   const std::uint8_t mark = mark_[at(x.low, y.low)];
   if (mark < first_outcome) return false;
@@ -159,7 +158,7 @@ void PixelPlan::fill_block(std::size_t level, int x, int y, int first, SlicePixe
     for (int u = 2 * x; u < std::min(2 * x + 2, next.across); ++u) fill_block(level + 1, u, v, first, pixels);
 }
 
-// When an outcome would have been known is not; what balance is like, between the corners.
+// The time of decision is unknown; balance is interpolated between the corners.
 void PixelPlan::fill_inside(const Span& x, const Span& y, int first, SlicePixel* pixels) const {
   const auto here = [&](int column, int row) -> SlicePixel& {
     return pixels[static_cast<std::size_t>(row - first) * static_cast<std::size_t>(columns_) +

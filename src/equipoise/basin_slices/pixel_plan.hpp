@@ -1,4 +1,4 @@
-// Which pixels of a map are computed, in which order, and which are filled in.
+// Which pixels of a slice are computed, in which order, and which are filled in.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,10 @@
 
 namespace equipoise {
 
-/// Every pixel, row by row; or, with blocks, first the edges of all blocks of so many pixels (neighbours share them),
-/// then those of the quarters of each block whose edges have not one outcome throughout, and so on down to single
-/// pixels. What is left of the others is filled in (Mariani and Silver's way to draw the Mandelbrot set). A basin that
-/// lies within a block and touches none of its edges is missed. Undecided and failed pixels are no outcome: blocks with
-/// one of them are divided.
+/// Without blocks: every pixel, row by row. With blocks: first the edges of all blocks (neighbours share them), then
+/// those of the quarters of each block whose edges do not have a single outcome, and so on down to single pixels. The
+/// rest is filled in (Mariani and Silver's way to draw the Mandelbrot set). A basin inside a block that touches none of
+/// its edges is missed. Undecided and failed pixels are no outcome: blocks with one of them are divided.
 class PixelPlan {
  public:
   /// `block`: 0, or a power of two.
@@ -21,23 +20,23 @@ class PixelPlan {
 
   void know(std::uint32_t position, short code);
   bool known(std::uint32_t position) const;
-  /// Pixels to be computed next, at most `most` and as many as a block has; none once all is known or filled in. To be
-  /// asked again once all of them are known.
+  /// The next pixels to compute, at most `most` plus those of one block; none once all are known or filled in. Call it
+  /// again once all of them are known.
   std::vector<std::uint32_t> next(std::size_t most);
   std::uint64_t known_count() const { return known_count_; }
-  /// Pixels that are known, and those that will be filled in as far as that is decided.
+  /// Pixels that are known, and those already certain to be filled in.
   std::uint64_t settled() const { return known_count_ + filled_; }
   std::uint64_t size() const { return static_cast<std::uint64_t>(columns_) * static_cast<std::uint64_t>(rows_); }
 
-  /// Nothing more is asked or known: gives memory back.
+  /// Frees memory, once nothing more is asked or known.
   void close();
-  /// Rows first .. first + rows - 1 of the map, of which the first is a multiple of `block` and the last another or the
-  /// map's last: fills in what is decided.
+  /// Fills in the decided pixels of rows first .. first + rows - 1. The first must be a multiple of `block`, the last
+  /// one before such a multiple or the slice's last.
   void fill(int first, int rows, SlicePixel* pixels) const;
 
  private:
   struct Span {
-    int low = 0, high = 0;  // both belong to it
+    int low = 0, high = 0;  // inclusive
   };
   struct Level {
     int side = 1, across = 1, down = 1;  // blocks
@@ -59,10 +58,10 @@ class PixelPlan {
   int columns_, rows_;
   std::vector<bool> known_;         // without blocks
   std::vector<Level> levels_;       // with blocks, the largest first
-  std::vector<std::uint8_t> mark_;  // with blocks, a pixel's: what it stands for is in pixel_plan.cpp
-  std::vector<short> codes_;        // of marks
-  std::size_t level_ = 0;           // at which it is asked
-  int row_ = 0, column_ = 0;        // the block there, or the pixel, that comes next
+  std::vector<std::uint8_t> mark_;  // with blocks: mark of each pixel, see pixel_plan.cpp
+  std::vector<short> codes_;        // by mark
+  std::size_t level_ = 0;           // the level at work
+  int row_ = 0, column_ = 0;        // the next block there, or the next pixel
   std::uint64_t known_count_ = 0, filled_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Where the pixels of a map are kept while it is computed: in memory, or in a file.
+// Where the pixels of a slice are kept while it is computed: in memory, or in a file.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-/// Pixels count row by row from 0.
+/// Pixels are numbered row by row from 0.
 class PixelStore {
  public:
   virtual ~PixelStore() = default;
@@ -19,10 +19,10 @@ class PixelStore {
   virtual void read_rows(int first, int rows, SlicePixel* pixels) const = 0;
 };
 
-/// For maps that fit.
+/// For slices that fit into memory.
 class PixelMemory : public PixelStore {
  public:
-  /// `one_rotor`: numbers that are the rotor's are not kept.
+  /// `one_rotor`: numbers that belong to the rotor are not kept.
   PixelMemory(int columns, int rows, bool one_rotor)
       : columns_(static_cast<std::size_t>(columns)),
         one_rotor_(one_rotor),

@@ -15,7 +15,7 @@
 
 namespace equipoise {
 
-// Centres are known to some roundings of the axes' ends.
+// Centres are accurate to some roundings of the axes' ends.
 std::vector<int> same_centres(const SliceAxis& axis, const SliceAxis& other) {
   const double largest =
       std::max({std::fabs(axis.low), std::fabs(axis.high), std::fabs(other.low), std::fabs(other.high)});

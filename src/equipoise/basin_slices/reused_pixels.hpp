@@ -1,4 +1,4 @@
-// Pixels that another map's file has already.
+// Pixels available in another slice's file.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace equipoise {
 
-/// For each pixel along an axis the one of another axis with the same centre, to rounding; -1 where there is none.
+/// For each pixel along an axis, the pixel of another axis with the same centre, up to rounding; -1 if there is none.
 std::vector<int> same_centres(const SliceAxis& axis, const SliceAxis& other);
 
-/// Hands on what was computed in the map of file `from` at centres of a map with this header, unless `plan` knows it.
-/// Throws InputError if it is no map of the same study, keys and ties.
+/// Passes on what was computed in the slice of file `from` at centres of a slice with this header, unless `plan` knows
+/// it. Throws InputError if it is no slice of the same study, keys and links.
 void reused_pixels(const std::string& from, const io::SliceFileHeader& header, const PixelPlan& plan,
                    const TakePixels& take);
 

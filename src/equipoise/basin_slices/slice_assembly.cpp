@@ -1,4 +1,4 @@
-// One pass over the rows of a map.
+// Assembles a slice in one pass over its rows.
 #include "equipoise/basin_slices/slice_assembly.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace equipoise {
 
 namespace {
 
-// Rows that are read at once, at least.
+// Least number of rows read at once.
 constexpr int fewest_band_rows = 64;
 
 }  // namespace
@@ -45,7 +45,7 @@ SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const Pix
   if (map.block > 0) map.computed.reserve(held);
 }
 
-// Whole blocks.
+// A multiple of the block size.
 int SliceAssembly::band_rows() const {
   const int block = std::max(1, map_.block);
   return (fewest_band_rows + block - 1) / block * block;

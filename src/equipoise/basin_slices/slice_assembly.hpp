@@ -1,4 +1,4 @@
-// A map put together from its pixels: filled in, counted, held in memory as far as it fits.
+// Assembles a slice from its pixels: fills in, counts, and keeps what fits into memory.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,12 @@
 
 namespace equipoise {
 
-/// All of a map's codes and no shares yet: attractors seen, under the codes that they have in the whole map, then
-/// undecided and its like.
+/// A slice's codes, without shares yet: the attractors seen, with final codes, then outcomes without attractor.
 std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study);
 
-/// Reads all rows of `store` in order, fills in what `plan` (if any) says, gives codes by `seen`, counts, and adds to
-/// `map`, whose axes are those of the whole map: pixels (every so many-th, if it is large), shares, figures. `write`,
-/// if any, is handed the rows as they are in the end.
+/// Reads all rows of `store` in order, fills in pixels by `plan` (if any), renames codes by `seen`, and counts. Adds to
+/// `map`, whose axes are those of the whole slice: pixels (of a large slice, only some), shares, figures. `write`, if
+/// any, receives the final rows.
 class SliceAssembly {
  public:
   using Write = std::function<void(int first, int rows, const SlicePixel* pixels)>;

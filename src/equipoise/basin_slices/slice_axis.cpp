@@ -1,4 +1,4 @@
-// Reading of LOW:HIGH, WIDTHxHEIGHT and phi_2=phi_1+pi.
+// Reads LOW:HIGH, WIDTHxHEIGHT and phi_2=phi_1+pi.
 #include "equipoise/basin_slices/slice_axis.hpp"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Axes and ties of a map as people write them.
+// Reads axes and links of a slice as people write them.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace equipoise {
 
-/// `range`: LOW:HIGH in dimensionless numbers, also parts of pi ("0:2pi", "-pi/2:pi/2"), or in a study with scales in
-/// quantities ("900 rpm:4000 rpm"); empty: a whole turn for ball angles. `option` names it in errors. Throws
-/// InputError.
+/// `range`: LOW:HIGH in numbers, also parts of pi ("0:2pi", "-pi/2:pi/2"), or as quantities ("900 rpm:4000 rpm") in a
+/// study with scales; empty: a whole turn for ball angles. `option` names it in errors. Throws InputError.
 SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
                      const std::string& option);
 

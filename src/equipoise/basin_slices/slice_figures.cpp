@@ -1,4 +1,4 @@
-// Boxes and pairs of pixels, counted at scales that double.
+// Counts boxes and pairs of pixels at scales that double.
 #include "equipoise/basin_slices/slice_figures.hpp"
 
 #include <algorithm>
@@ -26,14 +26,14 @@ short outcome_of_code(short code) {
   return code == undecided_code || code == failed_code || code == not_computed_code ? no_outcome : code;
 }
 
-// Of two sets of pixels together.
+// Outcome of two sets of pixels together.
 short joined(short a, short b) { return a == no_outcome || a == b ? b : b == no_outcome ? a : mixed_outcome; }
 
 struct ScalePoint {
   double scale = 0.0, count = 0.0;  // pixels; boxes or share
 };
 
-// Slope of log count over log scale, with the interval of its straight line. Empty for fewer than four scales.
+// Slope of log count over log scale, with the interval of the fitted line. Empty for fewer than four scales.
 std::optional<SliceFigure> slope(const std::vector<ScalePoint>& points) {
   constexpr std::size_t fewest = 4;
   const double n = static_cast<double>(points.size());
@@ -57,7 +57,7 @@ std::optional<SliceFigure> slope(const std::vector<ScalePoint>& points) {
   return SliceFigure{value, value - half, value + half};
 }
 
-// Scales from a pixel up to an eighth of the shorter side: larger ones see the map's edges.
+// Scales from one pixel to an eighth of the shorter side: larger ones are affected by the edges.
 std::vector<int> figure_scales(int columns, int rows) {
   std::vector<int> result;
   for (int s = 1; 8 * s <= std::min(columns, rows); s *= 2) result.push_back(s);
@@ -78,7 +78,7 @@ std::optional<SliceFigure> mean(const std::map<double, std::uint64_t>& values) {
   return SliceFigure{sum / n, sum / n - half, sum / n + half};
 }
 
-// Angles to look around in a map over both angles of two balls: on its x and y.
+// Balanced angles in a slice over both angles of two balls, as (x, y).
 std::vector<std::pair<double, double>> balanced_points(const BasinSlice& map) {
   std::vector<std::pair<double, double>> points;
   const bool both = map.x.key == "initial.phi_1" && map.y.key == "initial.phi_2";
@@ -89,7 +89,7 @@ std::vector<std::pair<double, double>> balanced_points(const BasinSlice& map) {
   return points;
 }
 
-// How far from an angle an axis goes on, the angle being counted as the axis does; less than 0 if it is beside it.
+// Distance along an axis from an angle to the nearer end, counting the angle as the axis does; negative if outside.
 double room_on(const SliceAxis& a, double angle) {
   if (a.high - a.low >= two_pi * (1.0 - 1e-9)) return two_pi;  // closes on itself
   const double there = a.low + wrapped_positive(angle - a.low);
@@ -122,7 +122,7 @@ void SliceFigureCount::add_row(const short* codes) {
   ++row_;
 }
 
-// A box of side 1 has four pixels at its corners; one of twice the side is four that meet.
+// A box of side 1 has four pixels at its corners; a box of twice the side consists of four adjacent ones.
 void SliceFigureCount::add_boxes(const Row& row) {
   if (row_ == 0 || scales_.empty()) return;
   const Row& below = before_[static_cast<std::size_t>(row_ - 1) % before_.size()];
@@ -132,7 +132,7 @@ void SliceFigureCount::add_boxes(const Row& row) {
   pass_up(0);
 }
 
-// A row of boxes is whole: it is counted, and is a part of the larger ones.
+// A row of boxes is complete: count it and join it into larger boxes.
 void SliceFigureCount::pass_up(std::size_t scale) {
   Boxes& whole = boxes_[scale];
   whole.mixed += static_cast<double>(std::count(whole.outcome.begin(), whole.outcome.end(), mixed_outcome));
@@ -227,7 +227,7 @@ SliceFigures SliceFigureCount::figures() const {
   figures.uncertainty_exponent = slope(uncertain);
   figures.basin_entropy = mean(all_);
   figures.boundary_basin_entropy = mean(boundary_);
-  // Of centres of pixels, less half a pixel's diagonal; up to an edge of the map where it does not close on itself.
+  // From pixel centres, less half a pixel's diagonal; up to the edge of a slice that does not close on itself.
   const double diagonal = 0.5 * std::hypot(x_.step(), y_.step());
   for (const Disc& d : discs_) {
     const double radius = d.touched ? std::min(d.edge, std::hypot(d.dx, d.dy) - diagonal) : d.edge;

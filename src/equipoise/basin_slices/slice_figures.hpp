@@ -1,4 +1,4 @@
-// Dimension, uncertainty and entropy of the basins in a map, counted row by row.
+// Dimension, uncertainty and entropy of the basins in a slice, counted row by row.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +11,32 @@
 
 namespace equipoise {
 
-/// Undecided and failed pixels are no outcome: nothing is said of them. Intervals of slopes are those of the straight
-/// line through the scales, of means those of boxes as if independent.
+/// Undecided and failed pixels are no outcome and are left out. Intervals of slopes come from the line fitted through
+/// the scales; intervals of means treat boxes as independent.
 class SliceFigureCount {
  public:
-  /// `plane`: a map's study, axes and ties.
+  /// `plane`: a slice's study, axes and links.
   explicit SliceFigureCount(const BasinSlice& plane);
 
   /// Codes of the next row.
   void add_row(const short* codes);
-  /// Of a whole map.
+  /// Needs all rows.
   SliceFigures figures() const;
 
  private:
   using Row = std::vector<short>;
-  // Boxes of one side that lie side by side between pixel centres, in the row of boxes that is at work.
+  // Adjacent boxes of one side between pixel centres, in the current row of boxes.
   struct Boxes {
     Row outcome;         // of all pixels on and in a box so far; mixed_outcome if there are several
-    int parts = 0;       // rows of boxes half the side, or of pixels, that are in it
+    int parts = 0;       // rows of half-size boxes, or of pixels, in it so far
     double mixed = 0.0;  // boxes of all rows
   };
   struct Pairs {
     std::uint64_t all = 0, unlike = 0;
   };
-  // A balanced state, and the pixel nearest to it that does not balance.
+  // A balanced state, and the nearest pixel that does not balance.
   struct Disc {
-    double x = 0.0, y = 0.0, edge = 0.0;  // edge: distance from where the map ends
+    double x = 0.0, y = 0.0, edge = 0.0;  // edge: distance from the end of the slice
     std::vector<double> across;           // distances of columns
     double dx = 0.0, dy = 0.0;
     bool touched = false;
@@ -54,8 +54,8 @@ class SliceFigureCount {
   std::vector<int> scales_;
   std::vector<Boxes> boxes_;                        // by scale
   std::vector<Pairs> pairs_;                        // likewise
-  std::vector<Row> before_;                         // rows, in turn, as far back as the largest scale
-  std::vector<Row> band_;                           // of boxes for entropies
+  std::vector<Row> before_;                         // the last rows, cyclically, as far back as the largest scale
+  std::vector<Row> band_;                           // rows for the boxes of entropies
   std::map<double, std::uint64_t> all_, boundary_;  // boxes by entropy
   std::vector<Disc> discs_;
 };

@@ -1,4 +1,4 @@
-// Usual names, and those that are met.
+// Usual names, and names of motions met.
 #include "equipoise/basin_slices/slice_names.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace equipoise {
 
 namespace {
 
-// Motions of two balls without an identifier of their own that maps are known to show: they have the same code, and
-// with it the same colour, in every map. Others come after them.
+// Motions of two balls without a fixed identifier that slices are known to show. They have the same code, and thus
+// colour, in every slice. Other motions come after them.
 constexpr std::array usual_names{
     "both captured",       "both captured, chaotic", "both captured, quasi-periodic", "one captured, quasi-periodic",
     "pair drift, chaotic", "one captured, period 2"};

@@ -1,4 +1,4 @@
-// Codes of a map's pixels and the names of what they stand for.
+// Codes of a slice's pixels, and the names behind them.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,20 @@
 
 namespace equipoise {
 
-/// Motions with an identifier of their own have it as their code, others get the next ones, one a name: those usual in
-/// maps the same ones everywhere, the rest as they are met while pixels are computed, and in the order of pixels once a
-/// map is put together.
+/// A motion with a fixed identifier has it as its code. Others get the next codes, one per name. Usual names have the
+/// same code in every slice; the rest are numbered as met, and in pixel order once a slice is complete.
 class SliceNames {
  public:
-  /// Its code, a new one if it is met for the first time.
+  /// The motion's code; a new one if it is met for the first time.
   short code(const MotionName& motion);
-  /// As it was given by an earlier run.
+  /// A code given by an earlier run.
   void know(const OutcomeShare& code);
   /// In the order in which they were met.
   const std::vector<OutcomeShare>& codes() const { return codes_; }
 
-  /// A pixel that was computed.
+  /// Records a computed pixel.
   void see(short code, std::uint32_t position);
-  /// What was seen of pixels, by the codes given so far. In a whole map codes that were given freely become others, in
-  /// the order of pixels.
+  /// What was seen of pixels, by the codes given so far. A complete slice renumbers them in pixel order.
   std::map<short, OutcomeShare> seen(bool whole) const;
 
  private:
@@ -35,7 +33,7 @@ class SliceNames {
 
   std::vector<OutcomeShare> codes_;
   std::map<short, std::uint32_t> first_;  // positions
-  short last_ = not_computed_code;        // seen, and before it
+  short last_ = not_computed_code;        // last code seen; before the first, not_computed_code
   std::uint32_t last_first_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What pixels of a map begin with, and how those who follow them hand on what they came to.
+// How pixels of a slice start, and how their results are passed on.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,7 @@
 
 namespace equipoise {
 
-/// Pixels that are done, and of each the motion that it came to or null; codes of those are given by whoever takes
-/// them.
+/// Finished pixels, each with the motion that it came to, or null. The receiver gives codes to these motions.
 struct DonePixels {
   std::vector<std::uint32_t> positions;
   std::vector<SlicePixel> pixels;
@@ -21,7 +20,7 @@ struct DonePixels {
 /// Called by one thread at a time.
 using TakePixels = std::function<void(const DonePixels&)>;
 
-/// Puts the balls that follow others where these are, tie by tie.
+/// Places linked balls, link by link.
 inline void tie(InitialState& start, const std::vector<AngleLink>& links) {
   for (const AngleLink& link : links)
     start.phi[static_cast<std::size_t>(link.ball - 1)] = start.phi[static_cast<std::size_t>(link.of - 1)] + link.offset;

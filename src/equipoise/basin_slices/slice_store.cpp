@@ -1,4 +1,4 @@
-// What is finished of a map in NetCDF, what is new in a journal, read as one.
+// The finished part of a slice in NetCDF and new pixels in a journal, read as one.
 #include "equipoise/basin_slices/slice_store.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* same_map = "must be a new file, or one of the same map";
 
-// A pixel as a record has it: its place, what it came to, its numbers.
+// A pixel in a record: position, outcome, numbers.
 template <class Bytes, class Position, Like<SlicePixel> Pixel>
 void pass_pixel(Bytes& b, Position& position, Pixel& pixel, bool one_rotor) {
   b(position, pixel.code);
@@ -45,7 +45,7 @@ SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& heade
   if (!complete()) {
     for (const io::Journal::Record& record : journal_.records()) take(record);
     notes_ = io::notes_kept_in(journal_);
-  } else if (!journal_.records().empty()) {  // a kill came before that
+  } else if (!journal_.records().empty()) {  // killed before the journal was removed
     journal_.remove();
   }
 }
@@ -73,12 +73,12 @@ void SliceStore::take(const io::Journal::Record& record) {
   if (record.kind == Kind::pixels) return take_pixels(record);
   if (record.kind != Kind::discovery || record.first > discoveries_.size() || record.bytes % sizeof(double) != 0)
     refuse_part();
-  if (record.first < discoveries_.size()) return;  // in the results since
+  if (record.first < discoveries_.size()) return;  // in the results since then
   std::vector<double>& state = discoveries_.emplace_back(record.bytes / sizeof(double));
   journal_.read(record, 0, record.bytes, state.data());
 }
 
-// Code, name and alias, a line each.
+// Code, name and alias, one per line.
 void SliceStore::take_name(const io::Journal::Record& record) {
   constexpr std::uint64_t longest = 1000;
   if (record.bytes > longest || record.first > static_cast<std::uint64_t>(std::numeric_limits<short>::max()))

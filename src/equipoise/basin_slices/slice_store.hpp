@@ -1,4 +1,4 @@
-// A map's results, kept as they come and resumable.
+// A slice's results, kept as they come; an interrupted run can be resumed.
 #pragma once
 
 #include <cstdint>
@@ -16,41 +16,41 @@
 
 namespace equipoise {
 
-/// Two files, as BasinFile has them: the results, `path`, in NetCDF (map_file.hpp), written whole; and while a run goes
-/// on `path`.part with what is new.
+/// Two files, as for BasinFile: the results, `path`, in NetCDF (slice_netcdf.hpp), written whole; and during a run
+/// `path`.part with what is new.
 class SliceStore : public PixelStore {
  public:
   /// Opens what both hold of the same study, axes, version and arithmetic, or begins anew. Throws InputError if they
-  /// cannot be written, are in use, damaged, or hold something else: which, it says.
+  /// cannot be written, are in use, are damaged, or hold something else, and says which.
   SliceStore(const std::string& path, const io::SliceFileHeader& header);
 
-  /// Whether `path` holds the whole map.
+  /// Whether `path` holds the whole slice.
   bool complete() const { return file_ && file_->complete(); }
   /// Whether something is not in `path` yet.
   bool unfinished() const { return !pieces_.empty(); }
-  /// Pixels that were computed, in any order and some perhaps twice.
+  /// Computed pixels, in any order; some may appear twice.
   void for_each_known(const std::function<void(std::uint32_t position, short code)>& visit) const;
-  /// The codes that those of motions have; some are perhaps there twice.
+  /// The codes of motions; some may appear twice.
   const std::vector<OutcomeShare>& codes() const { return codes_; }
-  /// States on motions that were first met during earlier runs, in the order of starts: enough to name them again.
+  /// States on motions first met during earlier runs, in the order of starts: enough to name the motions again.
   const std::vector<std::vector<double>>& discoveries() const { return discoveries_; }
 
-  /// On disk within about a second of work. Throws RunError, with all before them kept, if the disk cannot take them.
+  /// On disk within about a second of work. If the disk cannot take them, throws RunError and keeps all earlier pixels.
   void append(const std::vector<std::uint32_t>& positions, const std::vector<SlicePixel>& pixels) override;
-  /// A code that pixels have from now on.
+  /// Adds a code before pixels use it.
   void append_code(const OutcomeShare& code);
   void append_attractor_search(const std::vector<double>& state);
-  /// Of the search for attractors, as far as runs came that did not finish. Not of a map that is complete.
+  /// The search log of earlier runs that did not finish. Not for a complete slice.
   SearchLog& notes() { return *notes_; }
-  /// Of a map that is not complete, only what was computed.
+  /// In an incomplete slice, only computed pixels.
   void read_rows(int first, int rows, SlicePixel* pixels) const override;
 
-  /// `write` gets a path and writes the results there. Then removes the unfinished part, but for the search
-  /// of a map that is not `complete`. Throws RunError, with everything kept as it was, if the disk cannot take them.
+  /// `write` receives a path and writes the results there. Then the unfinished part is removed, except for the search
+  /// log of a slice that is not `complete`. On a full disk, throws RunError and keeps everything as it was.
   void finish(const std::function<void(const std::string& path)>& write, bool complete);
 
  private:
-  // Pixels of a record of the journal; between the first and the last one there may be others.
+  // Pixels in a record of the journal; pixels between the first and the last may be missing from it.
   struct Piece {
     std::uint32_t first = 0, last = 0;
     io::Journal::Record record;

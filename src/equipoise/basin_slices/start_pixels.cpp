@@ -1,4 +1,4 @@
-// Pixels as chunks of starts.
+// Decides pixels as chunks of starts.
 #include "equipoise/basin_slices/start_pixels.hpp"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ namespace equipoise {
 
 namespace {
 
-// Whether a key's values are starts of one rotor, which lanes take as they come.
+// Whether the key's values are starts of one rotor, which lanes take in any order.
 bool is_start(const Study& study, const std::string& key) {
   InitialState any;
   if (!initial_value(any, study.parameters.balls, key)) return false;
-  // Where the balls are held at first they start alike but for their angles.
+  // While the balls are held, starts can differ only in their angles.
   return SliceAxis{key}.angle() || (key != "initial.psi" && study.release_time() == 0.0);
 }
 
@@ -54,7 +54,7 @@ double balance_growth(const model::System& system) {
 
 namespace {
 
-// Of [initial], its ball angles drawn if the map draws them.
+// The start of [initial], with drawn ball angles if the slice draws them.
 void place_start(const BasinSlice& map, int column, int row, Study& study) {
   if (draws_starts(map)) {
     const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(map.x.pixels);
@@ -64,7 +64,7 @@ void place_start(const BasinSlice& map, int column, int row, Study& study) {
   tie(study.initial, map.links);
 }
 
-// The family of the studies of a map's pixels: over those of its axes that are no initial values.
+// The family of the studies of a slice's pixels, over those axes that are no initial values.
 StudyFamily family_of(const BasinSlice& map) {
   std::vector<StudyFamily::Quantile> values;
   std::vector<std::string> keys;
@@ -80,7 +80,7 @@ StudyFamily family_of(const BasinSlice& map) {
           }};
 }
 
-// Of a map whose lines have one rotor each and are long enough to look along: whether these are its columns.
+// For a slice whose lines have one rotor each and are long enough to probe: whether the lines are columns.
 std::optional<bool> lines_are_columns(const BasinSlice& map) {
   const bool start_along_x = is_start(map.study, map.x.key);
   if (start_along_x == is_start(map.study, map.y.key)) return std::nullopt;
@@ -180,7 +180,7 @@ bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chu
   return runner_->run_from(starts, chunk);
 }
 
-// In order.
+// Passes pixels on in order.
 void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take) {
   std::map<std::size_t, double> followed;  // largest r of what starts were followed to
   for (const UnlistedStart& u : chunk.unlisted) {
@@ -229,10 +229,10 @@ SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fa
   return pixel;
 }
 
-// Of the attractor as the pixel's rotor has it.
+// Largest radius of the attractor for the pixel's rotor.
 double StartPixels::largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const {
   if (a.motion.r_max == 0.0) return 0.0;
-  // What a trapping region has caught is still on its way.
+  // A trajectory caught by a trapping region is still on its way.
   const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
   if (seen && !std::isnan(fate.radius)) return fate.radius;
   return runner_->mesh().largest_radius(*runner_->family(), a.id, fractions).value_or(a.motion.r_max);

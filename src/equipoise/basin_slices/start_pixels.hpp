@@ -1,4 +1,4 @@
-// Pixels as starts: of one rotor, or of a family of rotors where an axis is one of their parameters.
+// Pixels as starts: of one rotor, or of a family of rotors if an axis is one of their parameters.
 #pragma once
 
 #include <cstddef>
@@ -20,28 +20,27 @@
 
 namespace equipoise {
 
-/// Whether all pixels are starts of the same rotor: both axes are ball angles or, of balls that are free from the
-/// first, other initial values.
+/// Whether all pixels are starts of one rotor: both axes are ball angles or, with free balls, other initial values.
 bool maps_starts(const BasinSlice& map);
 
 double balance_margin(const model::Parameters& p);
-/// Of isolated balanced states where nothing depends on the rotor's angle and the race is centred; else not a number.
+/// Largest growth rate at isolated balanced states; NaN if the rotor's angle matters or the race is off centre.
 double balance_growth(const model::System& system);
 
-/// The study of a pixel. Throws InputError if it is none.
+/// The study of a pixel. Throws InputError if it is invalid.
 Study study_at(const BasinSlice& map, int column, int row);
 
-/// The pixels of a map, decided as basin() decides its starts.
+/// Decides the pixels of a slice as basin() decides its starts.
 class StartPixels {
  public:
   using Discovered = std::function<void(const std::vector<double>& state)>;
 
-  /// Finds the attractors. `map`: its study has a horizon. `met`: states on motions that earlier runs met, which are
-  /// listed first; `discovered` is told new ones, before the pixels that came to them. `notes`: of the search, or null.
+  /// Finds the attractors. `map`: its study must have a horizon. `met`: states on motions that earlier runs met; these
+  /// are listed first. `discovered` is told of new ones, before the pixels that came to them. `notes` may be null.
   StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
               const Discovered& discovered, SearchLog* notes);
 
-  /// Pixels at these positions, handed on in this order. False if stopped before all were done.
+  /// Computes pixels at these positions and passes them on in this order. False if stopped before all were done.
   bool compute(const std::vector<std::uint32_t>& positions, const TakePixels& take);
 
  private:
@@ -50,7 +49,7 @@ class StartPixels {
   FamilyStart family_start(std::uint32_t position) const;
   bool decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const;
   void hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take);
-  // `own`: where rotors differ from pixel to pixel.
+  // `own`: given if rotors differ between pixels.
   SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion);
   static void add_balance(const Study& study, SlicePixel& pixel);
   double largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const;
@@ -61,7 +60,7 @@ class StartPixels {
   std::unique_ptr<StartRunner> runner_;
   std::optional<LineMotions> lines_;                        // where lines have one rotor
   bool unread_ = false;                                     // stopped before all of `met` were listed
-  std::set<int> listed_;                                    // attractors known beforehand, or told
+  std::set<int> listed_;                                    // attractors known beforehand, or already told
   std::map<int, std::unique_ptr<const MotionName>> names_;  // of attractors
 };
 

@@ -1,4 +1,4 @@
-// Capacities: one record a trial while they are searched for, one a cell when they are known.
+// Capacities: one record per trial during the search, one per cell when it is known.
 #include "equipoise/cell_files/capacity_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The file of whatever has cells: kept as they come, written whole in the end.
+// A file of cells: records are kept as they come, results are written whole at the end.
 #pragma once
 
 #include <cstddef>
@@ -13,37 +13,35 @@
 
 namespace equipoise::io {
 
-/// What is kept in such a file.
+/// A kind of cell file.
 struct CellFileKind {
-  const char* name;      ///< "sweep": attribute of the finished file, and of messages
-  Journal::Kind record;  ///< of the unfinished one
+  const char* name;      ///< "sweep": attribute of the finished file, and in messages
+  Journal::Kind record;  ///< kind of record in the unfinished file
 };
 
-/// Two files, as of an ensemble (basin_file.hpp). The results, `path`, are NetCDF, sealed, and hold beside what others
-/// read each cell's record (cell_netcdf.hpp). While work goes on, `path`.part holds records as they come, one or more a
-/// cell.
+/// Two files, as for an ensemble (basin_file.hpp). The results, `path`, are NetCDF, sealed; besides what others read
+/// they hold each cell's record (cell_netcdf.hpp). Until then `path`.part holds records, one or more per cell.
 class CellFile {
  public:
   using Take = std::function<void(std::size_t cell, const std::vector<std::uint8_t>& record)>;
 
-  /// Opens what there is of the same results, or begins anew; `take` is given every record that was there, those of the
-  /// finished file first. Throws InputError if it cannot be written, is in use, damaged, or holds something else:
-  /// which, it says.
+  /// Opens existing parts of the same results, or begins anew. `take` receives every record found, those of the
+  /// finished file first. Throws InputError if the file cannot be written, is in use, is damaged, or holds something
+  /// else.
   CellFile(const CellFileKind& kind, const std::string& path, const std::string& identity, std::size_t cells,
            const Take& take);
 
-  /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
+  /// On disk within about a second of work. If the disk cannot take it, throws RunError and keeps all earlier records.
   void append(std::size_t cell, const std::vector<std::uint8_t>& record);
-  /// Of the searches for attractors in its cells, as far as runs came that did not finish.
+  /// The search log of earlier runs that did not finish.
   SearchLog& notes() { return *notes_; }
-  /// What of the unfinished part stays beside results.
+  /// What stays of the unfinished part beside the results.
   enum class Rest {
     nothing,  ///< they are complete
     notes,    ///< they hold every record
-    all       ///< records hold more than they do
+    all       ///< the unfinished part holds more than they do
   };
-  /// Has the results written by `write`, if any record is new or there is no file. Throws RunError, with everything
-  /// kept as it was.
+  /// Lets `write` write the results, if any record is new or there is no file. Throws RunError and keeps everything.
   void finish(const std::function<void(const std::string& path, const std::string& identity)>& write, Rest rest);
 
  private:
@@ -54,8 +52,8 @@ class CellFile {
   bool changed_ = false;
 };
 
-/// The records of a file of results or of its unfinished part; returns whose they are. Throws InputError if it is
-/// neither or damaged.
+/// Reads the records of a file of results or of its unfinished part; returns the identity. Throws InputError for other
+/// or damaged files.
 std::string read_cell_file(const CellFileKind& kind, const std::string& path, const CellFile::Take& take);
 
 }  // namespace equipoise::io

@@ -13,8 +13,8 @@
 
 namespace equipoise::io {
 
-/// What the program itself reads back of every cell (cell_file.hpp), one behind the other, and where each ends; one
-/// that is missing takes no room.
+/// Records that the program itself reads back (cell_file.hpp), one after the other, and their ends. Missing ones are
+/// empty.
 struct CellRecords {
   CellRecords(std::size_t cells, const std::function<std::vector<std::uint8_t>(std::size_t cell)>& record);
 
@@ -26,17 +26,17 @@ struct CellRecords {
   std::vector<double> ends;
 };
 
-/// A table over the cells of some axes in a file that is being made: axes first, then columns and what else its owner
-/// defines, then records and attributes; after end_definitions() write().
+/// A table over the cells of some axes in a new file. Define axes first, then columns and other content, then records
+/// and attributes; call write() after end_definitions().
 class CellTable {
  public:
-  /// Writes the values of a cell that has a record, `width` of them, which are not-a-number before.
+  /// Writes the `width` values of a cell that has a record; they are NaN before.
   using Values = std::function<void(std::size_t cell, double* values)>;
 
-  /// A coordinate for every parameter along one dimension an axis; zipped ones along "step".
+  /// A coordinate for every parameter, one dimension per axis; zipped parameters along "step".
   CellTable(NetcdfFile& file, const std::vector<SweepAxis>& axes, const CellRecords& records);
 
-  /// A variable by cell, and by another dimension of `width` places if `dimension` is one.
+  /// A variable by cell, and also by another dimension with `width` places if `dimension` is given.
   void column(const std::string& name, const std::string& units, const std::string& meaning, const Values& values,
               int dimension = -1, std::size_t width = 1);
   void define_records();
@@ -61,7 +61,7 @@ class CellTable {
   int record_ = -1, record_end_ = -1;
 };
 
-/// Conventions, title, source, kind, identity, study, complete: what every such file says of itself.
+/// Conventions, title, source, kind, identity, study, complete: attributes of every such file.
 void define_cell_attributes(NetcdfFile& file, const std::string& kind, const std::string& title,
                             const std::string& identity, const Study& study, bool complete);
 

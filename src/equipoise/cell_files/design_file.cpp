@@ -103,7 +103,7 @@ class DesignWriter {
 
 }  // namespace
 
-// A record that is no ensemble counts for none.
+// A record that is no ensemble is ignored.
 DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most)
     : most_(most),
       file_(design_kind, path, identity, most, [this](std::size_t number, const std::vector<std::uint8_t>& record) {

@@ -1,4 +1,4 @@
-// The file of a design: ensembles kept as they come, the answer written whole in the end.
+// The file of a design: ensembles are kept as they come, the result is written whole at the end.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace equipoise {
 
-/// A CellFile, whose records are ensembles. The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: by
-/// ensemble its starts, its figures with their intervals and its candidate as text; by member of the front its figures
-/// on the held-out starts. While the search goes on, `path`.part holds every ensemble that the results do not.
+/// A CellFile with ensembles as records. The results, `path`, are NetCDF (classic, 64-bit offsets), sealed: by ensemble
+/// its starts, its figures with their intervals, and its candidate as text; by member of the front its figures on the
+/// held-out starts. During the search, `path`.part holds every ensemble that the results lack.
 class DesignFile {
  public:
-  /// Opens what there is of the same design, or begins anew. `most`: ensembles that there may be. Throws InputError if
-  /// it cannot be written, is in use, damaged, or holds something else: which, it says.
+  /// Opens existing parts of the same design, or begins anew. `most`: upper limit on the number of ensembles. Throws
+  /// InputError if the file cannot be written, is in use, is damaged, or holds something else, and says which.
   DesignFile(const std::string& path, const std::string& identity, std::size_t most);
 
-  /// Of the `number`-th question, if what was kept is the answer to it.
+  /// The kept answer to question `number`, if it is the answer to this question.
   std::optional<DesignSample> sample(std::uint64_t number, const std::string& name) const;
-  /// On disk within about a second of work. Throws RunError, with all before it kept, if the disk cannot take it.
+  /// On disk within about a second of work. If the disk cannot take it, throws RunError and keeps all earlier records.
   void append(std::uint64_t number, const std::string& name, const DesignSample& sample);
   /// Writes the results, if anything is new or there is no file. Throws RunError, with everything kept as it was.
   void finish(const DesignResult& result);

@@ -1,4 +1,4 @@
-// Records of cells to CBOR and back: a map of the members by name.
+// Converts records of cells to CBOR and back: maps of members by name.
 #include "equipoise/cell_files/sweep_cells.hpp"
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-// One function names the members for both ways.
+// One function names the members for writing and reading.
 
 template <class Record, Like<Share> T>
 void named_members(Record& r, T& s) {
@@ -87,7 +87,7 @@ inline constexpr bool is_shared = false;
 template <class T>
 inline constexpr bool is_shared<std::shared_ptr<T>> = true;
 
-// Of designs; what has no end is written as a word, for JSON has no number for it.
+// For designs. Infinite values are written as words, because JSON has no number for them.
 Json number_json(double v) {
   if (std::isnan(v)) return nullptr;
   return std::isfinite(v) ? Json(v) : Json(v > 0.0 ? "inf" : "-inf");

@@ -1,5 +1,4 @@
-// Cells of a sweep, trials of a capacity and ensembles of a design as bytes: what files keep and what processes send
-// each other.
+// Cells of a sweep, trials of a capacity and ensembles of a design as bytes, for files and messages.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace equipoise {
 
-/// An ensemble of a design's candidate, under the name of what was asked.
+/// An ensemble of a design's candidate, under the name of its question.
 struct KeptSample {
   std::string name;
   DesignSample sample;
@@ -23,10 +22,10 @@ namespace io {
 
 /// CBOR (RFC 8949): members by name; every number reads back to the same bits.
 std::vector<std::uint8_t> bytes_of(const SweepCell& cell);
-std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials);  ///< of a cell, some or all
+std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials);  ///< of one cell, some or all
 std::vector<std::uint8_t> bytes_of(const KeptSample& sample);
 
-/// None if the bytes are no such thing.
+/// Empty if the bytes are no such record.
 std::optional<SweepCell> cell_from(const std::vector<std::uint8_t>& bytes);
 std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes);
 std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& bytes);

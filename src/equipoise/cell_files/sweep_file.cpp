@@ -1,4 +1,4 @@
-// Sweeps: one record a cell.
+// Sweeps: one record per cell.
 #include "equipoise/cell_files/sweep_file.hpp"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Coordinates, shares, motions and transients of all cells; behind them every cell as the program reads it back.
+// Coordinates, shares, motions and transients of all cells; then every cell's record for the program itself.
 #include "equipoise/cell_files/sweep_netcdf.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class SweepWriter {
       for (const OutcomeShare& o : cell->others()) note(o);
     }
     for (const auto& [code, names] : kinds_) codes_.push_back(code);
-    // Attractors first, as people list them.
+    // Attractors first, as in lists.
     std::stable_partition(codes_.begin(), codes_.end(), [](int code) { return code > 0; });
     for (const int code : codes_) {
       names_.push_back(kinds_.at(code).first);
@@ -94,7 +94,7 @@ class SweepWriter {
       of_outcomes(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
   }
 
-  // Null: the cell does not have it.
+  // Null if the cell does not have it.
   static const Share* share_of(const SweepCell& cell, int code) {
     if (code <= 0) return cell.of(code);
     for (const SweepOutcome& o : cell.outcomes)

@@ -7,8 +7,8 @@
 
 namespace equipoise::io {
 
-/// Replaces `path`, sealed (sealed_file.hpp). What is in it depends on the result alone, not on how long it took.
-/// Throws RunError, with the old file as it was.
+/// Replaces `path` with a sealed file (sealed_file.hpp). Its content depends only on the result, not on how long it
+/// took. Throws RunError, with the old file as it was.
 void write_sweep_netcdf(const std::string& path, const std::string& identity, const SweepResult& result);
 
 }  // namespace equipoise::io

@@ -1,4 +1,4 @@
-// Bisection for changes of stability and kind, and the multiplier that tells their cause.
+// Locates changes of stability and kind by bisection, and finds their cause from multipliers.
 #include "equipoise/continuation/branch_events.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace equipoise {
 namespace {
 
 constexpr double fine = 1.0 / 256, coarse = 1.0 / 16;
-// At the last orbit before a fold a multiplier is as near to 1 as the root of the distance: seen up to 0.06.
+// At the last orbit before a fold, a multiplier differs from 1 by the root of the distance: up to 0.06 was seen.
 constexpr double near_one = 0.1;
 
 void set_excursion(BranchEvent& event, const Motion& motion) {
@@ -30,7 +30,7 @@ bool symmetric(int balls, const Motion& motion) {
   return some_coincide || motion.half_period_exchange;
 }
 
-// From the unstable side of a change of stability.
+// The cause of a change of stability, from its unstable side.
 BranchCause cause_of_instability(int balls, const Motion& unstable) {
   if (unstable.orbit.nodes.empty()) {
     const std::complex<double> leading = unstable.spectrum[0];
@@ -50,7 +50,7 @@ BranchEvent stability_change(const BranchContinuation& follower, const BranchPoi
   event.low = low.value;
   event.high = high.value;
   while (event.high - event.low > fine * follower.line().step() && !follower.stopped()) {
-    // At the very change the equations may be too nearly singular for Newton's method: then beside it.
+    // At the change itself the equations may be too nearly singular for Newton's method; then try beside it.
     std::optional<Motion> found;
     double middle = event.low;
     for (const double share : {0.5, 0.4, 0.6, 0.25, 0.75}) {
@@ -69,7 +69,7 @@ BranchEvent stability_change(const BranchContinuation& follower, const BranchPoi
   return event;
 }
 
-// The periodic motion is about to end in an equilibrium: all of it is near one.
+// Whether the periodic motion is about to end in an equilibrium: all of it is near one.
 bool has_shrunk(const model::System& system, const Motion& motion) {
   constexpr double near = 0.2;  // in natural sizes
   const auto centre = system.autonomous() ? refine_equilibrium(system, motion.state) : std::nullopt;
@@ -79,7 +79,7 @@ bool has_shrunk(const model::System& system, const Motion& motion) {
                      [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; });
 }
 
-// A torus near where it grew out of a periodic motion: about the same means, extremes a little wider.
+// Whether the torus grew out of the periodic motion: nearly the same means, slightly wider extremes.
 bool grew_from(const Motion& periodic, const Motion& torus) {
   return periodic.kind == MotionKind::periodic && torus.kind == MotionKind::quasi_periodic &&
          std::fabs(periodic.r_mean - torus.r_mean) < 0.05 * torus.r_max &&
@@ -110,12 +110,12 @@ BranchEvent kind_change(const BranchContinuation& follower, const BranchPoint& l
     (like_below ? event.low : event.high) = middle;
     (like_below ? below : above) = std::move(*found);
   }
-  event.cause = cause_of_kind(low.motion, high.motion);  // between a torus and chaos it may lock for a while
+  event.cause = cause_of_kind(low.motion, high.motion);  // between a torus and chaos the motion may lock for a while
   set_excursion(event, below);
   return event;
 }
 
-// How far the nearest multiplier is from 1, the nearest eigenvalue from 0.
+// Distance of the nearest multiplier from 1, or of the nearest eigenvalue from 0.
 double nearest_to_fold(const Motion& motion) {
   double nearest = 1e300;
   const bool orbit = !motion.orbit.nodes.empty();
@@ -124,10 +124,10 @@ double nearest_to_fold(const Motion& motion) {
   return nearest;
 }
 
-// Towards a fold a multiplier goes to 1 like the root of the distance. One that is always near 1 (a slow motion) says
-// nothing of why the branch could not be followed further.
+// Towards a fold a multiplier approaches 1 like the root of the distance. A multiplier that is always near 1 (a slow
+// motion) does not explain why the branch ends.
 bool folds(const BranchContinuation& follower, const Advance& end) {
-  constexpr double root_like = 1.3;  // at a distance twice as large: 1.41
+  constexpr double root_like = 1.3;  // at twice the distance: 1.41
   const double at_end = nearest_to_fold(end.motion);
   if (!(at_end < near_one)) return false;
   const double inwards = end.value > end.refused ? 1.0 : -1.0;

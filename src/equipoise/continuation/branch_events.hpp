@@ -1,4 +1,4 @@
-// What happens on a branch between two parameter values: where, and why.
+// Where something happens on a branch between two parameter values, and why.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace equipoise {
 
-/// Why a branch ends where `end` stopped; unresolved if nothing tells.
+/// Why a branch ends where `end` stopped; unresolved if nothing shows it.
 BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end);
 
-/// Changes of stability and of kind between two neighbouring points of a branch, in order of value, bracketed by
-/// bisection: to 1/256 of the line's step for equilibria and periodic motions, to 1/16 of it for tori and chaos.
+/// Changes of stability and kind between two neighbouring points of a branch, in order of value. Bisection brackets
+/// them to 1/256 of the line's step for equilibria and periodic motions, to 1/16 for tori and chaos.
 std::vector<BranchEvent> changes_between(const BranchContinuation& follower, const BranchPoint& low,
                                          const BranchPoint& high);
 

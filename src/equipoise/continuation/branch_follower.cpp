@@ -1,4 +1,4 @@
-// Continuation with natural steps: the orbit at the last value is the guess at the next.
+// Continuation in the parameter itself: the orbit at the last value is the guess at the next.
 #include "equipoise/continuation/branch_follower.hpp"
 
 #include <algorithm>
@@ -15,26 +15,25 @@ namespace equipoise {
 
 namespace {
 
-// Shortest Newton step as a part of the line's step: ends are known that well.
+// Shortest Newton step, relative to the line's step: ends are located this accurately.
 constexpr double shortest_step = 1.0 / 65536;
 // Basins of tori may be so thin that a trajectory carried farther than this leaves them.
 constexpr double shortest_restless_step = 1.0 / 64;
-// From here on trajectories begin in several states, some time apart on the motion, before it is given up.
+// From this step on, trajectories begin in several states, some time apart on the motion, before it is given up.
 constexpr double careful_step = 1.0 / 16;
 constexpr int careful_states = 4;
 constexpr double time_between_states = 37.0;  // some turns, and no multiple of any period
-// Chaos that is left only after a long time, and slow ways to what comes then, are given as much longer.
+// Chaos may be left only after a long time, and the next motion approached slowly: both get this much longer.
 constexpr double long_patience = 4.0 * motion_patience;
-// Between two values of the line random starts are asked so often whether the motion is still there.
+// How often random starts check, between two values of the line, whether the motion still exists.
 constexpr int most_searches = 4;
 // A motion that changes by more than this within half a step, in natural sizes, may be another one.
 constexpr double largest_change = 0.5;
-// Two halves of a step that change the motion about equally are smooth: at a fold, where changes go like a square root,
-// they differ by 2.4.
+// A step is smooth if its two halves change the motion about equally. At a fold (a square root) they differ by 2.4.
 constexpr double uneven = 4.0, smallest_uneven = 0.02;
 constexpr double centred = 1e-9;  // off_balance() of balanced states
 
-// What no smooth change of a motion alters.
+// Properties that no smooth change of a motion alters.
 bool same_signature(const model::Parameters& p, const Motion& a, const Motion& b) {
   const auto is_centred = [&](const Motion& m) { return model::off_balance(p, m.state[0], m.state[1]) < centred; };
   return a.kind == b.kind && a.winding == b.winding && a.cluster == b.cluster &&
@@ -57,13 +56,13 @@ bool smooth(double first, double second) {
   return large < largest_change && (large < smallest_uneven || large < uneven * small);
 }
 
-// `next`, met by a trajectory, is what becomes of `motion` at another value of the parameter.
+// Whether `next`, met by a trajectory, continues `motion` at another value of the parameter.
 bool goes_on(const model::Parameters& p, const Motion& motion, const Motion& next) {
   return next.stable && resembles(p, motion, next) &&
          (is_restless(motion) || is_restless(next) || may_be_locked(motion) || may_be_locked(next));
 }
 
-// Mean rates of the balls, whichever ball is which, differ by less than a twentieth of the fastest.
+// Mean rates of the balls, in any order, differ by less than a twentieth of the fastest.
 bool drift_alike(const model::Parameters& p, const Motion& a, const Motion& b) {
   std::vector<double> first(a.drift.begin(), a.drift.begin() + p.balls);
   std::vector<double> second(b.drift.begin(), b.drift.begin() + p.balls);
@@ -99,7 +98,7 @@ bool resembles(const model::Parameters& p, const Motion& a, const Motion& b) {
   const double size = std::max(a.r_max, b.r_max);
   const double of_max = std::fabs(a.r_max - b.r_max) / size, of_mean = std::fabs(a.r_mean - b.r_mean) / size;
   if (family_of(p, a) == family_of(p, b)) return of_max < 0.25 && of_mean < 0.15;
-  // Whether two balls drift at one rate is measured, and may be told differently at one value: then by what they do.
+  // Whether two balls drift at one rate is measured and may differ by chance; then compare the motions themselves.
   return is_restless(a) && is_restless(b) && of_max < 0.1 && of_mean < 0.05 && drift_alike(p, a, b);
 }
 
@@ -116,7 +115,7 @@ Advance BranchContinuation::advance(const Motion& motion, double from, double to
   Advance result = advance_refined(motion, from, to);
   if (motion.kind == MotionKind::equilibrium || !motion.stable || stopped()) return result;
   if (result.arrived && (result.motion.stable || !may_be_locked(motion))) return result;
-  // A periodic motion locked within a torus ends, or stops attracting, where the torus goes on.
+  // A periodic motion locked within a torus ends, or stops attracting, where the torus continues.
   if (result.arrived) {
     Meeting met = meet({from, motion, false, to, {}}, to, careful_states);
     return met.same ? Advance{to, std::move(*met.same), true, to, {}, true} : result;
@@ -193,7 +192,7 @@ std::vector<Eigen::VectorXd> BranchContinuation::states_along(const Advance& at,
   return states;
 }
 
-// What trajectories from so many states of the motion at `at` come to.
+// What trajectories from several states of the motion at `at` come to.
 BranchContinuation::Meeting BranchContinuation::meet(const Advance& at, double value, int states) const {
   const model::System system = line_.system_at(value);
   const model::Parameters& p = system.parameters();
@@ -248,7 +247,7 @@ Advance BranchContinuation::advance_restless(const Motion& motion, double from, 
         at.arrived = true;
         return at;
       }
-      // A torus that has become a periodic motion of one turn is followed on as such.
+      // A torus that has become a periodic motion of one turn is continued as such.
       if (!is_restless(at.motion) && !may_be_locked(at.motion)) return advance(at.motion, at.value, to);
       step *= 2.0;
       continue;
@@ -278,7 +277,7 @@ Advance BranchContinuation::narrowed(const Advance& end) const {
       at.motion = std::move(*met.same);
     } else {
       at.refused = middle;
-      at.left = met.same || met.left;  // what is not restless is the other branch's
+      at.left = met.same || met.left;  // a motion that is not restless belongs to the other branch
       at.beyond = met.same ? std::move(met.same) : std::move(met.other);
     }
   }

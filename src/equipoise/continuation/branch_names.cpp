@@ -1,4 +1,4 @@
-// One identifier a branch, the same wherever it is met.
+// One identifier per branch, the same wherever the branch is met.
 #include "equipoise/continuation/branch_names.hpp"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Naming name_one(const std::vector<model::System>& systems, Branch& branch) {
   const auto first_kind = branch.points.front().motion.kind;
   const bool one_kind = std::all_of(branch.points.begin(), branch.points.end(),
                                     [&](const BranchPoint& point) { return point.motion.kind == first_kind; });
-  if (one_kind) branch.name = most->second.second.name;  // with ", chaotic" where it is so all along
+  if (one_kind) branch.name = most->second.second.name;  // with ", chaotic" if it is so throughout
   return naming;
 }
 
@@ -65,7 +65,7 @@ void name_branches(const std::vector<model::System>& systems, const std::vector<
   std::set<int> taken;
   for (Naming& n : namings)
     if (n.id != 0 && !taken.insert(n.id).second) n.id = 0;
-  // Free identifiers and numbers go by where a branch begins.
+  // Free identifiers and numbers are given in the order in which branches begin.
   std::stable_sort(namings.begin(), namings.end(), [](const Naming& a, const Naming& b) {
     return (a.id != 0) != (b.id != 0) ? a.id != 0 : a.first < b.first;
   });

@@ -9,10 +9,10 @@
 
 namespace equipoise {
 
-/// Gives every branch the name its motion has at most of its points, stable ones first, and the identifier that goes
-/// with it. Of several branches with one name the one with the most `votes` (then the one that attracts over most
-/// values) has the identifier, the others are numbered and get free ones. Events get their branch's identifier;
-/// branches are ordered by it. `systems`: by index of the value.
+/// Gives every branch the name of its motion at most of its points, stable ones first, and the identifier for that
+/// name. Among branches of one name, the one with the most `votes` (then the one that attracts at most values) gets the
+/// identifier; the others are numbered and get free identifiers. Events get their branch's identifier; branches are
+/// ordered by it. `systems`: by index of the value.
 void name_branches(const std::vector<model::System>& systems, const std::vector<std::size_t>& votes,
                    std::vector<Branch>& branches);
 

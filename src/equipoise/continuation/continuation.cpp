@@ -1,4 +1,4 @@
-// Search at every value, follow both ways, meet, look beyond the ends, name.
+// Searches at every value, follows both ways, lets branches meet, looks beyond their ends, names them.
 #include "equipoise/continuation/continuation.hpp"
 
 #include <algorithm>
@@ -25,14 +25,14 @@ namespace {
 // A branch in the making: its motions by index of the value, and how it ended on either side.
 struct Track {
   std::map<std::size_t, Motion> points;
-  std::optional<Advance> low, high;  // empty where the line ends, or where the search was stopped
+  std::optional<Advance> low, high;  // empty where the line ends or the search was stopped
 };
 
 // One way from a motion.
 struct Way {
   std::map<std::size_t, Motion> points;  // without the first
   std::optional<Advance> end;
-  int joins = -1;  // the track whose branch this is
+  int joins = -1;  // the track that it became part of
 };
 
 // A motion from which a branch starts.
@@ -62,7 +62,7 @@ class Continuation {
     for (std::size_t k = 0; k < line.values().size(); ++k) {
       values_.push_back(line.values()[k]);
       asked_.push_back(true);
-      // Whether there is a study between is asked at some cost where balance is a continuum under gravity.
+      // Checking the study half-way is expensive where balance is a continuum under gravity.
       if (const auto between = is_set(options.stop) ? std::nullopt : line.half_way(k)) {
         values_.push_back(*between);
         asked_.push_back(false);
@@ -142,7 +142,9 @@ class Continuation {
     });
     std::vector<Lead> leads;
     for (Origin& origin : origins)
-      if (track_of(origin.at, origin.motion) < 0) settle(origin, leads);  // else another origin's, under another name
+      if (track_of(origin.at, origin.motion) < 0)
+        settle(origin, leads);  // otherwise it belongs to another origin's
+                                // track
     follow_leads(leads);
     return !origins.empty();
   }
@@ -163,7 +165,7 @@ class Continuation {
           way.joins = track;
           return way;
         }
-        if (track >= 0) {  // it fell onto a branch that it has been beside
+        if (track >= 0) {  // it fell onto a branch that existed beside it
           way.end = follower_.narrowed({values_[k], *last, false, value, std::move(advance.motion)});
           if (follower_.stopped()) way.end.reset();
           return way;
@@ -178,7 +180,7 @@ class Continuation {
     return way;
   }
 
-  // A new track, or more of one that an origin's way has joined.
+  // Starts a new track, or extends one that an origin's way has joined.
   void settle(Origin& origin, std::vector<Lead>& leads) {
     Track track;
     track.low = std::move(origin.down.end);
@@ -200,7 +202,7 @@ class Continuation {
     tracks_.push_back(std::move(track));
   }
 
-  // Where a branch ends or loses stability, its last stable state may lead to what takes its place.
+  // Where a branch ends or loses stability, its last stable state may lead to its successor.
   void note_leads(const Track& track, std::vector<Lead>& leads) const {
     const std::size_t first = track.points.begin()->first, last = track.points.rbegin()->first;
     if (track.low && first > 0) leads.push_back({first - 1, track.low->motion.state, {}});
@@ -221,7 +223,7 @@ class Continuation {
       if (lead.motion && lead.motion->stable) found_[lead.at].push_back(std::move(*lead.motion));
   }
 
-  // Of a stopped search: motions not yet followed, put together by what they are called.
+  // After a stop: groups the motions not yet followed by name.
   void gather_rest() {
     for (std::size_t k = 0; k < found_.size(); ++k) {
       for (Motion& motion : found_[k]) {
@@ -236,8 +238,8 @@ class Continuation {
     }
   }
 
-  // Where two branches of one name exist at one value, the search there has given the identifier to the motion that
-  // more starts come to: so a branch has the same one whatever part of the line is studied.
+  // Where two branches of one name exist at one value, the search there gave the identifier to the motion of more
+  // starts. Counting these gives a branch the same identifier whatever part of the line is studied.
   std::vector<std::size_t> count_votes() const {
     std::vector<std::size_t> votes(tracks_.size());
     for (std::size_t k = 0; k < named_.size(); ++k) {
@@ -286,7 +288,7 @@ class Continuation {
     result_.branches = std::move(branches);
   }
 
-  // Of the values in between only those stay at which a branch lives that has no others.
+  // Half-way values stay only where a branch exists that has no others.
   void leave_out_unasked() {
     std::vector<bool> kept = asked_;
     for (const Branch& branch : result_.branches) {
@@ -324,10 +326,10 @@ class Continuation {
   const std::uint64_t starts_;
   BranchContinuation follower_;
   int threads_;
-  std::vector<double> values_;              // those of the line and those half-way between
-  std::vector<bool> asked_;                 // by value: one of the line
+  std::vector<double> values_;              // of the line, and half-way between
+  std::vector<bool> asked_;                 // by value: whether it belongs to the line
   std::vector<std::vector<Motion>> found_;  // by value
-  std::vector<std::vector<Motion>> named_;  // by value: those that a search there gave the identifier of their name
+  std::vector<std::vector<Motion>> named_;  // by value: motions that have the identifier of their name there
   std::vector<model::System> systems_;      // by value
   std::vector<Track> tracks_;
   ContinuationResult result_;

@@ -1,4 +1,4 @@
-// Every attractor of a study followed along one of its parameters.
+// Continues every attractor of a study along one of its parameters.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace equipoise {
 
-/// Random starts searched at a value: they miss an attractor with a share of 0.2 % in one case of fifty, and the pilot
-/// has looked for it too.
+/// Random starts searched at a value. In one case in fifty they miss an attractor with a share of 0.2 %, and the pilot
+/// has searched for it too.
 inline constexpr std::uint64_t along_starts = 2000;
 
-/// Progress is in values searched first, then in branches followed of those known so far.
+/// Progress counts values searched, then branches followed among those known so far.
 struct ContinuationOptions : RunOptions {
-  std::uint64_t starts = 0;  ///< random starts searched at every value besides those of the pilot; 0: along_starts
+  std::uint64_t starts = 0;  ///< random starts at every value besides the pilot's; 0: along_starts
   /// States tried at every value, each dimension(balls) numbers: ways to attractors too rare for the pilot.
   std::vector<std::vector<double>> warm_start_states;
 };
 
-/// Finds the attractors at every value of the line and half-way between, follows each both ways as far as its motion
-/// exists (or, for tori and chaos, attracts), locates what happens on the way, and gives each branch one identifier and
-/// name. An end is a birth or a death only if its cause is known; else the branch is first or last seen there. The
-/// result has the values of the line, and those half-way at which a branch lives that has no others. A stopped search
-/// is returned as far as it came, marked partial. Deterministic.
+/// Finds the attractors at every value of the line and half-way between. Follows each both ways as far as its motion
+/// exists (or, for tori and chaos, attracts), locates events on the way, and gives each branch one identifier and name.
+/// An end is a birth or a death only if its cause is known; otherwise the branch is first or last seen there. The
+/// result has the values of the line, and those half-way at which a branch exists that has no others. A stopped search
+/// returns what it has, marked partial. Deterministic.
 ContinuationResult follow_attractors(const Study& study, const ParameterLine& line,
                                      const ContinuationOptions& options = {});
 

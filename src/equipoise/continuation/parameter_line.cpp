@@ -1,4 +1,4 @@
-// Reading of KEY=FROM:TO:STEP, and the study at each value.
+// Reads KEY=FROM:TO:STEP, and makes the study at each value.
 #include "equipoise/continuation/parameter_line.hpp"
 
 #include <algorithm>
@@ -104,7 +104,7 @@ Study study_with(const Study& original, const std::string& key, double value) {
     }
   if (key != "speed.final") {
     StudyValue tree = to_tree(study);
-    // One takes the place of the other.
+    // release.speed and release.time replace each other.
     if (StudyValue* release = tree.find("release"); release && key.starts_with("release."))
       release->erase(key == "release.speed" ? "time" : "speed");
     return study_from(tree, study.name, {key + "=" + study::number_text(value)});

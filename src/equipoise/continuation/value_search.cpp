@@ -1,4 +1,4 @@
-// A plain search, without its shares.
+// A plain attractor search, without its shares.
 #include "equipoise/continuation/value_search.hpp"
 
 #include "equipoise/analyses/attractors.hpp"

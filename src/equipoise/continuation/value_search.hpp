@@ -11,11 +11,11 @@
 namespace equipoise {
 
 struct ValueSearch {
-  std::vector<Motion> motions;  ///< stable ones, and balance
-  std::vector<Motion> named;    ///< those with the identifier of their name
+  std::vector<Motion> motions;  ///< stable motions, and balance
+  std::vector<Motion> named;    ///< motions with the identifier of their name
 };
 
-/// What plain `attractors` finds with so many random starts, on one thread; `seeds`: states followed besides.
+/// What `attractors` finds with this many random starts, on one thread; `warm_start_states` are followed as well.
 ValueSearch attractors_at(const Study& study, std::uint64_t starts,
                           const std::vector<std::vector<double>>& warm_start_states, const StopFlag* stop);
 

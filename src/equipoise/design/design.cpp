@@ -25,13 +25,13 @@ namespace {
 
 // Parts of the budget.
 constexpr double for_search = 0.65, for_choice = 0.1, for_check = 0.15, for_margins = 0.1;
-// Of one objective so many are followed on; where there are requirements so many are checked, lest the first one
-// proves to miss them: one is chosen.
+// With one objective, this many candidates are followed further. With requirements, several are then checked, in case
+// the first turns out to miss them; one is chosen.
 constexpr std::size_t most_chosen_from = 16, most_checked = 4;
-constexpr std::uint64_t raise_by = 2;  // in the choice: interval by interval
+constexpr std::uint64_t raise_by = 2;  // in the choice: more starts, interval by interval
 constexpr std::size_t most_in_front = 24;
-// Starts of one ensemble: more would not tell a figure usefully better. Fewer than the first look's would not tell what
-// the search was told, and so many do where starts are cheap.
+// Starts of one ensemble. More would not improve a figure usefully. Fewer than in the first look would know less than
+// the search did; where starts are cheap, at least this many are used.
 constexpr std::uint64_t most_starts = 100'000, fewest_starts_of_cheap = 500;
 
 class DesignRun {
@@ -46,7 +46,7 @@ class DesignRun {
     result_.method = problem.method();
     result_.budget = problem.trajectories();
     result_.search_seed = problem.study().sampling.seed;
-    // Any other number: starts of different seeds share nothing.
+    // Any other number will do: starts of different seeds share nothing.
     result_.held_out_seed = (result_.search_seed + 1'000'003) & 0x7fffffffffffffff;
     result_.identity = problem.identity();
     result_.threads = thread_count(options.threads);
@@ -83,7 +83,7 @@ class DesignRun {
   std::uint64_t each(std::uint64_t budget, std::size_t count) const {
     return std::clamp(budget / std::max<std::size_t>(count, 1), fewest_starts(), most_starts);
   }
-  // Every ensemble has so many starts at least; the last parts of the work may go beyond the budget where it is small.
+  // Every ensemble has at least this many starts. The last parts of the work may exceed a small budget.
   std::size_t most_ensembles() const { return static_cast<std::size_t>(2 * result_.budget / fewest_starts()) + 1000; }
 
   void find() {
@@ -115,14 +115,15 @@ class DesignRun {
     return samples;
   }
 
-  // Those that no other beats; `reserves`: of one objective a few that come next, too.
+  // Candidates that no other beats; `reserves`: with one objective also the next few.
   void take_front(const std::vector<DesignCandidate>& candidates, bool reserves) {
     result_.front.clear();
     result_.chosen.reset();
     const auto samples = samples_of(candidates);
     std::vector<std::size_t> places;
     if (reserves && one_objective()) {
-      places = standing_.order(samples, Side::doubtful);  // samples differ in size: a small one's luck counts less
+      places = standing_.order(samples, Side::doubtful);  // samples differ in size: this discounts a small sample's
+                                                          // luck
       places.resize(std::min(places.size(), result_.limits.empty() ? 1 : most_checked));
     } else {
       places = standing_.front(samples, Side::estimate);
@@ -132,7 +133,7 @@ class DesignRun {
     result_.chosen = one_objective() ? 0 : standing_.middle(samples_of(result_.front));
   }
 
-  // Evenly along the first objective, both ends kept.
+  // Evenly along the first objective, keeping both ends.
   static std::vector<std::size_t> thinned(const std::vector<std::size_t>& places) {
     if (places.size() <= most_in_front) return places;
     std::vector<std::size_t> kept;
@@ -141,12 +142,12 @@ class DesignRun {
     return kept;
   }
 
-  // Whether this one may be better than the one that is best as far as is known.
+  // Whether this one may be better than the best one known.
   bool may_be_best(const DesignSample& sample, const DesignSample& best) const {
     return !standing_.beats(best, Side::doubtful, sample, Side::hopeful);
   }
 
-  // More of the same starts for those that looked best.
+  // Takes more of the same starts for the candidates that looked best.
   void choose(const std::vector<DesignCandidate>& candidates) {
     if (candidates.empty()) return;
     const auto samples = samples_of(candidates);
@@ -178,7 +179,7 @@ class DesignRun {
     for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
   }
 
-  // As long as several may be the best, those of them that are known least are followed on, the most promising first.
+  // While several may be the best, takes more starts for those known least, the most promising first.
   void tell_apart(std::vector<DesignCandidate>& finalists) {
     std::uint64_t left = part(for_choice);
     for (;;) {
@@ -204,7 +205,7 @@ class DesignRun {
     }
   }
 
-  // On starts that the search did not see, the study as it is beside them.
+  // Judges the front on starts that the search did not see, beside the original study.
   void check() {
     if (result_.front.empty()) return;
     const std::uint64_t starts = each(part(for_check), result_.front.size() + 1);
@@ -215,7 +216,7 @@ class DesignRun {
     for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];
     tell(nullptr);
     if (one_objective()) {
-      // The search's choice stands, unless it proves to miss what must hold: who is picked by the held-out starts would
+      // The search's choice stands, unless it turns out to miss a requirement. A choice by the held-out starts would
       // look better on them than it is.
       std::stable_sort(
           result_.front.begin(), result_.front.end(), [&](const DesignCandidate& a, const DesignCandidate& b) {

@@ -1,4 +1,4 @@
-// Design: the best balancer and the best spin-up for a machine, as far as a budget of trajectories finds them.
+// Design: the best balancer and spin-up for a machine that a budget of trajectories can find.
 #pragma once
 
 #include <string>

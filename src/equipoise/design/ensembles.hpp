@@ -33,16 +33,16 @@ class DesignEnsembles final : public SurveyWork {
                   const SurveyHelpers& helpers = {});
   ~DesignEnsembles() override { over_ = true; }
 
-  /// In the order of `wanted`; candidates at once, threads shared among them. Throws SearchOver if stopped: what is
-  /// done is kept, and known().
+  /// Results in the order of `wanted`; candidates run in parallel and share the threads. Throws SearchOver if stopped;
+  /// finished samples are kept, see known().
   std::vector<DesignSample> run(const std::vector<WantedSample>& wanted);
   /// Nothing more is asked: helpers go home.
   void end();
 
-  /// What was run of it before, or null.
+  /// An earlier sample of it, or null.
   const DesignSample* known(const WantedSample& wanted) const;
 
-  std::uint64_t trajectories() const { return trajectories_; }  ///< followed, those of earlier runs included
+  std::uint64_t trajectories() const { return trajectories_; }  ///< trajectories followed, including earlier runs
   std::uint64_t resumed() const { return resumed_; }
   bool stopped() const { return is_set(options_.stop); }
 

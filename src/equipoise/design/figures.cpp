@@ -1,4 +1,4 @@
-// Shares, quantiles over starts, and what a study says by itself.
+// Shares, quantiles over starts, and figures that follow from the study alone.
 #include "equipoise/design/figures.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string column_names() {
   return names;
 }
 
-// Why the drive's work is not known; empty: it is.
+// Why the drive's work is unknown; empty: it is known.
 std::string lack_of_energy(const Study& study, const std::vector<DesignVariable>& variables) {
   const bool spins_up =
       std::any_of(variables.begin(), variables.end(), [](const DesignVariable& v) { return v.spin_up; });
@@ -110,7 +110,7 @@ std::optional<FigureSource> variable_source(const std::string& name, const std::
 
 DesignEstimate certain(double value) { return {value, value, value}; }
 
-// The `q`-quantile of values of which some have no end; sorts them.
+// The `q`-quantile of values, some of which may be infinite; sorts them.
 DesignEstimate quantile_of(std::vector<double>& values, double q) {
   if (values.empty()) return {no_end, 0.0, no_end};
   std::sort(values.begin(), values.end());
@@ -123,7 +123,7 @@ DesignEstimate quantile_of(std::vector<double>& values, double q) {
 
 DesignEstimate scaled(DesignEstimate e, double unit) { return {e.value / unit, e.low / unit, e.high / unit}; }
 
-// Of a start that was lost there is no figure, and no drive brings one into balance that does not come to it.
+// A start that was lost has no figure, and the drive's work into balance exists only for starts that come to it.
 DesignEstimate transient_quantile(const FigureSource& source, const StartArrays& starts) {
   std::vector<double> values;
   const bool until_balance = transient_figures[source.column].value == &TransientRow::energy;
@@ -149,7 +149,7 @@ double acceleration_of(const model::SpeedProfile& ramp) {
   return most;
 }
 
-// What no start is needed for; 0 of all others.
+// Figures that need no start; 0 for all others.
 double stated(const FigureSource& source, const Study& study, const std::vector<DesignSetting>& settings) {
   const double unit = unit_in_study(study, source.dimension);
   switch (source.kind) {

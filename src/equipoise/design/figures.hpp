@@ -1,4 +1,4 @@
-// The figures by which candidates are judged: their names, units, and what an ensemble says of them.
+// The figures that candidates are judged by: names, units, and values from an ensemble.
 #pragma once
 
 #include <limits>
@@ -22,28 +22,28 @@ struct FigureSource {
   std::size_t column = 0;  ///< of transient_figures
   double quantile = 0.0;
   std::string key;  ///< of the variable
-  /// What the study as it is says of it, in the variable's unit; not-a-number: nothing.
+  /// Its value in the original study, in the variable's unit; NaN: unknown.
   double own = std::numeric_limits<double>::quiet_NaN();
   std::optional<study::Dimension> dimension;
   DesignFigure figure;
 
-  /// Whether starts need be followed where no balanced state attracts.
+  /// Whether starts must be followed where no balanced state attracts.
   bool by_outcome() const { return kind == Kind::transient || kind == Kind::time_to_balance || kind == Kind::passed; }
 };
 
-/// What is wrong with the name, if anything, is left in `problem`: "must be ...".
+/// If the name is invalid, `problem` says why: "must be ...".
 std::optional<FigureSource> figure_source(const std::string& name, const Study& study,
                                           const std::vector<DesignVariable>& variables, std::string& problem);
 
-/// By name; of a study without units none.
+/// The unit's name; empty for a study without units.
 std::string figure_unit(const Study& study, std::optional<study::Dimension> dimension);
-/// What one of the figure's unit is worth without dimension.
+/// One of the figure's unit as a dimensionless number.
 double unit_in_study(const Study& study, std::optional<study::Dimension> dimension);
 
-/// A sample of `basin`, run with keep_starts. `candidate`: its study.
+/// A sample of `basin`, which ran with keep_starts. `candidate`: its study.
 DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResult& basin, const Study& candidate,
                        const std::vector<DesignSetting>& settings);
-/// Of one where no balanced state attracts, and none of whose figures asks for more than that.
+/// A sample where no balanced state attracts, for figures that need nothing else.
 DesignSample sample_without_balance(const std::vector<FigureSource>& sources, std::uint64_t starts,
                                     const Study& candidate, const std::vector<DesignSetting>& settings);
 

@@ -13,20 +13,20 @@ namespace equipoise {
 
 namespace {
 
-// Parts of the range by which a number is moved to either side.
+// Changes of a number to either side, relative to its range.
 constexpr std::array margin_parts{0.02, 0.05, 0.1, 0.2, 0.4};
-constexpr double near_part = 0.1;  // within which the effect is told
+constexpr double near_part = 0.1;  // range within which the effect is measured
 
-// One number of a candidate that can be moved.
+// One number of a candidate that can be changed.
 struct Movable {
   DesignMargin margin;
   bool logarithmic = false, whole = false;
   std::vector<StudyValue> choices;
   std::size_t setting = 0;
-  const char* member = nullptr;  // of a spin-up: times or speeds
+  const char* member = nullptr;  // for a spin-up: times or speeds
   std::size_t entry = 0;
 
-  // The number at a part of the range from the chosen one; the chosen one where that is beyond the range.
+  // The number changed by a part of the range; unchanged if that leads out of the range.
   double moved(double part) const {
     const DesignMargin& m = margin;
     const double to = logarithmic ? m.value * std::pow(m.high / m.low, part) : m.value + part * (m.high - m.low);
@@ -42,7 +42,7 @@ const StudyValue& value_in(const DesignCandidate& chosen, const Movable& m) {
   return m.member ? (*value.find(m.member)->array())[m.entry] : value;
 }
 
-// A point keeps a tenth of the way to its neighbours in time, so that pieces do not vanish.
+// A point keeps a tenth of the time to its neighbours, so that pieces do not vanish.
 void add_points(const DesignVariable& v, std::size_t setting, const StudyValue& table, std::vector<Movable>& movables) {
   const StudyValue::Array& times = *table.find("times")->array();
   const auto last = times.size() - 1;
@@ -185,7 +185,7 @@ std::vector<DesignMargin> design_margins(const DesignProblem& problem, const Des
 
 std::vector<std::string> design_limits_reached(const DesignProblem& problem, const DesignStanding& standing,
                                                const DesignCandidate& chosen) {
-  // Parts of a limit and of a range within which they are said to be reached.
+  // Limits and ends of ranges count as reached within these parts.
   constexpr double close = 0.05, at_end = 0.01;
   std::vector<std::string> words;
   const DesignSample& sample = chosen.best_known();

@@ -1,4 +1,4 @@
-// How far the chosen candidate's numbers may be off, each by itself.
+// How far each number of the chosen candidate may change, all others fixed.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,15 @@
 
 namespace equipoise {
 
-/// Every number of the candidate, changed to either side by parts of its range, or to its other choices, on the
-/// held-out starts; of a spin-up each point's speed and time. By effect, the largest first. Throws SearchOver if
-/// stopped.
+/// Changes every number of the candidate to either side by parts of its range, or to its other choices, on the held-out
+/// starts; for a spin-up each point's speed and time. By effect, the largest first. Throws SearchOver if stopped.
 std::vector<DesignMargin> design_margins(const DesignProblem& problem, const DesignStanding& standing,
                                          DesignEnsembles& ensembles, const DesignCandidate& chosen,
                                          std::uint64_t starts, std::uint64_t seed);
-/// Ensembles that these take.
+/// Number of ensembles that this takes.
 std::size_t margin_points(const DesignProblem& problem);
 
-/// In words: limits that are just kept or missed, and variables at an end of their range.
+/// In words: limits that are just met or missed, and variables at an end of their range.
 std::vector<std::string> design_limits_reached(const DesignProblem& problem, const DesignStanding& standing,
                                                const DesignCandidate& chosen);
 

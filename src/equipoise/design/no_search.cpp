@@ -1,4 +1,4 @@
-// What stands in for the optimisers of pagmo2 where that is not built in.
+// Stands in for pagmo2's optimisers in builds without it.
 #include <stdexcept>
 
 #include "equipoise/design/search.hpp"

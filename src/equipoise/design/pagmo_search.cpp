@@ -1,4 +1,4 @@
-// The one place that knows pagmo2: CMA-ES (N. Hansen and A. Ostermeier, Evol. Comput. 9 (2001) 159) started anew with
+// The only file that uses pagmo2: CMA-ES (N. Hansen and A. Ostermeier, Evol. Comput. 9 (2001) 159), restarted with
 // larger populations, and NSGA-II (K. Deb and others, IEEE Trans. Evol. Comput. 6 (2002) 182).
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace equipoise {
 
 namespace {
 
-// The cube as pagmo has it: points one behind the other.
+// The cube as pagmo expects it: points concatenated.
 struct CubeProblem {
   const SearchSpace* space = nullptr;
   const Judge* judge = nullptr;
@@ -43,7 +43,7 @@ struct CubeProblem {
   }
 };
 
-// Points of a Latin hypercube with their worths; a population holds them in order.
+// A population of Latin hypercube points with their worths, in order.
 pagmo::population population_of(const pagmo::problem& problem, const SearchSpace& space, std::size_t size,
                                 unsigned seed, RandomStream& draws, const Judge& judge) {
   const std::vector<SearchPoint> points = search_methods::latin_hypercube(space.dimensions, size, draws);
@@ -61,7 +61,7 @@ void search_methods::cmaes(const SearchSpace& space, std::uint64_t seed, const J
   RandomStream draws(seed);
   const pagmo::problem problem{CubeProblem{&space, &judge}};
   const auto usual = static_cast<std::size_t>(4.0 + 3.0 * std::log(static_cast<double>(space.dimensions)));
-  constexpr std::size_t least = 6;  // pagmo asks for five
+  constexpr std::size_t least = 6;  // pagmo requires five
   std::size_t size = std::max(least, usual);
   for (;; size *= 2) {
     // Begins at the best of a few times as many points, with a step of a quarter of the cube.
@@ -84,7 +84,7 @@ void search_methods::cmaes(const SearchSpace& space, std::uint64_t seed, const J
 void search_methods::nsga2(const SearchSpace& space, std::uint64_t seed, const Judge& judge) {
   RandomStream draws(seed);
   const pagmo::problem problem{CubeProblem{&space, &judge}};
-  // Twenty generations or more of a population that a front can be told by; pagmo asks for multiples of four.
+  // At least twenty generations of a population large enough to show a front; pagmo requires multiples of four.
   const std::size_t size = std::clamp<std::size_t>(static_cast<std::size_t>(space.points) / 80 * 4, 16, 80);
   pagmo::population population = population_of(problem, space, size, seed_of(draws), draws, judge);
   const double mutation = 1.0 / static_cast<double>(space.dimensions);

@@ -1,4 +1,4 @@
-// Reading, checking, and the way from a point of the cube to a study.
+// Reads and checks a design, and turns points of the cube into studies.
 #include "equipoise/design/problem.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ const StudyValue::Table& table_of(const Document& document, const std::string& n
   return *table->table();
 }
 
-// Of a value that may be no number, or of another unit.
+// The number of a value; NaN if it is no number or has another unit.
 double number_in(const StudyValue& value, const std::string& unit) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::string written = unit_of_value(value);
@@ -64,7 +64,7 @@ FigureSource read_figure(const Document& document, const std::string& where, con
   throw InputError(document.where("design", value), where, name, problem);
 }
 
-// A number of the figure, or a quantity that its unit measures.
+// A plain number in the figure's unit, or a quantity of the same dimension.
 double read_bound(const DesignEntry& entry, const StudyValue& written, const FigureSource& source, const Study& study) {
   const auto number = entry.number(written);
   if (!number) entry.fail("must be { below = NUMBER } or { above = NUMBER }");
@@ -130,7 +130,7 @@ StudyValue value_at(const DesignVariable& v, std::span<const double> at) {
   return value_of(from_fraction(v, fraction), v.unit);
 }
 
-// Whether a sets what b sets, too.
+// Whether a also sets what b sets.
 bool takes_the_place(std::string_view a, std::string_view b) {
   return (a == "speed" && b.starts_with("speed.")) || (a == "release.speed" && b == "release.time");
 }
@@ -226,7 +226,7 @@ Study DesignProblem::study_of(const std::vector<DesignSetting>& settings, std::u
   return study_from(tree, name_);
 }
 
-// Each variable alone at both ends, so that what is wrong is told of the one that is wrong.
+// Checks each variable alone at both ends, so that an error names the right one.
 void DesignProblem::check_candidates() const {
   check_one({}, "", "");
   for (const DesignVariable& v : variables_) {

@@ -1,4 +1,4 @@
-// A study's [design] read and checked: what may be chosen, what is wanted, what must hold; and candidates as studies.
+// A study's [design], read and checked: variables, objectives, requirements; and candidates as studies.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline constexpr std::size_t most_design_variables = 20, most_design_objectives 
 class DesignProblem {
  public:
   /// Throws InputError, naming the key, for a study without [design], unknown variables or figures, reversed ranges,
-  /// values that make no study, and what else cannot be met before any work.
+  /// values that make no valid study, and requests known to be impossible before any work.
   explicit DesignProblem(const StudySource& source);
 
   const Study& study() const { return study_; }
@@ -27,9 +27,9 @@ class DesignProblem {
   const std::vector<DesignLimit>& limits() const { return limits_; }
   DesignMethod method() const { return method_; }  ///< never automatic
   std::uint64_t trajectories() const { return trajectories_; }
-  std::uint64_t first_look() const { return first_look_; }  ///< starts of a candidate at first
+  std::uint64_t first_look() const { return first_look_; }  ///< starts of a candidate's first look
   std::uint64_t seed() const { return seed_; }              ///< of the search
-  /// Whether figures need the statistics of transients, or that starts are followed where no balanced state attracts.
+  /// Whether figures need statistics of transients, or starts followed where no balanced state attracts.
   bool transients() const;
   bool by_outcome() const;
 
@@ -37,12 +37,12 @@ class DesignProblem {
   std::size_t dimensions() const { return dimensions_; }
   std::vector<DesignSetting> settings_at(std::span<const double> at) const;
 
-  /// The study with these, as a tree; without settings the study as it is.
+  /// The study with these settings as a tree; without settings the original study.
   StudyValue tree_of(const std::vector<DesignSetting>& settings) const;
-  /// The same for an ensemble of the search or its check. Throws InputError if it is none.
+  /// The same for an ensemble of the search or its check. Throws InputError if the study is invalid.
   Study study_of(const std::vector<DesignSetting>& settings, std::uint64_t starts, std::uint64_t seed) const;
 
-  /// All that decides what stands in the results, as text.
+  /// Everything that determines the results, as text.
   std::string identity() const;
 
  private:

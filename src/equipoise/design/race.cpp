@@ -1,4 +1,4 @@
-// First looks, and more starts for those that may be better than the best so far.
+// Gives every candidate a first look, and more starts to those that may beat the best so far.
 #include "equipoise/design/race.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t more_starts = 4;  // halves an interval
 constexpr int raises = 3;
-// A search among a few values comes to an end, though no budget is spent: after so many points in a row that were all
-// known. Batches are no measure: an optimiser that learns nothing new starts anew with ever larger ones.
+// A search among a few values ends before its budget is spent: after this many points in a row that were all known.
+// Batches are no measure: an optimiser that learns nothing new restarts with ever larger ones.
 constexpr std::size_t most_idle = 5000;
 
 }  // namespace
@@ -44,7 +44,7 @@ void Race::look(const std::vector<std::size_t>& places, std::uint64_t starts) {
   };
   try {
     ensembles_.run(wanted);
-  } catch (const SearchOver&) {  // stopped: a batch of dear candidates may be all that there was time for
+  } catch (const SearchOver&) {  // stopped: expensive candidates may have left no time for more than this batch
     take();
     throw;
   }
@@ -52,7 +52,7 @@ void Race::look(const std::vector<std::size_t>& places, std::uint64_t starts) {
   for (const std::size_t k : places) take_into_leaders(k);
 }
 
-// A candidate that has become worse than it looked frees those that it beat, which are looked for again in the end.
+// A candidate that has become worse than it looked releases those that it beat; they are searched again at the end.
 void Race::take_into_leaders(std::size_t place) {
   std::erase(leaders_, place);
   const DesignSample& sample = candidates_[place].search;
@@ -83,7 +83,7 @@ std::vector<std::size_t> Race::might_win(const std::vector<std::size_t>& places)
   return result;
 }
 
-// At most half as much goes to larger samples as to first looks: near the end all candidates are about as good.
+// Larger samples get at most half as much as first looks: near the end all candidates are about equally good.
 void Race::raise(std::vector<std::size_t> places) {
   std::uint64_t starts = problem_.first_look();
   for (int k = 0; k < raises; ++k) {
@@ -114,7 +114,7 @@ void Race::note_best() {
 }
 
 std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
-  if (ensembles_.stopped()) throw SearchOver();  // known points ask for no ensemble that would notice
+  if (ensembles_.stopped()) throw SearchOver();  // known points start no ensemble that would notice
   std::vector<std::size_t> places, fresh;
   std::set<std::size_t> seen;
   const std::size_t known = candidates_.size();
@@ -133,7 +133,7 @@ std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
     look(fresh, problem_.first_look());
     looked_ += fresh.size() * problem_.first_look();
     raise(fresh);
-  } catch (const SearchOver&) {  // stopped: what has no sample is no candidate
+  } catch (const SearchOver&) {  // stopped: a candidate without a sample does not count
     std::erase_if(candidates_, [](const DesignCandidate& c) { return c.search.starts == 0 && c.search.note.empty(); });
     leaders_.clear();
     throw;

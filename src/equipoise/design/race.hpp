@@ -17,14 +17,14 @@ namespace equipoise {
 
 class Race {
  public:
-  /// `budget`: trajectories after which it is over.
+  /// `budget`: trajectories after which the search is over.
   Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget,
        std::uint64_t seed, std::function<void(const DesignCandidate*)> told);
 
-  /// As a Judge: throws SearchOver when the budget is spent, when nothing new is proposed any more, or when stopped.
+  /// As a Judge: throws SearchOver when the budget is spent, when nothing new is proposed, or when stopped.
   std::vector<SearchWorth> judge(const std::vector<SearchPoint>& points);
 
-  /// All that were looked at, each with its largest sample.
+  /// All candidates that were examined, each with its largest sample.
   const std::vector<DesignCandidate>& candidates() const { return candidates_; }
   const std::vector<DesignStep>& history() const { return history_; }
 
@@ -43,10 +43,10 @@ class Race {
   std::function<void(const DesignCandidate*)> told_;
   std::vector<DesignCandidate> candidates_;
   std::map<std::string, std::size_t> places_;  // by text
-  std::vector<std::size_t> leaders_;           // that no other beats
+  std::vector<std::size_t> leaders_;           // beaten by no other
   std::vector<DesignStep> history_;
   std::uint64_t looked_ = 0, raised_ = 0;  // trajectories
-  std::size_t idle_ = 0;                   // points in a row without anything new
+  std::size_t idle_ = 0;                   // consecutive points without anything new
 };
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Methods that do not learn, against which those that do are measured.
+// Methods that do not learn, as a baseline for those that do.
 #include "equipoise/design/search.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace equipoise {
 
 namespace {
 
-constexpr std::size_t at_a_time = 32;  // points a batch: many threads have work
+constexpr std::size_t at_a_time = 32;  // points per batch: work for many threads
 
 // Fisher and Yates.
 void shuffle(std::vector<std::size_t>& places, RandomStream& draws) {
@@ -27,7 +27,7 @@ void random_points(const SearchSpace& space, RandomStream draws, const Judge& ju
   }
 }
 
-// One hypercube of as many points as are likely to be judged, then others.
+// One hypercube with as many points as will probably be judged, then others.
 void latin_points(const SearchSpace& space, RandomStream draws, const Judge& judge) {
   for (;;) {
     const auto points =
@@ -38,8 +38,8 @@ void latin_points(const SearchSpace& space, RandomStream draws, const Judge& jud
   }
 }
 
-// The finest grid of no more points than are likely to be judged, in any order: what is judged of it is spread over
-// the whole cube. Finer ones follow.
+// The finest grid with no more points than will probably be judged, in random order, so that the points judged cover
+// the whole cube. Finer grids follow.
 void grid_points(const SearchSpace& space, RandomStream draws, const Judge& judge) {
   const double each = std::pow(static_cast<double>(space.points), 1.0 / static_cast<double>(space.dimensions));
   for (auto side = static_cast<std::size_t>(std::max(2.0, std::floor(each + 1e-9)));; ++side) {

@@ -13,7 +13,7 @@ namespace equipoise {
 
 namespace {
 
-// What follows on the number.
+// The text after the number.
 std::string_view behind_number(const std::string& text, double& number) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
   std::string_view rest(read.ptr, text.data() + text.size() - read.ptr);
@@ -21,7 +21,7 @@ std::string_view behind_number(const std::string& text, double& number) {
   return read.ec == std::errc() ? rest : std::string_view();
 }
 
-// The final speed has one name whatever the profile.
+// speed.final names the final speed whatever the profile.
 std::string key_in(const StudyValue& tree, const std::string& key) {
   const StudyValue* profile = key == "speed.final" ? tree.find_path("speed.profile") : nullptr;
   return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;

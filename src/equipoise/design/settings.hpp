@@ -1,4 +1,4 @@
-// Values of a candidate's variables: as numbers, as text, and set in a study's tree.
+// Values of a candidate's variables as numbers, as text, and in a study's tree.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace equipoise {
 
-/// A number, or that of a quantity "12 g" in its own unit; 0 of anything else.
+/// A number, or the number of a quantity such as "12 g" in its own unit; 0 for anything else.
 double number_of(const StudyValue& value);
-/// The unit of a quantity, "g"; empty of anything else.
+/// The unit of a quantity, "g"; empty for anything else.
 std::string unit_of_value(const StudyValue& value);
-/// A number with six digits as a study has it: with its unit, if it has one.
+/// A number with six digits as in a study, with its unit, if it has one.
 StudyValue value_of(double number, const std::string& unit, bool whole = false);
 
-/// "balancer.mass=0.05;speed.speeds=[0.0, 2.8];...": two candidates with the same text are the same.
+/// "balancer.mass=0.05;speed.speeds=[0.0, 2.8];...": candidates with the same text are the same.
 std::string text_of(const std::vector<DesignSetting>& settings);
-/// A value on one line, as TOML has it; of a spin-up its points.
+/// A value on one line as TOML; for a spin-up its points.
 std::string text_of(const StudyValue& value);
 
-/// Sets them in a study's tree. A spin-up takes the place of the whole [speed]; of release.time and release.speed the
-/// one that is set takes the place of the other; speed.final of a constant speed is its speed.
+/// Sets them in a study's tree. A spin-up replaces the whole [speed]; release.time and release.speed replace each
+/// other; speed.final of a constant speed is its speed.
 void set_in(StudyValue& tree, const std::vector<DesignSetting>& settings);
 
 }  // namespace equipoise

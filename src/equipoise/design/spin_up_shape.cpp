@@ -1,4 +1,4 @@
-// Speeds first, then the time that is left.
+// Chooses speeds first, then distributes the remaining time.
 #include "equipoise/design/spin_up_shape.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double needed(const SpinUpShape& shape, const std::vector<double>& speeds) {
   return sum;
 }
 
-// Between the straight way (part 0) and what is asked for (part 1).
+// Between the straight way (part 0) and the requested speeds (part 1).
 std::vector<double> drawn_in(const SpinUpShape& shape, const std::vector<double>& asked, double part) {
   std::vector<double> speeds = asked;
   const double pieces = static_cast<double>(speeds.size() - 1);
@@ -33,7 +33,7 @@ std::vector<double> drawn_in(const SpinUpShape& shape, const std::vector<double>
 std::vector<double> speeds_in_time(const SpinUpShape& shape, const std::vector<double>& asked) {
   if (needed(shape, asked) <= shape.until) return asked;
   double fits = 0.0, too_far = 1.0;
-  constexpr int halvings = 50;  // to the last bit or so
+  constexpr int halvings = 50;  // to about the last bit
   for (int k = 0; k < halvings; ++k) {
     const double middle = 0.5 * (fits + too_far);
     (needed(shape, drawn_in(shape, asked, middle)) <= shape.until ? fits : too_far) = middle;
@@ -58,7 +58,7 @@ SpinUpPoints spin_up_at(const SpinUpShape& shape, std::span<const double> at) {
   SpinUpPoints result{{0.0}, speeds_in_time(shape, asked)};
   double left = std::max(0.0, shape.until - needed(shape, result.speeds));
   for (std::size_t k = 0; k <= points; ++k) {
-    // The largest of as many even draws as parts still compete: the rest of the stick is then even over all ways.
+    // The largest of as many uniform draws as parts remain: the stick is then broken uniformly.
     const double slack = left * (1.0 - std::pow(1.0 - at[points + k], 1.0 / static_cast<double>(points + 1 - k)));
     left -= slack;
     result.times.push_back(result.times.back() + needed(shape, result.speeds[k], result.speeds[k + 1]) + slack);

@@ -1,4 +1,4 @@
-// Spin-ups as points of a cube: every point of it is one that keeps to the limits on speed and slope.
+// Spin-ups as points of a cube, all within the limits on speed and slope.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@ struct SpinUpPoints {
   std::vector<double> times, speeds;  ///< from 0 and the initial speed to the final one
 };
 
-/// Coordinates: a speed a point, then a share of the time that is left a piece.
+/// Coordinates: one speed per point, then for each piece a share of the remaining time.
 inline std::size_t coordinates(const SpinUpShape& shape) { return 2 * static_cast<std::size_t>(shape.points) + 1; }
 
-/// Time that the straight way from the initial to the final speed takes at the least.
+/// Shortest time of the straight way from the initial to the final speed.
 double shortest_spin_up(const SpinUpShape& shape);
 
-/// `at`: coordinates(shape) numbers from 0 to 1. Every piece is given the time that its change of speed needs; what is
-/// left of `until` is broken like a stick among the pieces and what follows on them, evenly over all ways to do so if
-/// the coordinates are even. Speeds that need more time than there is are drawn towards the straight way.
+/// `at`: coordinates(shape) numbers from 0 to 1. Every piece gets the time that its change of speed needs. The rest of
+/// `until` is broken like a stick among the pieces and the time after them, uniformly for uniform coordinates. Speeds
+/// that need more time than there is are pulled towards the straight way.
 SpinUpPoints spin_up_at(const SpinUpShape& shape, std::span<const double> at);
 
 }  // namespace equipoise

@@ -10,9 +10,9 @@ namespace equipoise {
 
 namespace {
 
-// Larger than any figure; finite, for optimisers reckon with worths.
+// Larger than any figure, but finite: optimisers calculate with worths.
 constexpr double worst_goal = 1e15, first_violation = 1e16;
-// Of one limit: a figure without end violates it by so much.
+// For one limit: an infinite figure violates it by this much.
 constexpr double largest_violation = 1e6;
 
 }  // namespace
@@ -78,7 +78,7 @@ std::vector<double> DesignStanding::worth(const DesignSample& sample) const {
 }
 
 bool DesignStanding::beats(const DesignSample& a, Side side_a, const DesignSample& b, Side side_b) const {
-  // Limits are kept where they are kept surely; to be hopeful is to hope that they will be.
+  // A limit counts as met only if it surely is; hopeful assumes that it will be.
   const auto strict = [](Side side) { return side == Side::hopeful ? Side::hopeful : Side::worst; };
   const double missed_a = violation(a, strict(side_a)), missed_b = violation(b, strict(side_b));
   if (missed_a > 0.0 || missed_b > 0.0) return missed_a < missed_b;
@@ -109,7 +109,7 @@ std::vector<std::size_t> DesignStanding::order(const std::vector<const DesignSam
 std::vector<std::size_t> DesignStanding::front(const std::vector<const DesignSample*>& samples, Side side) const {
   std::vector<std::size_t> members;
   for (const std::size_t k : order(samples, side)) {
-    // In this order nobody is beaten by one that comes later, and of equals the first one stands for all.
+    // Nothing is beaten by a later entry in this order, and the first of equals stands for all.
     const bool beaten = std::any_of(members.begin(), members.end(), [&](std::size_t m) {
       return beats(*samples[m], side, *samples[k], side) ||
              (goals(*samples[m], side) == goals(*samples[k], side) && !beats(*samples[k], side, *samples[m], side));

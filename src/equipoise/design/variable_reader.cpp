@@ -25,7 +25,7 @@ constexpr const char* forms =
     "must be [low, high], { range = [low, high], scale = \"log\" }, { choices = [..] }, or for \"speed\" "
     "{ points = 2, until = 500.0, range = [0.0, 3.0], slope = 0.05 }; keys of a study stand in quotes";
 
-// What a machine has; how starts are drawn or decided is not a choice of its designer.
+// Properties of a machine; how starts are drawn or decided is not the designer's choice.
 constexpr std::array<std::string_view, 5> tables{"rotor", "balancer", "speed", "release", "initial"};
 
 bool of_a_machine(const std::string& key) {
@@ -58,7 +58,7 @@ void read_choices(const DesignEntry& entry, const StudyValue& written, DesignVar
   variable.unit = unit_of_value(variable.choices.front());
 }
 
-// What one of the unit is worth without dimension.
+// One of the unit as a dimensionless number.
 double unit_worth(const DesignEntry& entry, const Study& study, Dimension dimension, const std::string& unit) {
   if (!study.scales) {
     if (!unit.empty())
@@ -102,7 +102,7 @@ void read_spin_up(const DesignEntry& entry, const Study& study, DesignVariable& 
   shape.high = high.value;
   shape.initial = profile.ramp_function(0.0) / speed;
   shape.final = profile.final_speed() / speed;
-  if (study.speed.profile == Profile::constant) shape.initial = 0.0;  // which it comes to from rest
+  if (study.speed.profile == Profile::constant) shape.initial = 0.0;  // a constant speed is reached from rest
   if (study.speed.law != model::SpeedLaw::kinematic)
     shape.law = speed_law_names[static_cast<std::size_t>(study.speed.law)];
   if (entry.value().find("slope"))

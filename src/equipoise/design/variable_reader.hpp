@@ -1,4 +1,4 @@
-// [design.vary] and [design.require] as people write them.
+// Reads [design.vary] and [design.require].
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace equipoise {
 
-/// A number or a quantity as it was written.
+/// A number or a quantity as written.
 struct WrittenNumber {
   double value = 0.0;
-  std::string unit;  ///< empty: a plain one
+  std::string unit;  ///< empty: a plain number
 };
 
 /// One entry of a table of the design, with errors that name it.
@@ -25,12 +25,12 @@ class DesignEntry {
   const std::string& key() const { return key_; }
   const StudyValue& value() const { return value_; }
   [[noreturn]] void fail(const std::string& problem) const;
-  /// Of a table: fails for a member that is none of these.
+  /// For a table: fails for a member that is none of these.
   void allow_only(std::initializer_list<std::string_view> members) const;
   std::optional<WrittenNumber> number(const StudyValue& written) const;
-  /// Of a table: the member, which must be a number of this kind.
+  /// For a table: the member, which must be a number of this kind.
   WrittenNumber need(std::string_view member, const char* wanted) const;
-  /// Two of one unit, the first below the second.
+  /// Two numbers of one unit, the first below the second.
   std::array<WrittenNumber, 2> range(const StudyValue& written) const;
 
  private:
@@ -39,7 +39,7 @@ class DesignEntry {
   const StudyValue& value_;
 };
 
-/// `study`: the one that is varied, whose speeds a spin-up begins and ends with.
+/// `study`: the study to vary; a spin-up begins and ends at its speeds.
 DesignVariable read_variable(const DesignEntry& entry, const Study& study);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Bytes as text that stands in a page (RFC 4648).
+// Bytes as text within a page (RFC 4648).
 #pragma once
 
 #include <algorithm>

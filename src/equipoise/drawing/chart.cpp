@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Five digits are more than a screen shows; they halve a page's size.
+// Five digits are more than a screen shows, and halve a page's size.
 Json rounded(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double v : values) {
@@ -69,7 +69,7 @@ std::string data_block(const ChartSeries& s, const std::string& name) {
   return block + "EOD\n";
 }
 
-// How a series is drawn. Intervals are plain strokes: error bars would cut the lines at their points.
+// How a series is drawn. Intervals are plain strokes: error bars would interrupt the lines at their points.
 std::string plot_items(const ChartSeries& s, const std::string& block, bool curves, bool first) {
   const std::string colour = fmt::format("linecolor rgb '{}'", s.colour);
   const char* dash = s.style == ChartSeries::Style::dashed ? " dashtype (10,6)" : "";
@@ -88,13 +88,13 @@ std::string plot_items(const ChartSeries& s, const std::string& block, bool curv
   return items;
 }
 
-// Of six digits, as ranges are written, two ends have to differ.
+// Ranges are written with six digits, and their two ends must differ.
 double room_between(double low, double high) {
   const double size = std::max(std::fabs(low), std::fabs(high));
   return high - low > 1e-4 * size ? high - low : std::max(0.1 * size, 1e-6);
 }
 
-// Ranges a little wider than the data; gnuplot's own would put points on the frame.
+// Ranges slightly wider than the data; gnuplot's own would put points on the frame.
 std::string ranges(const Chart& chart) {
   double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
   for (const ChartSeries& s : chart.series)
@@ -161,7 +161,7 @@ std::string chart_plot_script(const std::string& title, const std::vector<Chart>
   const int rows = (count + columns - 1) / std::max(columns, 1);
   const int row_height = charts.empty() || charts.front().curves ? 420 : 600;
   std::string script = canvas(path, 1600, 90 + std::max(rows * row_height, 560)) + quiet_frame;
-  double largest = 0.0;  // whose digits need room at the left
+  double largest = 0.0;  // its digits need room on the left
   for (const Chart& chart : charts)
     for (const ChartSeries& s : chart.series)
       for (const double y : s.y) largest = std::max(largest, std::fabs(y));

@@ -1,4 +1,4 @@
-// Charts as data: drawn by gnuplot into pictures and by plotly.js in pages.
+// Charts as data, drawn by gnuplot in pictures and by plotly.js in pages.
 #pragma once
 
 #include <string>
@@ -25,10 +25,10 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// {"data": [...], "layout": {...}} for Plotly.newPlot; the title is for the page to set.
+/// {"data": [...], "layout": {...}} for Plotly.newPlot; the page sets the title.
 nlohmann::ordered_json plotly_json(const Chart& chart);
 
-/// A picture of charts, two beside each other, as a script for gnuplot. `path`: .png or .svg.
+/// A gnuplot script that draws charts two to a row. `path`: .png or .svg.
 std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path);
 
 }  // namespace equipoise

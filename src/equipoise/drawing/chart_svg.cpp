@@ -1,4 +1,4 @@
-// Axes that hold all values with their intervals, series, legend.
+// Axes that contain all values with their intervals, series, legend.
 #include "equipoise/drawing/chart_svg.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace equipoise {
 namespace {
 
 constexpr double legend_row = 16.0, legend_left = 14.0;
-constexpr std::size_t short_name = 30;  // letters that fit half the width
+constexpr std::size_t short_name = 30;  // letters that fit into half the width
 
 std::size_t legend_columns(const std::vector<LegendEntry>& entries) {
   const bool short_ones =
@@ -42,7 +42,7 @@ ChartExtents extents_of(const Chart& chart) {
 
 bool covers(const ChartSeries& s) { return s.style == ChartSeries::Style::line; }
 
-// `above`: lines that are drawn over this one, by which its line is the wider, to be seen where they coincide.
+// `above`: number of lines drawn over this one. It is that much wider, to show where they coincide.
 void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above) {
   const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
   std::vector<SvgPoint> way;

@@ -10,15 +10,15 @@
 
 namespace equipoise {
 
-/// What a cell of a table says at a glance.
+/// The tone of a table cell, seen at a glance.
 enum class Tone { plain, good, bad, open };
 
 struct DocumentCell {
   std::string text;
   Tone tone = Tone::plain;
-  bool number = false;  ///< set to the right
+  bool number = false;  ///< right-aligned
   bool label = false;   ///< kept on one line where there is room
-  std::string link{};   ///< where the text leads; may be empty
+  std::string link{};   ///< link target; may be empty
 };
 inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
 /// A row of plain cells, a letter each: text, number or label.
@@ -35,15 +35,15 @@ struct Heading {
 };
 struct Paragraph {
   std::string text;
-  Tone tone = Tone::plain;  ///< other than plain: a box
-  bool lead = false;        ///< what the whole document says, in larger letters
+  Tone tone = Tone::plain;  ///< other than plain: in a box
+  bool lead = false;        ///< the document's main statement, in larger letters
 };
 struct DocumentTable {
   std::vector<std::string> header;
   std::vector<std::vector<DocumentCell>> rows;
   std::string caption;
   bool folded = false;  ///< long detail, shown on demand
-  /// Columns that a narrow screen can spare.
+  /// Columns that a narrow screen may hide.
   std::vector<std::size_t> spare;
 };
 struct Figure {
@@ -51,19 +51,19 @@ struct Figure {
   std::vector<Chart> charts;  ///< interactive; may be empty
   std::string picture;        ///< path of the static picture; may be empty
 };
-/// A picture drawn for the page itself (drawing/svg.hpp): as text, in the page's own colours by day and by night.
+/// A picture drawn for the page itself (drawing/svg.hpp), as text in the page's own light or dark colours.
 struct Drawing {
   std::string title, svg, text;
   std::string colour;  ///< of an outcome, shown before the title; may be empty
 };
-/// Drawings beside each other where there is room.
+/// Drawings side by side where there is room.
 struct DrawingRow {
   std::vector<Drawing> drawings;
   std::string caption;
-  bool large = false;  ///< on paper two beside each other, not three: charts, which have small print
-  bool wide = false;   ///< one below the other, as wide as text: what the page is about
+  bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
+  bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
 };
-/// Lines as they are, shown on demand.
+/// Verbatim lines, shown on demand.
 struct Listing {
   std::string caption, text;
 };
@@ -72,18 +72,18 @@ using Block = std::variant<Heading, Paragraph, DocumentTable, Figure, DrawingRow
 struct Document {
   std::string title;
   std::vector<Block> blocks;
-  /// A sheet to be carried to a table: close-set, two pages of A4 at most where its writer sees to it, dark where its
-  /// reader's screen is. Its pictures are drawings, for pictures from files and charts are light.
+  /// A sheet to take to a meeting: closely set, at most two pages of A4 if its writer keeps to that, dark on dark
+  /// screens. Its pictures are drawings, because picture files and charts have light backgrounds.
   bool sheet = false;
 };
 
-/// One self-contained page: pictures and the chart library are inside, nothing is loaded from elsewhere. Without the
-/// chart library, or where scripts do not run or on paper, the pictures stand in for the charts. Drawings need no
-/// script. Throws RunError if a picture cannot be read.
+/// One self-contained page: pictures and the chart library are inside, nothing is loaded from elsewhere. Pictures
+/// replace the charts without the chart library, without scripts and on paper. Drawings need no script. Throws RunError
+/// if a picture cannot be read.
 std::string document_html(const Document& document);
 
-/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Drawings, which are
-/// none, are left to their words.
+/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Drawings are no files:
+/// only their words appear.
 std::string document_markdown(const Document& document, const std::string& pictures);
 
 }  // namespace equipoise

@@ -34,7 +34,7 @@ std::string linked(const DocumentCell& cell) {
   return cell.link.empty() ? words : fmt::format("<a href=\"{}\">{}</a>", html_text(cell.link), words);
 }
 
-// JSON inside a script element: "</" would end it.
+// JSON inside a script element, where "</" would end the element.
 std::string script_safe(std::string json) {
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
   return json;

@@ -1,11 +1,11 @@
-// Text for pages.
+// Escapes text for pages.
 #pragma once
 
 #include <string>
 
 namespace equipoise {
 
-/// `text` with whatever a page would take for markup written out.
+/// `text` with markup characters escaped.
 inline std::string html_text(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {

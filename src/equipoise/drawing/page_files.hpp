@@ -1,4 +1,4 @@
-// What pages need beside their text: "document.css", "document.js", and "plotly.js" if the library was built with it.
+// Files that pages need: "document.css", "document.js", and "plotly.js" if the library was built with it.
 #pragma once
 
 #include "equipoise/base/embedded.hpp"

@@ -14,8 +14,8 @@ namespace equipoise {
 
 namespace {
 
-// Colours that people with any kind of colour vision tell apart (M. Okabe, K. Ito, Color Universal Design, 2008), by
-// identifier; the later ones (P. Tol, muted scheme) serve attractors without an identifier of their own.
+// Colours that people with any kind of colour vision can tell apart (M. Okabe, K. Ito, Color Universal Design, 2008),
+// by identifier. The later ones (P. Tol, muted scheme) are for attractors without a fixed identifier.
 constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
                              "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};
 
@@ -30,7 +30,7 @@ const char* colour_of(int code) {
 }
 
 std::string quoted(const std::string& text) {
-  std::string result = "'";  // single quotes keep gnuplot from reading; they are doubled inside
+  std::string result = "'";  // gnuplot does not interpret single-quoted text; quotes inside are doubled
   for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
 }

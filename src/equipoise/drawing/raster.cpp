@@ -51,7 +51,7 @@ std::string stored(const std::string& bytes) {
   return out;
 }
 
-// Each row after the number of its filter, 0: none.
+// Each row follows the number of its filter, 0: none.
 std::string packed_rows(const Raster& r, bool halves) {
   std::string rows;
   for (std::size_t row = 0; row < r.height; ++row) {

@@ -1,4 +1,4 @@
-// A picture of coloured squares as PNG.
+// A picture of coloured squares as a PNG file.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace equipoise {
 
-/// Rows from above, `width` places of the palette a row; colours "#rrggbb", 1 to 256 of them. Not compressed: half a
-/// byte a square for up to 16 colours, else one.
+/// Rows from the top, each of `width` indices into the palette; colours "#rrggbb", 1 to 256 of them. Not compressed:
+/// half a byte per square for up to 16 colours, else one byte.
 struct Raster {
   std::size_t width = 0, height = 0;
   std::vector<std::string> palette;
   std::vector<std::uint8_t> squares;
 };
 
-/// The bytes of a PNG file (ISO/IEC 15948). Throws std::invalid_argument if sizes do not agree.
+/// The bytes of a PNG file (ISO/IEC 15948). Throws std::invalid_argument if the sizes disagree.
 std::string png_bytes(const Raster& raster);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// SVG text. Colours stand in style attributes: a presentation attribute need not know a page's variables.
+// SVG text. Colours are in style attributes: presentation attributes need not understand a page's variables.
 #include "equipoise/drawing/svg.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One sentence: how surely it balances, what is exceeded, what is not known.
+// The answer in one sentence: how surely the rotor balances, which limits are exceeded, what is not known.
 #include "equipoise/html/answer.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace equipoise {
 
 namespace {
 
-// Bounds that hold whatever undecided starts come to, where those could move the interval.
+// Bounds that hold whatever undecided starts come to, if those could change the interval.
 std::string surely(const Share& s) {
   const bool wider = s.least < s.low || s.most > s.high;
   return wider ? fmt::format(", surely {:.{}f} to {}", 100.0 * s.least, digits_for(s), percent(s.most, digits_for(s)))
@@ -30,7 +30,7 @@ std::string balance_words(const BasinResult& r) {
   if (s.count == 0)
     return fmt::format("Not one of {} starts ends balanced: {}{} would (95 % confidence)", r.starts, share_words(s),
                        surely(s));
-  const bool plain = balanced.name == "balanced";  // else held by friction
+  const bool plain = balanced.name == "balanced";  // otherwise held by friction
   return fmt::format("The rotor ends {} in {} of starts (95 % confidence{})",
                      plain ? balanced.name : "\"" + balanced.name + "\"", share_words(s), surely(s));
 }

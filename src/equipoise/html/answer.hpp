@@ -1,4 +1,4 @@
-// What an ensemble, a sweep, a capacity or a map answers, in one sentence.
+// The answer of an ensemble, a sweep, a capacity or a basin slice, in one sentence.
 #pragma once
 
 #include <string>
@@ -15,21 +15,20 @@ namespace equipoise {
 std::string share_words(const Share& share);
 
 /// "The rotor ends balanced in 97.1 to 98.9 % of starts (95 % confidence); 5 mm is exceeded on the way in 1.6 to 2.5
-/// %." Undecided starts are said, and bounds that hold whatever they come to; limits that the study does not have are
-/// not. Of a study with uncertain values it begins with what is drawn: "With unbalance drawn anew for every start,
-/// the rotor ends ...".
+/// %." Mentions undecided starts, and bounds that hold whatever they come to; omits limits that the study does not
+/// have. With uncertain values it begins: "With unbalance drawn anew for every start, the rotor ends ...".
 std::string answer_sentence(const BasinResult& result);
 
-/// Where it balances most often and least often, how often at worst a limit is exceeded, what stays undecided at most.
+/// Where the rotor balances most and least often, how often at worst a limit is exceeded, how much stays undecided.
 std::string answer_sentence(const SweepResult& result);
 
-/// The capacity with its interval, or the least and the largest and where they are.
+/// The capacity with its interval, or the least and the largest, with their cells.
 std::string answer_sentence(const CapacityResult& result);
 
-/// Which part of the map ends balanced.
+/// The part of the slice that ends balanced.
 std::string answer_sentence(const BasinSlice& map);
 
-/// The study's uncertain values, but for those that are `set` otherwise.
+/// Keys of the study's uncertain values, except those that are `set` otherwise.
 std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set = {});
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What the sentences of all answers share.
+// Pieces that all answer sentences share.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,7 @@
 
 namespace equipoise {
 
-/// "With unbalance and rotor damping drawn anew for every start, the rotor ends ..."; the sentence itself if there are
-/// no keys.
+/// "With unbalance and rotor damping drawn anew for every start, the rotor ends ..."; just the sentence without keys.
 std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence);
 
 /// A limit that a study has.

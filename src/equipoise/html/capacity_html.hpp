@@ -1,4 +1,4 @@
-// The page of a capacity as it is written.
+// Writes the page of a capacity.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-/// One HTML file that needs nothing else, as of a sweep (html/sweep_html.hpp). `machine`: of the study as it is given.
+/// One self-contained HTML file, as for a sweep (html/sweep_html.hpp). `machine`: from the original study.
 std::string capacity_html(const CapacityResult& result, const GivenMachine& machine);
 
 }  // namespace equipoise

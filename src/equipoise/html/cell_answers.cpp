@@ -1,4 +1,4 @@
-// One sentence about many cells: the best, the worst, what is not known.
+// One sentence about many cells: the best, the worst, what is unknown.
 #include <algorithm>
 #include <vector>
 
@@ -32,7 +32,7 @@ std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
   return words;
 }
 
-// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": those alike in their balanced share.
+// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": cells with the same balanced share.
 std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
   const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
     return balanced_share(r, cell).share == balanced_share(r, one).share;
@@ -89,7 +89,7 @@ std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
   return fmt::format("{} (surely between {:.4g} and {:.4g})", sought_value(r, *cell.value), cell.low, cell.high);
 }
 
-// Orders also what lies beyond the range.
+// Also orders capacities beyond the range.
 double rank(const CapacityResult& r, const CapacityCell& cell) {
   const double outside = r.to - r.from;
   return cell.never ? r.from - outside : cell.always ? r.to + outside : *cell.value;
@@ -161,7 +161,7 @@ std::string answer_sentence(const BasinSlice& map) {
   const auto balanced = with(balanced_id);
   std::string text = fmt::format("Not one of {} ends balanced", plane);
   if (balanced != map.codes.end() && balanced->share.count > 0) {
-    const bool plain = balanced->name == "balanced";  // else held by friction
+    const bool plain = balanced->name == "balanced";  // otherwise held by friction
     text = fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane, share_words(balanced->share),
                        plain ? balanced->name : "\"" + balanced->name + "\"");
   }

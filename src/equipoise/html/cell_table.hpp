@@ -1,4 +1,4 @@
-// Tables of cells in pages: as many as two sheets of paper hold.
+// Tables of cells in pages, limited to what two sheets of paper hold.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Words, tables and drawings around a design.
+// Words, tables and drawings for a design.
 #include "equipoise/html/design_html.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ class DesignDocument {
     }
   }
 
-  // A spin-up is a sentence, which a narrow screen may break.
+  // A spin-up is a sentence, which a narrow screen may wrap.
   static DocumentCell value_cell(const StudyValue& value) {
     return value.table() ? DocumentCell{setting_text(value)} : number_cell(setting_text(value));
   }

@@ -1,4 +1,4 @@
-// A design as a page to be taken to a meeting.
+// The page of a design.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// The answer first; then the chosen design beside the study as it is, the front, margins, what limits it, the machine,
-/// how it was found, and the chosen study in full. `machine`: what the study gives, before anything is chosen.
+/// The answer first; then the chosen design beside the original study, the front, margins, what limits it, the machine,
+/// how it was found, and the full chosen study. `machine`: from the study before anything is chosen.
 std::string design_html(const DesignResult& result, const GivenMachine& machine);
 
 }  // namespace equipoise

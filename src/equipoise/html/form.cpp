@@ -1,4 +1,4 @@
-// What a value may be is asked of the reader: it is offered one that no key takes, and answers with what the key does.
+// Finds out what a value may be by offering the reader an invalid one: its message says what the key takes.
 #include "equipoise/html/form.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ struct Quantity {
   std::string number, unit;
 };
 
-// "12 kg" in its parts; no unit: a text of another kind.
+// "12 kg" in its parts; without unit: any other text.
 Quantity parted(const std::string& text) {
   const std::size_t sign = text.starts_with('+') ? 1 : 0;
   double value = 0.0;
@@ -78,7 +78,7 @@ void add_units(const std::string& unit, FormField& f) {
   for (const std::string& other : f.units) f.worth.push_back(study::measure("1 " + other, {one.dimension}).value);
 }
 
-// A number or a text as it stands in a list.
+// A number or a text as an entry of a list.
 std::string plain(const StudyValue& value) {
   if (const auto* text = value.string()) return *text;
   if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
@@ -86,7 +86,7 @@ std::string plain(const StudyValue& value) {
   return value.real() ? fmt::format("{}", *value.real()) : "";
 }
 
-// Without its table, which a form says above it.
+// Without the table, which a form shows above it.
 std::string label_of(const std::string& key) {
   const std::size_t dot = key.rfind('.');
   const study::KeyTable* table = study::find_keys(key.substr(0, dot));
@@ -113,7 +113,7 @@ class Form {
       : name_(name), given_(study::parse_document(text, name, overrides).root) {
     const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
     all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
-    // A study's tree leaves out angles that nobody chose; a form offers them.
+    // A study's tree omits ball angles that nobody chose; a form offers them.
     StudyValue& initial = *all_.find("initial");
     if (!initial.find("phi")) {
       const auto& phi = study.initial.phi;
@@ -142,12 +142,12 @@ class Form {
     }
   }
 
-  // A default whose key stands beside all others: no second way to say what another key says.
+  // A default that may be written beside all other keys: not a second way to state what another key states.
   bool may_be_written(const std::string& key, const StudyValue& value) const {
     return !given_.find_path(key) && !refusal(key, toml_of(value));
   }
 
-  // What the reader says to a value; nothing if it takes it.
+  // The reader's refusal of a value; empty if it accepts the value.
   std::optional<InputError> refusal(const std::string& key, const std::string& value) const {
     try {
       study_from(given_, name_, {key + "=" + value});
@@ -198,7 +198,7 @@ class Form {
     }
   }
 
-  // Quantities in one unit are shown without it; of other lists all as it is written.
+  // Quantities in one common unit are shown without it; other lists as written.
   static void fill_list(const StudyValue::Array& array, FormField& f) {
     f.kind = FormField::Kind::list;
     std::vector<Quantity> parts;

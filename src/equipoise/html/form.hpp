@@ -1,4 +1,4 @@
-// A study as a form: every key with its value, its unit and what it may be.
+// A study as a form: every key with its value, its unit and the values allowed.
 #pragma once
 
 #include <string>
@@ -15,18 +15,18 @@ struct FormField {
   std::string key;                 ///< dotted, as --set takes it
   std::string label;               ///< in words
   std::string value;               ///< without its unit: "12", "0.05, 0.06"
-  std::string unit;                ///< of a quantity, or of all quantities of a list; else empty
-  std::vector<std::string> units;  ///< that such a quantity may be written in, `unit` among them
-  std::vector<double> worth;       ///< SI units that one of each of `units` is
+  std::string unit;                ///< of a quantity, or common to a list of quantities; else empty
+  std::vector<std::string> units;  ///< units allowed for such a quantity, `unit` among them
+  std::vector<double> worth;       ///< one of each of `units` in SI units
   std::string allowed;             ///< in the words of the message for a wrong value
   std::vector<std::string> choices;
   Kind kind = Kind::text;
-  bool given = false;  ///< written in the study; else a default
+  bool given = false;  ///< stated in the study; else a default
 };
 const char* name_of(FormField::Kind kind);
 
-/// The keys of the text of a study that parse_study() accepts, overrides applied: in the order of the guide those that
-/// are written, then those that may be and have defaults.
+/// The keys of a study's text that parse_study() accepts, with overrides applied. In the order of the guide: first
+/// those that are stated, then those that may be, with their defaults.
 std::vector<FormField> form_of(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
 

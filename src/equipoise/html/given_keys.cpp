@@ -1,4 +1,4 @@
-// A study's tree read for people.
+// Reads a study's tree for display.
 #include "equipoise/html/given_keys.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a study says, key by key, as it was written.
+// What a study states, key by key, as written.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ namespace equipoise {
 inline constexpr const char* told_tables[]{"rotor",  "balancer", "speed",    "release", "initial",
                                            "limits", "sampling", "numerics", "units"};
 
-/// Of the text of a study that parse_study() accepts, overrides applied: its tables in the order of the guide, numbers
-/// and quantities as they stand there.
+/// The tables of a study's text that parse_study() accepts, with overrides applied: in the order of the guide, with
+/// numbers and quantities as written.
 std::vector<GivenTable> given_tables(const std::string& toml_text, const std::string& name,
                                      const std::vector<std::string>& overrides = {});
 
-/// Of a study that came otherwise: all its keys, in physical units if it has them.
+/// For a study without text: all its keys, in physical units if it has them.
 std::vector<GivenTable> given_tables(const Study& study);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What was written, and what explain() makes of it.
+// What the study states, and what explain() finds.
 #include "equipoise/html/given_machine.hpp"
 
 #include "equipoise/explain/explain.hpp"

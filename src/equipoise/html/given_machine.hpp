@@ -1,4 +1,4 @@
-// The machine of a page, from the study that was written.
+// The machine of a page, from the study as written.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace equipoise {
 
-/// Of the text of a study that parse_study() accepts, overrides applied.
+/// From a study's text that parse_study() accepts, with overrides applied.
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides = {});
 
-/// Of a study that came otherwise.
+/// From a study without text.
 GivenMachine given_machine(const Study& study);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Words and tables around the drawings: what it does, what that costs, of which machine, and how that is known.
+// Words and tables around the drawings: what the machine does, its transients, its data, and how they were computed.
 #include "equipoise/html/machine_html.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// Spaces instead of the ends of lines that the terminal has.
+// Replaces the terminal's line ends by spaces.
 std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (text.ends_with(' ')) text.pop_back();
@@ -96,7 +96,7 @@ class MachineDocument {
 
   // "the balls rest in the race"; "ball 1 rests, ball 2 falls behind by 0.9 ω_c".
   std::string ball_words(const DrawnMotion& m) const {
-    constexpr double still = 0.01;  // rad: a race of 0.1 m has them move by a millimetre
+    constexpr double still = 0.01;  // rad: in a race of 0.1 m they move by a millimetre
     std::vector<std::string> does;
     for (const BallOnMotion& b : m.balls) {
       const bool behind = b.drift * (m.speed < 0.0 ? -1.0 : 1.0) < 0.0;
@@ -149,7 +149,7 @@ class MachineDocument {
     return table;
   }
 
-  // What the way there costs.
+  // Transients on the way there.
   void way() {
     add(Heading{2, "On the way", ""});
     DrawingRow row;
@@ -180,7 +180,7 @@ class MachineDocument {
       const std::string name = page_.runs.size() == 1 ? "All alike" : who[k];
       text += fmt::format("{}{}: start {}, peak {}, ends {}", k ? "; " : "", name, run.index,
                           shown_.text(run.peak, Dimension::length), run.outcome);
-      // Starts near the border of two basins go another way if the last digit differs.
+      // Starts near the boundary of two basins may go another way if the last digit differs.
       constexpr double alike = 0.02;
       if (std::fabs(run.again - run.peak) > alike * run.peak)
         text += fmt::format(" (followed again with smaller steps, {} within what is shown)",

@@ -1,4 +1,4 @@
-// The page for one machine as it is written.
+// Writes the page for one machine.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace equipoise {
 
-/// One HTML file that needs nothing else, neither network nor scripts: for a screen by day and by night, a phone, and
-/// two pages of A4, unless the study says more than most.
+/// One self-contained HTML file, without network or scripts, for light and dark screens, phones, and two pages of A4
+/// unless the study states more than most.
 std::string machine_html(const MachinePage& page);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Words and tables around a map.
+// Words and tables for a basin slice.
 #include "equipoise/html/map_html.hpp"
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace equipoise {
 
 namespace {
 
-constexpr int most_pixels_drawn = 640;  // along a side: as many as a page is wide
+constexpr int most_pixels_drawn = 640;  // along one side: as many as a page is wide
 
 class MapDocument {
  public:

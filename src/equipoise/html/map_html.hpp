@@ -1,4 +1,4 @@
-// The page of a map as it is written.
+// Writes the page of a basin slice.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// One HTML file that needs nothing else, neither network nor scripts: for a screen by day and by night, a phone, and
-/// two pages of A4. At most 640 pixels along a side are drawn, and it says so. `machine`: of the study as it is given
+/// One self-contained HTML file, without network or scripts, for light and dark screens, phones, and two pages of A4.
+/// At most 640 pixels along a side are drawn, and the page says so. `machine`: from the original study
 /// (html/given_machine.hpp).
 std::string map_html(const BasinSlice& map, const GivenMachine& machine);
 

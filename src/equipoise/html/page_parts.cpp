@@ -1,4 +1,4 @@
-// Tables of the machine and words of the run.
+// Tables about the machine, and words about the run.
 #include "equipoise/html/page_parts.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// "angle-grinder" of "studies/angle-grinder.toml"; of files of results likewise.
+// "angle-grinder" from "studies/angle-grinder.toml"; the same for files of results.
 std::string stem_of(const std::string& name) {
   const std::size_t folder = name.find_last_of('/');
   std::string stem = folder == std::string::npos ? name : name.substr(folder + 1);
@@ -41,7 +41,9 @@ std::string figures_words(const RuleOfThumb& rule, const Study& study) {
   std::string text;
   for (std::size_t k = 0; k < rule.figures.size(); ++k) {
     const ExplainedQuantity& f = rule.figures[k];
-    if (k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name) continue;  // drag: the machine's own follows
+    if (k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name)
+      continue;  // drag: the machine's own figure
+                 // follows
     const std::string value = !f.dimension                       ? page_number(f.value)
                               : *f.dimension == Dimension::angle ? page_number(f.value * 180.0 / pi) + "°"
                                                                  : shown.text(f.value, *f.dimension);
@@ -65,7 +67,7 @@ DocumentTable advice_table(const Explanation& e) {
   return table;
 }
 
-// What follows from a study without any simulation.
+// What follows from a study without simulation.
 class Derived {
  public:
   explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}

@@ -1,4 +1,4 @@
-// What all pages share: the machine, how it was computed, the study in full.
+// Parts that all pages share: the machine, how it was computed, the full study.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@ namespace equipoise {
 /// Charts beside each other; a single one may be `wide`.
 DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide);
 
-/// A page with its title, "Ball balancer: angle-grinder", and, first of all, the answer.
+/// A page with its title, "Ball balancer: angle-grinder", and the answer at the top.
 Document page_with(const Study& study, const std::string& answer);
-/// Says so if not all cells are done.
+/// Adds a note if some cells are missing.
 void add_missing_cells(Document& document, std::size_t done, std::size_t cells);
 
-/// "at random ball angles, seed 1"; `drawn`: keys of what is drawn with each start.
+/// "at random ball angles, seed 1"; `drawn`: keys of values that each start draws.
 std::string starts_words(const Study& study, const std::vector<std::string>& drawn);
 
-/// What a run took; next to no time is not told.
+/// What a run took; negligible times are omitted.
 struct RunWords {
   std::string cpu_target;
   int threads = 1;
@@ -32,10 +32,10 @@ struct RunWords {
 /// Speed law, intervals, model, version, time; without a full stop.
 std::string model_words(const Study& study, const RunWords& run);
 
-/// Heading, what the study says, what follows, what to beware of. `given`: whose values these are.
+/// Heading, the study's statements, what follows, warnings. `given`: whose values these are.
 void add_machine(Document& document, const GivenMachine& machine, const std::string& given);
 
-/// The study in full, folded: in physical units if it has them, and without dimensions.
+/// The full study, folded: in physical units if it has them, and dimensionless.
 void add_study(Document& document, const Study& study);
 
 }  // namespace equipoise

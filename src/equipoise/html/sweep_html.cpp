@@ -53,7 +53,7 @@ class SweepDocument {
  private:
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
-  // The same note of many cells is told once.
+  // A note shared by many cells appears once.
   void notes() {
     std::vector<std::pair<std::string, std::size_t>> told;
     for (const auto& cell : r_.cells) {
@@ -132,7 +132,7 @@ class SweepDocument {
     add_cell_table(document_, std::move(table), "the CSV file holds all of them");
   }
 
-  // Of the limits those of what happens on the way.
+  // Only limits on what happens on the way.
   bool shows(const TransientLimit& l) const { return r_.transients && !l.at_end && r_.study.limits.*l.limit; }
 
   std::vector<DocumentCell> row_of(std::size_t index) const {

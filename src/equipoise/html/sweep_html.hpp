@@ -1,4 +1,4 @@
-// The page of a sweep as it is written.
+// Writes the page of a sweep.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace equipoise {
 
-/// One HTML file that needs nothing else, neither network nor scripts: for a screen by day and by night, a phone, and
-/// two pages of A4. Of more than forty cells the table is folded, and left out on paper; it ends after five thousand.
-/// `machine`: of the study as it is given (html/given_machine.hpp).
+/// One self-contained HTML file, without network or scripts, for light and dark screens, phones, and two pages of A4.
+/// Beyond forty cells the table is folded, and left out on paper; it ends after five thousand. `machine`: from the
+/// original study (html/given_machine.hpp).
 std::string sweep_html(const SweepResult& result, const GivenMachine& machine);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// A checksum by which damaged files are told from whole ones.
+// A checksum that detects damaged files.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace equipoise::io {
 
-/// 64 bits over bytes. Every step is one to one in the sum so far, so texts of one length that differ in a single word
-/// of 8 bytes never have the same sum; others by chance, once in 2^64.
+/// A 64-bit sum over bytes. Every step is one to one in the sum so far: texts of one length that differ in a single
+/// 8-byte word never share a sum. Others do so by chance, once in 2^64.
 class Checksum {
  public:
   void add(const void* data, std::size_t size) {
@@ -40,7 +40,7 @@ class Checksum {
   }
 
  private:
-  // Multiplication by an odd number and the shifted exclusive or can both be undone.
+  // Multiplication by an odd number and the shifted exclusive or are both invertible.
   void mix() {
     std::uint64_t word = 0;
     std::memcpy(&word, word_, 8);

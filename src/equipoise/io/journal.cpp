@@ -1,4 +1,4 @@
-// The journal's file: written with plain calls of the system, every one of them checked.
+// The journal's file, written by system calls that are all checked.
 #include "equipoise/io/journal.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace equipoise::io {
 
 namespace {
 
-// Numbers are in the machine's byte order; on a machine of the other order the mark does not match.
+// Numbers are in the machine's byte order; on a machine of the other order the marks do not match.
 constexpr std::uint64_t file_mark = 0x314C4E524A505145, record_mark = 0x3144524F43455245;
 
 struct FileHeader {
@@ -31,16 +31,15 @@ struct FileHeader {
 struct RecordHeader {
   std::uint64_t mark = record_mark, kind = 0, first = 0, count = 0;
   double seconds = 0.0, cpu_seconds = 0.0;
-  std::uint64_t bytes = 0, checksum = 0;  // the checksum: of all before it, and of the payload
+  std::uint64_t bytes = 0, checksum = 0;  // over everything before it, and the payload
 };
 constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
 
-// Between two syncs: short against what anybody would mind to compute again; syncs take a hundredth of the time at
-// most.
+// Time between two syncs: little work is lost. Syncs take a hundredth of the time at most.
 constexpr std::chrono::seconds sync_every{1};
 constexpr int sync_rest = 100;
 
-// False at the end of the file or on an error.
+// False at the end of the file, or on an error.
 bool read_at(int file, std::uint64_t offset, void* data, std::size_t size) {
   char* at = static_cast<char*>(data);
   while (size > 0) {
@@ -88,14 +87,14 @@ Journal::~Journal() {
   close(file_);
 }
 
-// The lock ends with the process. A file that its last owner removed before it was locked must be opened anew.
+// The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened anew.
 void Journal::open_locked(const std::string& output) {
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0)
       throw InputError("output", "", "",
                        fmt::format("{}: {} (must be a file that can be written)", path_, error_text(errno)));
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: no locks on this file system
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: this file system has no locks
       close(file_);
       throw InputError(output, "", "",
                        "is being written by another process; must be a file that no other run writes to");
@@ -126,7 +125,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   end_ = sizeof header + header.bytes;
 }
 
-// Puts the file and its name on disk before any result relies on them.
+// Brings the file and its name to disk before any result relies on them.
 void Journal::write_header() {
   Checksum sum;
   sum.add(identity_.data(), identity_.size());
@@ -183,7 +182,7 @@ void Journal::append(Record record, const void* payload, std::size_t bytes) {
   if (std::chrono::steady_clock::now() - synced_ >= rest) sync();
 }
 
-// A partial write is taken back.
+// A partial write is undone.
 void Journal::write(const std::vector<char>& bytes) {
   int error = 0;
   if (spoilt_ && ftruncate(file_, static_cast<off_t>(end_)) != 0) error = errno;
@@ -226,11 +225,11 @@ void Journal::keep_only(Kind kind) {
   if (kept.empty()) return remove();
   records_.clear();
   end_ = sizeof(FileHeader) + identity_.size();
-  spoilt_ = true;  // what stands behind the header goes with the first record
+  spoilt_ = true;  // the first record overwrites everything after the header
   try {
     for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
     sync();
-  } catch (const RunError&) {  // a full disk: what is lost had not been asked for
+  } catch (const RunError&) {  // a full disk: nobody had asked for what is lost
     remove();
   }
 }

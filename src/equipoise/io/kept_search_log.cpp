@@ -1,4 +1,4 @@
-// One record per note, with page and number as `first` and `count`.
+// One record per answer, with page and number as `first` and `count`.
 #include "equipoise/io/kept_search_log.hpp"
 
 #include <utility>
@@ -10,7 +10,7 @@ namespace equipoise::io {
 
 namespace {
 
-// Less work nobody minds to see done again, and a sweep has it a thousand times.
+// Less work is soon repeated, and a sweep has a thousand such pieces.
 constexpr double worth_keeping = 2.0;
 
 }  // namespace
@@ -21,7 +21,7 @@ std::unique_ptr<SearchLog> notes_kept_in(Journal& journal) {
     try {
       if (!full)
         journal.append({.kind = Journal::Kind::note, .first = page, .count = number}, answer.data(), answer.size());
-    } catch (const RunError&) {  // results that it cannot take either will say so
+    } catch (const RunError&) {  // if results cannot be written either, they report it
       full = true;
     }
   };

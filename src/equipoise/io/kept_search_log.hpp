@@ -1,4 +1,4 @@
-// SearchLog kept in an output's journal.
+// A search log kept in an output's journal.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 
 namespace equipoise::io {
 
-/// The notes of earlier runs; new ones are kept of work that takes some seconds, and of all work that is given up.
-/// After a write error no more are kept, and work goes on. The journal outlives the notes.
+/// A log with the answers of earlier runs. New answers are kept for work that takes some seconds, and for all work that
+/// is abandoned. After a write error no more are kept, but the work continues. The journal must outlive the log.
 std::unique_ptr<SearchLog> notes_kept_in(Journal& journal);
 
-/// SearchLog of incomplete results stay; of complete ones nothing does.
+/// Removes the journal if the results are complete; otherwise keeps only the search log in it.
 void leave_notes(Journal& journal, bool complete);
 
 }  // namespace equipoise::io

@@ -15,7 +15,7 @@ namespace equipoise::io {
 
 namespace {
 
-// The library keeps a list of open files for the whole process, without a lock of its own.
+// The library keeps a process-wide list of open files without a lock.
 std::mutex library_mutex;
 
 template <class Result, class... Parameters, class... Arguments>
@@ -40,8 +40,8 @@ NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& na
           "cannot be written");
 }
 
-// nc_abort() frees the descriptor of a file that cannot be closed. nc_close() of one with unwritten definitions would
-// free it too, but leave its number known to the library.
+// nc_abort() frees the descriptor of a file that cannot be closed. For a file with unwritten definitions nc_close()
+// would free it too, but the library would still know its number.
 NetcdfFile::~NetcdfFile() {
   if (id_ >= 0 && (defining_ || call(nc_close, id_) != NC_NOERR)) call(nc_abort, id_);
 }

@@ -1,9 +1,9 @@
 // A thin, owning wrapper around the NetCDF C library: every call is checked, every failure an exception.
 //
-// That library is not thread-safe: all calls of it are in here, under one lock. Each file is one thread's at a time.
+// The library is not thread-safe: all calls to it are here, under one lock. Only one thread may use a file at a time.
 //
-// Files are classic ones with 64-bit offsets. HDF5, behind NetCDF-4, loses a file to a full disk, ends the process when
-// it closes such a file at exit, and may crash on damaged files.
+// Files are in the classic format with 64-bit offsets. HDF5, behind NetCDF-4, loses a file on a full disk, ends the
+// process when it closes such a file at exit, and may crash on damaged files.
 #pragma once
 
 #include <cstddef>
@@ -18,29 +18,29 @@ namespace equipoise::io {
 class NetcdfFile {
  public:
   enum class Mode { create, create_large, read };
-  /// create: an existing, empty file is filled; create_large: with variables of 2 GiB and more. `name`: of the file in
+  /// create: fills an existing, empty file; create_large: for variables of 2 GiB and more. `name`: the file's name in
   /// messages, if not `path`. Throws RunError naming the file.
   NetcdfFile(const std::string& path, Mode mode, const std::string& name = {});
   ~NetcdfFile();
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
-  /// Of length 0: one that grows, of which a file has at most one.
+  /// Length 0: an unlimited dimension; a file has at most one.
   int dimension(const std::string& name, std::size_t length);
-  std::size_t length(const std::string& dimension) const;  ///< 0 for one that is not there
+  std::size_t length(const std::string& dimension) const;  ///< 0 if it is absent
   /// Every variable carries its units and a long_name.
   int variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
                const std::string& long_name);
   int variable(const std::string& name) const;
-  /// Throws RunError unless the variable is there with just this type and shape.
+  /// Throws RunError unless the variable exists with exactly this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
   int dimensions(const std::string& variable) const;  ///< how many it has
-  /// With room for `texts`, which write_texts() writes after the definitions.
+  /// A variable with room for `texts`; write_texts() writes them after the definitions.
   int text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
                     const std::string& long_name);
-  /// _FillValue; `value` is of the variable's type.
+  /// _FillValue; `value` has the variable's type.
   void fill(int variable, const void* value);
-  /// Every value is written: nothing stands anywhere before.
+  /// Skips filling: every value will be written.
   void leave_unfilled();
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
@@ -53,7 +53,7 @@ class NetcdfFile {
   void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
             void* data) const;
   std::string read_text(const std::string& variable, std::size_t index) const;
-  /// Hands everything to the system.
+  /// Writes everything out to the system.
   void close();
 
   void check(int status, const std::string& what) const;
@@ -64,10 +64,10 @@ class NetcdfFile {
   int id_ = -1;
 };
 
-/// A name as one word for the attribute flag_meanings.
+/// The name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
 
-/// Replaces `path` once `define_and_write` has written all, sealed (sealed_file.hpp). Throws RunError.
+/// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written all. Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
 

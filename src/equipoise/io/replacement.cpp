@@ -1,4 +1,4 @@
-// Written beside, brought to disk, renamed.
+// Replaces files: written beside, brought to disk, renamed.
 #include "equipoise/io/replacement.hpp"
 
 #include <cerrno>
@@ -94,8 +94,7 @@ Replacement::Replacement(const std::string& path, const std::string& ending) : p
   unlink(file_.c_str());  // left by a process that was killed
   const int file = open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) fail(path_, errno);
-  if (there)
-    (void)!fchmod(file, old.st_mode & 07777);  // as open to others as the one it replaces, where that can be had
+  if (there) (void)!fchmod(file, old.st_mode & 07777);  // permissions of the old file, where possible
   close(file);
 }
 
@@ -107,7 +106,7 @@ void Replacement::commit() {
   if (!beside_) return;
   if (!to_disk(file_) || std::rename(file_.c_str(), path_.c_str()) != 0) fail(path_, errno);
   done_ = true;
-  (void)to_disk(folder_of(path_));  // the name; some file systems cannot, and bring it there by themselves
+  (void)to_disk(folder_of(path_));  // the name; file systems that cannot do this bring it to disk by themselves
 }
 
 void write_whole(const std::string& path, const std::string& text) {

@@ -5,23 +5,23 @@
 
 namespace equipoise::io {
 
-/// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves nothing behind.
+/// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves no traces.
 std::string why_not_writable(const std::string& path);
 
-/// The path that a file is kept at in the end: symbolic links followed, so that replacing it does not break them.
+/// The final path of a file, with symbolic links followed, so that replacing it does not break them.
 std::string resolved(const std::string& path);
 
 /// The system's words for an error number.
 std::string error_text(int error);
 
-/// Brings a file, or what a folder lists, to disk. False, with errno set, where that fails.
+/// Brings a file, or a folder's list of files, to disk. False, with errno set, on failure.
 bool to_disk(const std::string& path);
 
-/// A new file beside `path` that replaces it atomically, on disk, once complete: readers see the old content or the
-/// new, even after a crash or on a full disk. What is no regular file (a terminal, a pipe) is written to directly.
+/// A new file beside `path` that atomically replaces it on disk once complete. Readers see the old or the new content,
+/// even after a crash or on a full disk. A path that is no regular file (a terminal, a pipe) is written directly.
 class Replacement {
  public:
-  /// Throws RunError if there is no room for it. `ending` of the new file's name; by default unique to the process.
+  /// Throws RunError if the file cannot be created. `ending`: of the new file's name; by default unique to the process.
   explicit Replacement(const std::string& path, const std::string& ending = {});
   ~Replacement();
   Replacement(const Replacement&) = delete;
@@ -29,7 +29,7 @@ class Replacement {
 
   /// Where to write: an empty file.
   const std::string& file() const { return file_; }
-  /// Puts it in place. Throws RunError, with the old content as it was, if it cannot be brought to disk.
+  /// Puts it in place. Throws RunError, with the old content kept, if it cannot be brought to disk.
   void commit();
 
  private:
@@ -37,7 +37,7 @@ class Replacement {
   bool beside_ = true, done_ = false;
 };
 
-/// Writes `text` to `path` so. Throws RunError.
+/// Writes `text` to `path` by a Replacement. Throws RunError.
 void write_whole(const std::string& path, const std::string& text);
 
 }  // namespace equipoise::io

@@ -1,4 +1,4 @@
-// The seal: a mark, the length and the checksum of all before it, behind what other readers look at.
+// The seal: a mark, the length and the checksum of everything before it. Other readers ignore it.
 #include "equipoise/io/sealed_file.hpp"
 
 #include <cerrno>
@@ -25,7 +25,7 @@ struct Seal {
   std::uint64_t mark = seal_mark, length = 0, checksum = 0;
 };
 
-// The first `length` bytes; false if there are fewer.
+// Checksum of the first `length` bytes; false if there are fewer.
 bool sum_up(std::ifstream& file, std::uint64_t length, Checksum& sum) {
   std::vector<char> part(1 << 20);
   while (length > 0) {

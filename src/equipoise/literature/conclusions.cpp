@@ -1,4 +1,4 @@
-// The conclusions, each with the pairs of rows that carry it.
+// The conclusions, each with the pairs of rows that support it.
 #include "equipoise/literature/conclusions.hpp"
 
 namespace equipoise {

@@ -1,4 +1,4 @@
-// What the printed tables show, as contrasts between two ensembles each: so that it can be asked of either speed law.
+// What the printed tables show, as contrasts between two ensembles each, to be tested under either speed law.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-/// The balanced share of `second` against that of `first`; names of studies in studies/paper.
+/// The balanced share of `second` compared with that of `first`; names of studies in studies/paper.
 struct Contrast {
   std::string first, second;
 };
@@ -23,7 +23,7 @@ struct Conclusion {
   std::vector<Contrast> contrasts;
 };
 
-/// Differences below one point do not matter to anyone who chooses a spin-up.
+/// Differences below one percentage point do not matter to anyone who chooses a spin-up.
 inline constexpr double unchanged_margin = 0.01;
 
 const std::vector<Conclusion>& conclusions();

@@ -1,5 +1,5 @@
-// The published tables ("published/table-1.csv"), the studies of their rows ("studies/table-2-omega-2.4.toml") and the
-// evidence on table 7, as files.
+// Embedded files: the published tables ("published/table-1.csv"), the studies of their rows
+// ("studies/table-2-omega-2.4.toml") and the evidence on table 7.
 #pragma once
 
 #include "equipoise/base/embedded.hpp"

@@ -5,8 +5,8 @@
 
 namespace equipoise {
 
-/// Two equal balls, mu = 0.05 each, lambda = 0.01; zeta and beta as their figures and tables vary them. [speed] and all
-/// else at their defaults.
+/// Two equal balls, mu = 0.05 each, lambda = 0.01; zeta and beta as varied in the figures and tables. [speed] and all
+/// other settings at their defaults.
 inline Study paper_rotor(double zeta = 0.5, double beta = 0.05) {
   Study study;
   model::Parameters& p = study.parameters;

@@ -1,4 +1,4 @@
-// The printed tables and the fitted readings, read from their CSV files.
+// Reads the printed tables and the fitted readings from their CSV files.
 #include "equipoise/literature/published_tables.hpp"
 
 #include <cmath>
@@ -42,7 +42,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// Of a CSV file with the columns' names in its first line.
+// Lines of a CSV file whose first line names the columns.
 std::vector<Line> lines_of(const std::string& name) {
   std::istringstream file(text_of(name));
   std::vector<std::string> names;
@@ -64,7 +64,7 @@ std::vector<Line> lines_of(int table) { return lines_of(fmt::format("published/t
 
 double value_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-// A decimal without exponent or idle zeros: 1e-06 -> 0.000001, 100.0 -> 100.
+// A decimal without exponent or trailing zeros: 1e-06 -> 0.000001, 100.0 -> 100.
 std::string plain(const std::string& number) {
   std::string text = fmt::format("{:.9f}", value_of(number));
   text.erase(text.find_last_not_of('0') + 1);
@@ -72,8 +72,8 @@ std::string plain(const std::string& number) {
   return text;
 }
 
-// A printed number: two decimals of a percentage, unless it is smaller than those can show. One start of 300 000 is
-// 3.3e-4 %, so what is printed below 1e-4 can only be a fraction of one.
+// A printed number: a percentage with two decimals, unless it is too small for those. One start of 300 000 is 3.3e-4 %,
+// so a number printed below 1e-4 can only be a fraction of one.
 PublishedCell cell(const std::string& attractor, const std::string& printed, std::uint64_t starts) {
   PublishedCell result{attractor, printed, false, {0.0, 0.0, starts}};
   const double value = value_of(printed);
@@ -85,7 +85,7 @@ PublishedCell cell(const std::string& attractor, const std::string& printed, std
   return result;
 }
 
-// Printed shares of all attractors must sum to 100 within their rounding.
+// Printed shares of all attractors must add up to 100 within their rounding.
 std::string slip_of(const std::vector<PublishedCell>& cells) {
   if (cells.size() < 2) return "";
   double sum = 0.0, slack = 1e-9;
@@ -97,7 +97,7 @@ std::string slip_of(const std::vector<PublishedCell>& cells) {
   return fmt::format("the printed row sums to {:.2f}", 100.0 * sum);
 }
 
-// A row that is one ensemble, with a cell an attractor.
+// A row that is one ensemble, with one cell per attractor.
 PublishedRow row_of(const std::string& study, const std::string& label, double parameter, const Line& line,
                     std::uint64_t starts) {
   PublishedRow row{study, label, "", parameter, {}, ""};
@@ -108,7 +108,7 @@ PublishedRow row_of(const std::string& study, const std::string& label, double p
   return row;
 }
 
-// A row's parameter as its study's name has it.
+// A row's parameter as in the name of its study.
 std::pair<const char*, std::string> named(const std::string& column, const Line& line) {
   if (column == "T0") return {"t0", plain(line.at(column))};
   return {"omega", line.at(column)};
@@ -125,7 +125,7 @@ PublishedTable table_of_rows(int number, const std::string& title, const std::st
   return table;
 }
 
-// Every cell is an ensemble of its own; what `study`, `series` and `column` begin with, one of `values` completes.
+// Every cell is its own ensemble; each of `values` completes `study`, `series` and `column`.
 PublishedTable table_of_columns(PublishedTable table, const std::vector<const char*>& values, const char* study,
                                 const std::string& series, const std::string& column) {
   for (const char* value : values)

@@ -1,4 +1,4 @@
-// Judging: cells by both samples' errors, conclusions by differences on common starts.
+// Judges cells by both samples' errors, and conclusions by differences on common starts.
 #include "equipoise/literature/reproduction.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ const EnsembleResult* ensemble(const ByName& rows, const std::string& study, mod
   const auto at = rows.find(study);
   if (at == rows.end()) return nullptr;
   const ReproducedRow& row = *at->second;
-  // At constant speed the laws are one.
+  // At constant speed the two laws are the same.
   const bool kinematic = law == model::SpeedLaw::kinematic && row.by_kinematic_law;
   const bool constant = study.starts_with("table-1-") || study.starts_with("table-2-");
   if (law == model::SpeedLaw::kinematic && !kinematic && !constant) return nullptr;

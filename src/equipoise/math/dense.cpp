@@ -1,4 +1,4 @@
-// Decompositions of dense matrices: the one place where Eigen's are compiled.
+// Decompositions of dense matrices; the only file that compiles Eigen's.
 #include "equipoise/math/dense.hpp"
 
 #include <limits>

@@ -8,19 +8,19 @@
 namespace equipoise::dense {
 
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
-/// Of the eigenvalues.
+/// Largest real part of the eigenvalues.
 double largest_real_part(const Eigen::MatrixXd& a);
 
 struct EigenPairs {
-  bool found = false;  ///< the iteration converged; if not, the rest is not a number
+  bool found = false;  ///< the iteration converged; otherwise values and vectors are NaN
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;  ///< columns in the same order
 };
 EigenPairs eigenpairs(const Eigen::MatrixXd& a);
 
-/// Of a symmetric matrix, ascending.
+/// For a symmetric matrix, ascending.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
-/// Of unit length, columns in the order of the eigenvalues.
+/// Columns of unit length, in the order of the eigenvalues.
 Eigen::MatrixXd symmetric_eigenvectors(const Eigen::MatrixXd& a);
 
 double determinant(const Eigen::MatrixXd& a);
@@ -33,15 +33,15 @@ class LinearSolver {
   explicit LinearSolver(const Eigen::MatrixXd& a);
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  /// About 1 over the condition number, 0 where A is singular.
+  /// About 1 over the condition number; 0 if A is singular.
   double inverse_condition() const;
 
  private:
   std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-/// The shortest of the x that make |A x - b| least, for square A of any rank, by a complete orthogonal decomposition;
-/// pivots below `threshold` of the largest are zeros.
+/// The shortest x that minimises |A x - b|, for square A of any rank, by a complete orthogonal decomposition. Pivots
+/// below `threshold` times the largest count as zero.
 class LeastNormSolver {
  public:
   LeastNormSolver(const Eigen::MatrixXd& a, double threshold);
@@ -69,7 +69,7 @@ class Cholesky {
   bool definite_;
 };
 
-/// Q of A P = Q R with columns pivoted: its last columns span what A's do not.
+/// Q of A P = Q R with pivoted columns: its last columns span what A's columns do not.
 Eigen::MatrixXd pivoted_orthogonal_factor(const Eigen::MatrixXd& a);
 
 }  // namespace equipoise::dense

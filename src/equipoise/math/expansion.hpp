@@ -1,9 +1,9 @@
-// Polynomials in (x, y, u, v, q_1..q_n) of first degree plus the squares q_i^2, with coefficients of any number type. A
-// driven rotor's speed and its control's error integral are variables too, and then products of the speed with any
-// variable are terms.
+// Polynomials of first degree in (x, y, u, v, q_1..q_n) plus the squares q_i^2, with coefficients of any number type.
+// For driven rotors the speed and the control's error integral are variables too; products of the speed with any
+// variable are then terms.
 //
-// A number type of the equations (see base/pack-inl.hpp for what that asks): run on it, they return their own
-// coefficients. `beyond` reports a product that leaves this set, which the equations as they are never form.
+// A number type of the equations (requirements: base/pack-inl.hpp): run on it, the equations return their own
+// coefficients. `beyond` reports a product outside this set; the present equations never form one.
 #pragma once
 
 namespace equipoise {
@@ -18,13 +18,13 @@ struct Expansion {
   static constexpr int product_with_speed(int variable) { return 1 + variables + n + variable; }
 
   T coefficient[terms]{};
-  unsigned present = 0;  ///< one bit a term: absent ones are exactly 0
+  unsigned present = 0;  ///< one bit per term; absent terms are exactly 0
   bool beyond = false;
 
   Expansion() = default;
   Expansion(double v) : Expansion(T(v)) {}
   explicit Expansion(const T& constant) : present(1u) { coefficient[0] = constant; }
-  /// The variable number `index`.
+  /// Variable number `index`.
   static Expansion variable(int index) {
     Expansion r;
     r.add(1 + index, T(1.0));

@@ -1,6 +1,6 @@
-// A value with its partial derivatives in n directions, over any number type: run the equations on it and the slopes
-// are exact derivatives; on intervals, bounds on a derivative over a whole box. A number type of the equations (see
-// pack-inl.hpp for what that asks).
+// A value with its partial derivatives in n directions, over any number type. Run on it, the equations give exact
+// derivatives; over intervals, bounds on a derivative over a whole box. A number type of the equations
+// (base/pack-inl.hpp).
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ struct Gradient {
 
   Gradient() = default;
   Gradient(double v) : value(v) {}
-  /// The variable number `direction`.
+  /// Variable number `direction`.
   Gradient(T v, int direction) : value(v) { slope[direction] = T(1.0); }
 
   friend Gradient operator+(const Gradient& a, const Gradient& b) {
@@ -42,12 +42,12 @@ struct Gradient {
     if constexpr (std::is_same_v<T, double>) {
       const double inverse = 1.0 / b.value;
       for (int k = 0; k < n; ++k) r.slope[k] = (a.slope[k] - r.value * b.slope[k]) * inverse;
-    } else {  // the inverse of an interval would widen the result
+    } else {  // an interval's inverse would widen the result
       for (int k = 0; k < n; ++k) r.slope[k] = (a.slope[k] - r.value * b.slope[k]) / b.value;
     }
     return r;
   }
-  // By their values: which branch of the equations holds.
+  // Values alone are compared: they decide which branch of the equations holds.
   friend bool operator<(const Gradient& a, const Gradient& b) { return a.value < b.value; }
   friend Gradient select(bool m, const Gradient& yes, const Gradient& no) { return m ? yes : no; }
   friend Gradient absolute(const Gradient& a) { return a.value < 0.0 ? -a : a; }

@@ -5,7 +5,7 @@
 
 namespace equipoise {
 
-/// At the share `s` of a step `h` from `a` to `b`.
+/// The value at fraction `s` of a step `h` from `a` to `b`.
 inline Eigen::VectorXd hermite(double s, double h, const Eigen::VectorXd& a, const Eigen::VectorXd& slope_a,
                                const Eigen::VectorXd& b, const Eigen::VectorXd& slope_b) {
   const double r = 1.0 - s;

@@ -1,9 +1,9 @@
-// Intervals that surely contain the exact result: the number type of machine-checked proofs.
+// Intervals certain to contain the exact result: the number type of machine-checked proofs.
 //
-// A number type of the equations (see pack-inl.hpp for what that asks). Every operation is computed to nearest, then
-// moved outwards by a relative 2^-52 and an absolute 2^-1074, twice the largest rounding error, so that contraction
-// into fused multiply-adds is harmless. Needs round-to-nearest and no -ffast-math. What is not a number (a division by
-// an interval that holds 0) becomes the whole line.
+// A number type of the equations (requirements: base/pack-inl.hpp). Every operation rounds to nearest, then moves
+// outwards by a relative 2^-52 and an absolute 2^-1074. That is twice the largest rounding error, so contraction into
+// fused multiply-adds does no harm. Needs round-to-nearest and no -ffast-math. NaN, as after division by an interval
+// that contains 0, becomes the whole line.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace equipoise {
 
-/// Lower and upper bounds of what a rounded operation, whose result was `t`, gives without rounding.
+/// Lower and upper bounds on the exact result of an operation whose rounded result was `t`.
 inline double rounded_down(double t) {
   return t - (0x1p-52 * std::fabs(t) + std::numeric_limits<double>::denorm_min());
 }
@@ -34,7 +34,7 @@ struct Interval {
   }
 
   double middle() const { return 0.5 * low + 0.5 * high; }
-  /// No point of the interval is farther from middle().
+  /// No point of the interval is farther than this from middle().
   double radius() const {
     const double m = middle();
     return rounded_up(std::max(high - m, m - low));
@@ -47,7 +47,7 @@ struct Interval {
   friend Interval operator-(Interval a) { return {-a.high, -a.low}; }
   friend Interval operator*(Interval a, Interval b) {
     const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
-    if (std::isnan(p + q + r + s)) return whole();  // min and max may overlook what is not a number
+    if (std::isnan(p + q + r + s)) return whole();  // min and max may miss a NaN
     return outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
   }
   friend Interval operator/(Interval a, Interval b) {
@@ -74,13 +74,13 @@ inline Interval square(Interval a) {
   return {std::max(0.0, product.low), product.high};
 }
 
-/// Of the part of `a` that is not negative.
+/// Square root of the non-negative part of `a`.
 inline Interval square_root(Interval a) {
   return {std::max(0.0, rounded_down(std::sqrt(std::max(0.0, a.low)))), rounded_up(std::sqrt(a.high))};
 }
 
-/// Sine and cosine of one double, with the C library's error: at most 1 ulp by its documentation (glibc manual, "Known
-/// Maximum Errors in Math Functions"), for which two outward steps of an ulp each are allowed.
+/// Sine and cosine of one double. The C library's error is at most 1 ulp (glibc manual, "Known Maximum Errors in Math
+/// Functions"); two outward steps of an ulp each allow for it.
 inline void sin_cos_of_number(double a, Interval& sine, Interval& cosine) {
   const auto enclosed = [](double v) {
     return Interval{std::max(-1.0, rounded_down(rounded_down(v))), std::min(1.0, rounded_up(rounded_up(v)))};
@@ -92,7 +92,7 @@ inline void sin_cos_of_number(double a, Interval& sine, Interval& cosine) {
 /// The hull of the values at both ends and of every extremum k pi/2 that may lie between them.
 inline void sin_cos(Interval a, Interval& sine, Interval& cosine) {
   constexpr double quarter_low = 0x1.921fb54442d18p+0, quarter_high = 0x1.921fb54442d19p+0;  // enclose pi/2
-  constexpr double largest = 0x1p40;  // beyond, k pi/2 is known to 1e-4 only
+  constexpr double largest = 0x1p40;  // beyond this, k pi/2 is known only to 1e-4
   sine = cosine = {-1.0, 1.0};
   if (!(a.low >= -largest && a.high <= largest && a.high - a.low < 6.0)) return;
   Interval sine_high, cosine_high;

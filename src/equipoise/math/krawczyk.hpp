@@ -1,4 +1,4 @@
-// Proof that two equations have exactly one common zero close by, and where (Krawczyk, Computing 4 (1969) 187).
+// Proof that two equations have exactly one common zero nearby, with its place (Krawczyk, Computing 4 (1969) 187).
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@ namespace equipoise {
 
 using PlaneGradient = Gradient<Interval, 2>;
 
-/// A box around `near`, at most `widest` away in either variable, that holds exactly one zero of f, a function from two
-/// PlaneGradient to two. The operator K(X) = m - Y f(m) + (1 - Y f'(X)) (X - m), Y about f'(m)^-1, maps a box X into
-/// its own interior only if there is one. False if no such box is found.
+/// Finds a box around `near`, at most `widest` away in either variable, that contains exactly one zero of f. f maps two
+/// PlaneGradient to two. With Y about f'(m)^-1, the operator K(X) = m - Y f(m) + (1 - Y f'(X)) (X - m) maps a box X
+/// into its own interior only if there is exactly one. False if no such box is found.
 template <class F>
 bool enclose_zero(F&& f, const std::array<double, 2>& near, double widest, std::array<Interval, 2>& zero) {
   const auto at = [&](const std::array<Interval, 2>& x) {

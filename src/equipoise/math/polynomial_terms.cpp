@@ -1,4 +1,4 @@
-// Normal equations: Chebyshev polynomials of points all over a cube are nearly orthogonal.
+// Least squares by normal equations: Chebyshev polynomials of points spread over a cube are nearly orthogonal.
 #include "equipoise/math/polynomial_terms.hpp"
 
 #include "equipoise/math/dense.hpp"
@@ -13,7 +13,7 @@ Eigen::MatrixXd polynomial_fit(const std::vector<Eigen::VectorXd>& terms, const 
     normal += terms[i] * terms[i].transpose();
     right += terms[i] * values[i].transpose();
   }
-  normal.diagonal().array() += 1e-13 * normal.trace();  // of coordinates that do not differ after all
+  normal.diagonal().array() += 1e-13 * normal.trace();  // for coordinates that turn out not to vary
   return dense::LinearSolver(normal).solve(right);
 }
 

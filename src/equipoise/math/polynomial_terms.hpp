@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-/// Products of Chebyshev polynomials of 2 x - 1 in each coordinate x from 0 to 1, of total degree up to `degree`.
+/// Products of Chebyshev polynomials of 2 x - 1, for each coordinate x in [0, 1], of total degree up to `degree`.
 inline Eigen::VectorXd polynomial_terms(const std::vector<double>& coordinates, int degree) {
   std::vector<double> terms;
   const auto add = [&](const auto& self, std::size_t k, int left, double product) -> void {
@@ -29,14 +29,14 @@ inline Eigen::VectorXd polynomial_terms(const std::vector<double>& coordinates, 
   return Eigen::Map<const Eigen::VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size()));
 }
 
-/// Of two places with as many coordinates.
+/// Between two points with equally many coordinates.
 inline double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
   return sum;
 }
 
-/// Coefficients, a row a term and a column a quantity, by least squares: rows of `values` belong to `terms`.
+/// Least-squares coefficients, one row per term and one column per quantity; rows of `values` match `terms`.
 Eigen::MatrixXd polynomial_fit(const std::vector<Eigen::VectorXd>& terms, const std::vector<Eigen::VectorXd>& values);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Matrices that are positive definite beyond the doubt of rounding.
+// Positive definiteness of matrices, proved despite rounding.
 #pragma once
 
 #include <array>
@@ -9,8 +9,7 @@
 
 namespace equipoise {
 
-/// Cholesky's factor of the leading `count` rows of `a`, in place in its lower triangle; false at the first pivot that
-/// is not positive.
+/// Cholesky's factor of the leading `count` rows of `a`, in its lower triangle. False if a pivot is not positive.
 template <std::size_t rows>
 bool factorise(std::array<std::array<double, rows>, rows>& a, int count) {
   for (int j = 0; j < count; ++j) {
@@ -28,9 +27,10 @@ bool factorise(std::array<std::array<double, rows>, rows>& a, int count) {
   return true;
 }
 
-/// A Cholesky factorisation in doubles proves `a` positive definite if it succeeds after this is taken off the
-/// diagonal: (k + 1) u / (1 - (k + 1) u) times the trace, k rows (Rump, "Verification of positive definiteness", BIT 46
-/// (2006) 433). 2^-46 is 128 u: thirty rows, and products with a pivot's inverse, which cost another u a row.
+/// If a Cholesky factorisation in doubles succeeds after this is subtracted from the diagonal, `a` is positive
+/// definite. For k rows it is (k + 1) u / (1 - (k + 1) u) times the trace (Rump, "Verification of positive
+/// definiteness", BIT 46 (2006) 433). 2^-46 is 128 u: enough for thirty rows and for multiplying by a pivot's inverse,
+/// which costs another u per row.
 template <std::size_t rows>
 double trace_slack(const std::array<std::array<double, rows>, rows>& a) {
   double trace = 0.0;
@@ -38,8 +38,8 @@ double trace_slack(const std::array<std::array<double, rows>, rows>& a) {
   return 0x1p-46 * trace;
 }
 
-/// Every symmetric matrix within the entries of `a` is positive definite: each off-diagonal radius moves a quadratic
-/// form by at most itself times the mean square of its two components.
+/// Whether every symmetric matrix within the intervals of `a` is positive definite. An off-diagonal radius changes a
+/// quadratic form by at most itself times the mean square of its two components.
 template <std::size_t rows>
 bool certainly_positive(const std::array<std::array<Interval, rows>, rows>& a, double spare) {
   std::array<std::array<double, rows>, rows> lower{};

@@ -1,6 +1,6 @@
 // The S-lemma: a quadratic function is negative on a ball if some multiple of (squared radius - |eta|^2) can be added
-// to it and leave it negative everywhere (Yakubovich, 1971; Polik and Terlaky, "A survey of the S-lemma", SIAM Rev. 49
-// (2007) 371). One multiplier serves several functions, here those at the corners of a box.
+// and leaves it negative everywhere (Yakubovich, 1971; Polik and Terlaky, "A survey of the S-lemma", SIAM Rev. 49
+// (2007) 371). One multiplier serves several functions: here one for each corner of a box.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-/// (eta, 1)^T form (eta, 1), lower triangle with 1 last, to be negative where |eta|^2 <= room.
+/// (eta, 1)^T form (eta, 1), lower triangle with 1 last; it should be negative where |eta|^2 <= room.
 template <std::size_t side>
 struct QuadraticOnBall {
   std::array<std::array<double, side>, side> form;
@@ -21,8 +21,8 @@ struct QuadraticOnBall {
 
 enum class Multiplier { proves, too_small, too_large };
 
-/// Whether `multiplier` >= 0 proves it, rounding included. If not, those that do, if any, lie beyond `bound`, where the
-/// tangent of the form's Schur complement at 1, a convex function of the multiplier, vanishes; it guides the search.
+/// Whether `multiplier` >= 0 proves it, rounding included. If not, any multiplier that does lies beyond `bound`. There
+/// the tangent at 1 of the form's Schur complement, convex in the multiplier, vanishes; it guides the search.
 template <std::size_t side>
 Multiplier judge(const QuadraticOnBall<side>& f, double multiplier, double& bound) {
   constexpr std::size_t one = side - 1;
@@ -51,8 +51,8 @@ Multiplier judge(const QuadraticOnBall<side>& f, double multiplier, double& boun
   return slope < 0.0 ? Multiplier::too_small : Multiplier::too_large;
 }
 
-/// Looks for one multiplier that proves all, from the one given. Each function admits an interval of multipliers;
-/// [low, high] narrows to what all admit and is empty as soon as two functions or two tangents disagree.
+/// Searches from the given multiplier for one that proves all functions. Each function admits an interval of
+/// multipliers; [low, high] shrinks to their intersection, and is empty once two functions or tangents disagree.
 template <std::size_t side, std::size_t count>
 bool find_multiplier(const std::array<QuadraticOnBall<side>, count>& functions, double& multiplier) {
   double low = 0.0, high = std::numeric_limits<double>::infinity();

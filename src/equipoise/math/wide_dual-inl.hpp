@@ -1,5 +1,5 @@
-// Dual numbers (math/gradient.hpp over double) whose slopes lie side by side in registers: the same results, to the bit
-// where products and sums are not fused. Included once per CPU target.
+// Dual numbers (math/gradient.hpp over double) with their slopes side by side in registers. Without fused products and
+// sums, results are bit-identical. Included once per CPU target.
 #if defined(EQUIPOISE_MATH_WIDE_DUAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MATH_WIDE_DUAL_INL
 #undef EQUIPOISE_MATH_WIDE_DUAL_INL
@@ -25,7 +25,7 @@ class WideDual {
   HWY_INLINE WideDual() = default;
   HWY_INLINE WideDual(double v) : value(v) {}
 
-  // The first `count` of them; others are 0.
+  // Takes the first `count` slopes; the others are 0.
   HWY_INLINE void take_slopes(const double* from, int count) {
     alignas(Pack) double all[room] = {};
     std::memcpy(all, from, sizeof(double) * static_cast<std::size_t>(count));

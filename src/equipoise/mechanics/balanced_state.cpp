@@ -13,7 +13,7 @@
 namespace equipoise::model {
 
 namespace {
-// Relative difference below which masses and unbalance count as equal: a user's "equal" values are equal to the last
+// Masses and unbalance count as equal below this relative difference. Values that a user calls equal agree to the last
 // digits, and a real difference this small moves the balanced state by less than 1e-6 rad.
 constexpr double equal_within = 1e-12;
 }  // namespace
@@ -41,7 +41,7 @@ BalancedStates balanced_states(const Parameters& p) {
     }
   }
   if (lambda > 0.0 && slack <= equal_within * (lambda + total)) {
-    // Equality: a single state, all on one line. The largest balances the rest: lambda at angle 0, or one ball at pi.
+    // Equality: one state, all balls on one line. The largest balances the rest: lambda at 0, or one ball at pi.
     result.kind = BalancedStates::Kind::isolated;
     std::array<double, max_balls> phi{};
     for (int i = 0; i < p.balls; ++i) phi[i] = lambda == largest || p.mass[i] == largest ? pi : 0.0;
@@ -64,7 +64,7 @@ BalancedStates balanced_states(const Parameters& p) {
 
 namespace {
 
-// Angles within a turn: the last digits of larger ones are coarser than the target.
+// Angles within a turn: the last digits of larger angles are coarser than the target.
 bool project_within_a_turn(const Parameters& p, double* phi) {
   const double target = 1e-15 * p.all_unbalances();
   for (int iteration = 0; iteration < 30; ++iteration) {
@@ -78,8 +78,8 @@ bool project_within_a_turn(const Parameters& p, double* phi) {
       b -= s * c;
       d += c * c;
     }
-    // Least change: the pseudo-inverse of the 2 x 2 matrix J J^T. Its smaller eigenvalue vanishes if all balls lie on
-    // one line through the centre; the residual in that direction is of second order and shrinks by itself.
+    // Least change by the pseudo-inverse of the 2 x 2 matrix J J^T. Its smaller eigenvalue vanishes if all balls lie on
+    // one line through the centre. The residual in that direction is of second order and shrinks by itself.
     const double mean = 0.5 * (a + d), half = std::hypot(0.5 * (a - d), b);
     const double angle = 0.5 * std::atan2(b, 0.5 * (a - d));  // of the larger eigenvalue's direction
     const double ex = std::cos(angle), ey = std::sin(angle);
@@ -108,7 +108,7 @@ CentredTwin centred_twin(const Parameters& p, double speed) {
   CentredTwin twin{p, 0.0};
   twin.parameters.gravity = 0.0;
   if (p.race_is_centred()) return twin;
-  // Forces on a rotor that rests at -e in the rotating frame: f = -(kappa + i zeta psi') e, and psi'^2 times the sum of
+  // Forces on a rotor at rest at -e in the rotating frame: f = -(kappa + i zeta psi') e, and psi'^2 times the sum of
   // all unbalances about the axis.
   const std::complex<double> e(p.race_offset[0], p.race_offset[1]);
   const std::complex<double> support(0.5 * (p.stiffness[0] + p.stiffness[1]),
@@ -121,7 +121,7 @@ CentredTwin centred_twin(const Parameters& p, double speed) {
 }
 
 namespace {
-// Torque that the supports' dampers take in balance, over psi'.
+// Torque that the supports' dampers absorb in balance, over psi'.
 double damping_torque(const Parameters& p) {
   const auto& e = p.race_offset;
   return 0.5 * (p.damping[0] + p.damping[1]) * (e[0] * e[0] + e[1] * e[1]);
@@ -136,7 +136,7 @@ std::optional<double> balanced_speed(const System& system) {
   if (m.slope == damping) return std::nullopt;
   const double speed = m.constant / (damping - m.slope);
   if (std::fabs(damping * speed) <= m.limit) return speed;
-  return std::copysign(m.limit / damping, m.constant);  // the motor gives its limit
+  return std::copysign(m.limit / damping, m.constant);  // the motor delivers its limit
 }
 
 BalancedStates balanced_states(const System& system, double coasting) {
@@ -171,7 +171,7 @@ Eigen::VectorXd balanced_state(const System& system, double speed, const double*
   if (!p.race_is_centred()) y.head(4) << -e[0], -e[1], speed * e[1], -speed * e[0];
   for (int i = 0; i < p.balls; ++i) y[index::phi(i)] = phi[i];
   if (system.layout().speed >= 0) y[system.layout().speed] = speed;
-  // The integral holds the torque that gain alone would leave.
+  // The integral holds the torque that the gain alone would miss.
   const DriveSegment& m = system.drive().motor;
   if (system.layout().error >= 0)
     y[system.layout().error] = (damping_torque(p) * speed - m.constant - m.slope * speed) / m.integral;

@@ -1,4 +1,4 @@
-// Where the balls cancel the unbalance: existence and angles of the balanced states.
+// Balanced states, in which the balls cancel the unbalance: existence and angles.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace equipoise::model {
 
-/// Reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
+/// The reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
 inline constexpr const char* no_speed_is_held =
     "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
 
@@ -22,7 +22,7 @@ struct BalancedStates {
   enum class Kind {
     none,       ///< the balls cannot cancel the unbalance (`reason` says why)
     isolated,   ///< finitely many; `angles` lists them
-    continuum,  ///< a continuum (three balls or more, or no unbalance at all); balls in contact overlap in a part of it
+    continuum,  ///< three balls or more, or no unbalance at all; balls in contact overlap in part of it
   };
   Kind kind = Kind::none;
   std::vector<std::array<double, max_balls>> angles;
@@ -33,13 +33,13 @@ struct BalancedStates {
 /// room for it (mechanics/cancelling.hpp), and there is no gravity.
 BalancedStates balanced_states(const Parameters& p);
 
-/// A member of the family near the ball angles `phi`: Newton's method with the least change of angles. False if it does
-/// not converge, in which case `phi` is left somewhere on the way. Whole turns stay, however many.
+/// Projects the ball angles `phi` onto a nearby member of the continuum: Newton's method with the least change of
+/// angles. Keeps whole turns, however many. False if it does not converge; `phi` is then left on the way.
 bool project_to_balanced(const Parameters& p, double* phi);
 
-// The same for any system, without its gravity and with the means of unequal supports. With an off-centre race, balls
-// at rest bring the race's centre to the axis of rotation. The shaft then circles at the race's offset, and the
-// supports' dampers dissipate (docs/equations.md, "An off-centre race").
+// The same for any system, ignoring gravity and averaging unequal supports. With an off-centre race, balls at rest
+// bring the race's centre to the axis of rotation. The shaft then circles at the race's offset, and the supports'
+// dampers dissipate (docs/equations.md, "An off-centre race").
 
 /// The rotor with a centred race whose balls balance at the same angles less `turn`.
 struct CentredTwin {
@@ -48,19 +48,19 @@ struct CentredTwin {
 };
 CentredTwin centred_twin(const Parameters& p, double speed);
 
-/// psi' in balance: the prescribed speed, or the one at which the motor supplies what the dampers take. Empty if there
-/// is none, or if any speed will do (System::coasts()).
+/// psi' in balance: the prescribed speed, or the speed at which the motor supplies what the dampers absorb. Empty if
+/// there is none, or if any speed will do (System::coasts()).
 std::optional<double> balanced_speed(const System& system);
-/// Balanced states at that speed; at `coasting` if the system coasts.
+/// Balanced states at that speed, or at `coasting` if the system coasts.
 BalancedStates balanced_states(const System& system, double coasting = 0.0);
 /// As for Parameters, at `speed`.
 bool project_to_balanced(const System& system, double speed, double* phi);
-/// The balanced state with these ball angles at `speed`; psi, if part of the state, is 0.
+/// The balanced state with these ball angles at `speed`; psi, if in the state, is 0.
 Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi);
-/// Distance of the race's centre from the axis of rotation, where it lies in balance. (x, y): centre O.
+/// Distance from the axis of rotation of the race's centre, which lies on it in balance. (x, y): shaft centre O.
 double off_balance(const Parameters& p, double x, double y);
-/// Number of directions in which a balanced state can be moved without any force: along the continuum, and in speed if
-/// the rotor coasts. 0 with gravity, or with an off-centre race on unequal supports: no state is then at rest.
+/// Number of directions in which a balanced state can be moved without force: along the continuum, and in speed if the
+/// rotor coasts. 0 with gravity, or with an off-centre race on unequal supports: no state is then at rest.
 int balanced_freedom(const System& system);
 
 }  // namespace equipoise::model

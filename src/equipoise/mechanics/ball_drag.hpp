@@ -1,6 +1,6 @@
-// Drag of a ball in oil: Stokes (1851), and the wall correction of Haberman and Sayre (1958) for a ball on the axis of
-// a tube, as in Happel and Brenner (1983), section 7-3. A first estimate for a race full of oil: the ball in a race
-// runs along a wall, and both hold for creeping flow (Reynolds number below about 1) only.
+// Drag of a ball in oil: Stokes (1851), with the wall correction of Haberman and Sayre (1958) for a ball on the axis of
+// a tube, as in Happel and Brenner (1983), section 7-3. Only a first estimate for a race full of oil: the ball in a
+// race runs along a wall, and both formulas hold only for creeping flow (Reynolds number below about 1).
 #pragma once
 
 #include "equipoise/base/angles.hpp"
@@ -10,7 +10,7 @@ namespace equipoise::model {
 /// Drag force over velocity (N s/m) of a sphere of `diameter` (m) in unbounded liquid of `viscosity` (Pa s).
 inline double stokes_drag(double viscosity, double diameter) { return 3.0 * pi * viscosity * diameter; }
 
-/// The approximation below is within 6 % of the exact solution up to this ratio and soon departs from it beyond.
+/// The approximation below is within 6 % of the exact solution up to this ratio, and soon departs from it beyond.
 inline constexpr double widest_ball_in_channel = 0.6;
 
 /// Factor by which walls raise the drag. `ratio`: ball diameter over channel diameter, 0 to widest_ball_in_channel.

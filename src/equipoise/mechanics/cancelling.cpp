@@ -1,5 +1,5 @@
-// In a given order, a row of touching balls cancels the most. The least is found by descent: each group of neighbours
-// in turn moves to where the sum is smallest.
+// In a given order of balls, a row of touching balls cancels the most. The least is found by descent: each group of
+// neighbours in turn moves to where the sum is smallest.
 #include "equipoise/mechanics/cancelling.hpp"
 
 #include <algorithm>
@@ -19,7 +19,10 @@ struct Ring {
   std::vector<double> mass, width;
 
   int size() const { return static_cast<int>(mass.size()); }
-  double apart(int i) const { return 0.5 * (width[i] + width[(i + 1) % size()]); }  // of ball i and the next, touching
+  double apart(int i) const {
+    return 0.5 * (width[i] + width[(i + 1) % size()]);
+  }  // of ball i and the next, when
+     // touching
   double spare() const { return two_pi - std::accumulate(width.begin(), width.end(), 0.0); }
 };
 
@@ -43,14 +46,14 @@ double most_of(const Ring& ring) {
   return most;
 }
 
-// The descent to the least sum in one order.
+// Descent to the least sum for one order of the balls.
 class Turning {
  public:
   Turning(const Ring& ring, std::vector<double> phi) : ring_(ring), phi_(std::move(phi)) {
     for (int i = 0; i < ring_.size(); ++i) arms_.push_back(std::polar(ring_.mass[i], phi_[i]));
   }
 
-  // Where no group can lower the sum, no move can: every move of touching balls is made up of turns of groups.
+  // If no group can lower the sum, no move can: every move of touching balls consists of turns of groups.
   double least(double nothing) {
     constexpr int most_rounds = 200;
     for (int round = 0; round < most_rounds; ++round) {
@@ -69,13 +72,13 @@ class Turning {
   }
 
  private:
-  // Free angle between ball i and the next. Angles grow along the ring and wrap round after its last ball.
+  // Free angle between ball i and the next. Angles grow along the ring and wrap after its last ball.
   double gap(int i) const {
     return std::max(0.0, wrapped_positive(phi_[(i + 1) % ring_.size()] - phi_[i]) - ring_.apart(i));
   }
 
-  // Turns the `count` balls from `first` on, whose arms sum to `group`, within their gaps to where the total is least.
-  // Returns the rotation.
+  // Turns `count` balls from `first` on, with arms summing to `group`, within their gaps to the least total; returns
+  // the turn.
   std::complex<double> turn(int first, int count, std::complex<double> group) {
     const int n = ring_.size();
     const std::complex<double> others = sum_ - group;
@@ -106,7 +109,7 @@ class Turning {
   std::complex<double> sum_;
 };
 
-// Starts from even gaps; if the balls fill more than half the race, from rows too: the sum may have a minimum at one.
+// Starts from even gaps. If the balls fill more than half the race, also from rows, where the sum may have a minimum.
 double least_of(const Ring& ring, double nothing) {
   const int n = ring.size();
   std::vector<double> even(static_cast<std::size_t>(n));
@@ -175,7 +178,7 @@ Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {
     result.ranges = {{least, total}};
     return result;
   }
-  constexpr double rounding = 1e-12;  // allows widths that exactly fill the race
+  constexpr double rounding = 1e-12;  // accepts widths that fill the race exactly
   if (std::accumulate(width.begin(), width.end(), 0.0) > two_pi * (1.0 + rounding)) return result;
   std::vector<Ring> orders = all_orders(p, width);
   std::stable_sort(orders.begin(), orders.end(), [](const Ring& a, const Ring& b) { return most_of(a) > most_of(b); });

@@ -8,8 +8,8 @@
 
 namespace equipoise::model {
 
-/// The values of |sum mu_i e^{i phi_i}| that balls can reach without overlapping. Balls keep their order in the race.
-/// Each order reaches one whole range; here are the ranges of all orders, merged.
+/// The values of |sum mu_i e^{i phi_i}| that balls can reach without overlap. Balls keep their order in the race. Each
+/// order reaches one interval; these are the intervals of all orders, merged.
 struct Cancelling {
   /// Disjoint and increasing; usually one. Empty if the balls do not fit into the race.
   std::vector<std::array<double, 2>> ranges;
@@ -18,7 +18,7 @@ struct Cancelling {
   double least() const { return fit() ? ranges.front()[0] : 0.0; }
   double most() const { return fit() ? ranges.back()[1] : 0.0; }
   bool cancels(double unbalance) const;
-  /// Why they cannot cancel it, as text to follow a colon.
+  /// Why they cannot cancel it, as text after a colon.
   const char* why_not(double unbalance) const;
   double uncertain = 0.0;  ///< error of the ends: 1e-6 of all masses; rounding for balls without size
 };
@@ -26,7 +26,7 @@ struct Cancelling {
 /// `width`: the angle that each ball takes up, seen from the race's centre; empty if balls pass each other.
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width);
 
-/// The same for the balls of `p`; if they collide, with their contact angle.
+/// The same for the balls of `p`, with their contact angle if they collide.
 Cancelling cancelling(const Parameters& p);
 
 }  // namespace equipoise::model

@@ -1,4 +1,4 @@
-// Which needs a system meets, and the words for those it does not.
+// Which needs a system meets, and words for those it does not meet.
 #include "equipoise/mechanics/capability.hpp"
 
 #include <cstddef>
@@ -54,7 +54,7 @@ const char* words(Need need) {
 
 namespace {
 
-// "simulate, basin and attractors": the commands without this need.
+// "simulate, basin and attractors": the commands that do not have this need.
 std::string commands_without(Need need) {
   std::string text;
   std::size_t left = 0;

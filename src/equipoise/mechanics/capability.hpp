@@ -1,4 +1,4 @@
-// What each kind of result needs of a system, in one table. Commands and their errors read it; so does the guide.
+// What each kind of result needs of a system, in one table for commands, their errors and the guide.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace equipoise::model {
 /// The kinds of result about a system.
 enum class ResultKind { trajectory, shares, attractors, proofs, displacements, branches, maps, torus_regions };
 
-/// Properties of a system that an result may need.
+/// Properties of a system that a result may need.
 enum class Need {
   prescribed_speed,
   passing_balls,
@@ -21,7 +21,7 @@ enum class Need {
   centred_race,
   equal_supports,
   no_gravity,
-  turning,        ///< a final speed other than 0 if the equations depend on the rotor's angle
+  turning,        ///< a final speed other than 0, if the equations depend on the rotor's angle
   lasting_drive,  ///< a prescribed speed, or a torque that does not vanish for good
 };
 inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
@@ -42,7 +42,7 @@ class Needs {
 struct Capability {
   ResultKind result;
   const char* name;     ///< of the result, in errors
-  const char* command;  ///< that gives it to every system meeting the needs; empty if there is no such command
+  const char* command;  ///< gives the result for every system that meets the needs; empty if no command does
   Needs needs;
 };
 
@@ -72,7 +72,7 @@ constexpr const Capability& capability(ResultKind result) { return capabilities[
 /// A need in words: "a prescribed speed".
 const char* words(Need need);
 
-/// A need that a system does not meet, and one line that says so.
+/// A need that a system does not meet, and a line that says so.
 struct Lack {
   Need need;
   std::string reason;

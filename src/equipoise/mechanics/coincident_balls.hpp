@@ -1,4 +1,4 @@
-// Alike balls in the same state: a real pair would separate, equal numbers stay equal.
+// Alike balls in the same state: a real pair would separate, but equal numbers stay equal.
 #pragma once
 
 #include <cmath>
@@ -8,11 +8,11 @@
 
 namespace equipoise::model {
 
-/// Balls nearer than this in angle and rate count as coincident. They are set apart by small multiples of it.
+/// Balls closer than this in angle and rate coincide. They are set apart by small multiples of it.
 inline constexpr double parting = 1e-9;
 
-/// Whether balls i and k are alike and move as one. Equal operations on equal numbers would keep them so for ever, even
-/// where that is unstable.
+/// Whether balls i and k are alike and move as one. Equal operations on equal numbers would keep them together for
+/// ever, even where that is unstable.
 inline bool coincide(const Parameters& p, int i, int k, const double* phi, const double* rate) {
   return p.alike(i, k) && std::fabs(wrapped(phi[i] - phi[k])) < parting && std::fabs(rate[i] - rate[k]) < parting;
 }

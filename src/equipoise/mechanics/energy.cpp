@@ -1,4 +1,4 @@
-// Energy and its balance: the residual along a trajectory is the sharpest check on energy and equations alike.
+// Energy and its balance. The residual along a trajectory is the sharpest check on both energy and equations.
 #include "equipoise/mechanics/energy.hpp"
 
 #include <cmath>

@@ -15,12 +15,11 @@ struct Powers {
   double balls;     ///< dissipated by ball drag
 };
 
-/// Energy of rotor and balls at time `t` of `segment` in state `z` (dimension(balls) numbers).
-/// `inertia`: iota = I_C/(M R^2) about the centre of mass; for a prescribed motion it only adds iota psi'^2/2 here and
-/// the matching drive power.
+/// Energy of rotor and balls at time `t` of `segment` in state `z` (dimension(balls) numbers). `inertia`: iota = I_C/(M
+/// R^2) about the centre of mass; for a prescribed motion it only adds iota psi'^2/2 here and the matching drive power.
 double energy(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
 
-/// Powers at the same instant, with the segment's clamp respected.
+/// Powers at the same instant, with the segment's clamp.
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z);
 
 /// Energy of a machine in state `z` (machine_layout(balls).size numbers), with its own inertia and race.

@@ -1,4 +1,4 @@
-// The gap of a fan, by bisection.
+// Finds the gap of a fan by bisection.
 #include "equipoise/mechanics/fan.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::array<double, max_balls> fan(const Parameters& p, const std::vector<double>
     return std::abs(sum);
   };
   double narrow = 0.0, wide = (two_pi - filled) / static_cast<double>(row.size());
-  for (int k = 0; k < 60; ++k) {  // to rounding
+  for (int k = 0; k < 60; ++k) {  // down to rounding
     const double middle = 0.5 * (narrow + wide);
     (spread(middle) > p.eccentricity ? narrow : wide) = middle;
   }

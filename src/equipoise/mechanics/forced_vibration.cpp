@@ -24,7 +24,7 @@ double shaking_torque(const Parameters& p, double unbalance, double speed) {
   for (std::size_t d = 0; d < 2; ++d) {
     const double spring = p.stiffness[d] - mass * speed * speed, damper = p.damping[d] * speed;
     const double left = spring * spring + damper * damper;
-    // Critical, up to a few roundings.
+    // At a critical speed, up to a few roundings.
     if (damper == 0.0 && std::abs(spring) < 1e-14 * p.stiffness[d]) return std::numeric_limits<double>::infinity();
     sum += p.damping[d] / left;
   }

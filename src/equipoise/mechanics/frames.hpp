@@ -1,4 +1,4 @@
-// Conversions between fixed axes and axes that turn with the rotor, and between the velocities seen in each.
+// Conversions of vectors and velocities between fixed axes and axes that turn with the rotor.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline std::array<double, 2> inertial_velocity(double w, double x, double y, dou
   return {x_dot - w * y, y_dot + w * x};
 }
 
-/// psi' jumps by `jump` while the rotating-frame position and velocity (x, y, x', y') stay: u and v jump.
+/// psi' jumps by `jump` while position and velocity in the rotating frame (x, y, x', y') stay: u and v jump.
 inline void apply_speed_jump(double jump, double* z) {
   z[index::u] -= jump * z[index::y];
   z[index::v] += jump * z[index::x];

@@ -1,4 +1,4 @@
-// The depth of the well, from the energy, the motor's torque at rest and the tops of gravity's potential beside it.
+// Depth of the well, from the energy, the motor's torque at rest and the adjacent maxima of gravity's potential.
 #include "equipoise/mechanics/gravity_well.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::optional<double> torque_at_rest(const System& system) {
 
 bool holds_against(std::complex<double> moment, double torque) { return std::abs(moment) > std::fabs(torque); }
 
-// Two balls that replace all held ones, with the same mass, centre of mass and moment of inertia.
+// Two balls that replace all held balls, with the same mass, centre of mass and moment of inertia.
 struct Twin {
   Parameters parameters;
   std::array<double, machine_layout(2).size> state{};
@@ -34,7 +34,7 @@ struct Twin {
 Twin twin_of(const System& system, const double* held) {
   const Parameters& p = system.parameters();
   const double mass = p.total_mass();
-  double spin = 0.0;  // of balls that turn with the rotor
+  double spin = 0.0;  // from balls that turn with the rotor
   for (int i = 0; i < p.balls; ++i) spin += p.mass[i] * p.ball_radius[i] * p.ball_radius[i];
   Twin twin{p};
   twin.parameters.balls = 2;
@@ -51,7 +51,7 @@ Twin twin_of(const System& system, const double* held) {
 
 }  // namespace
 
-// `balls`: the least potential energy of balls that do not turn with the rotor.
+// `balls`: least potential energy of the balls that do not turn with the rotor.
 GravityWell::GravityWell(const System& system, std::complex<double> moment, double torque, double balls)
     : system_(system), moment_(moment), torque_(torque), angle_(std::acos(torque / std::abs(moment))) {
   const Parameters& p = system.parameters();
@@ -82,7 +82,7 @@ double GravityWell::level(const double* state) const {
 
 bool GravityWell::holds(const double* state) const { return level(state) < top_; }
 
-// With a ball at its top, the energy is least if all else is at the bottom.
+// With one ball at its top, the energy is least if everything else is at the bottom.
 bool GravityWell::holds_balls(const double* state) const {
   const Parameters& p = system_.parameters();
   const double lightest = *std::min_element(p.mass.begin(), p.mass.begin() + p.balls);

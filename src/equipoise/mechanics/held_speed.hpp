@@ -1,4 +1,4 @@
-// The speed that a motor holds.
+// The speed at which a motor holds the rotor.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace equipoise::model {
 
-/// balanced_speed() if a motor holds it. Empty at a prescribed speed, for a rotor that coasts, and for a motor whose
-/// last torque speeds the rotor up for ever.
+/// balanced_speed() if a motor holds it. Empty at a prescribed speed, for a coasting rotor, and for a motor whose last
+/// torque speeds the rotor up for ever.
 inline std::optional<double> held_speed(const System& system) {
   if (system.prescribed() || system.coasts()) return std::nullopt;
   const DriveSegment& m = system.drive().motor;
@@ -18,7 +18,7 @@ inline std::optional<double> held_speed(const System& system) {
   return holds ? speed : std::nullopt;
 }
 
-/// Message about a motor that holds none, to follow "the" or "the motor's".
+/// Message about a motor that holds no speed, to follow "the" or "the motor's".
 inline constexpr const char* holds_no_speed =
     "last torque acts for ever, and a balanced rotor needs none: no speed is held";
 

@@ -1,4 +1,4 @@
-// Jacobians by running the one set of equations on dual numbers.
+// Jacobians from the equations of motion, run on dual numbers.
 #include "equipoise/mechanics/linearisation.hpp"
 
 #include "equipoise/math/gradient.hpp"

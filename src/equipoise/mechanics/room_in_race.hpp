@@ -1,4 +1,4 @@
-// Room in the race for balls that collide.
+// Room in the race for colliding balls.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace equipoise::model {
 
-/// Maps uniformly drawn angles to angles without overlap, uniform among all such: the drawn gaps, shrunk to the room
+/// Maps uniformly drawn angles to angles without overlap, uniform among all such. The drawn gaps, shrunk to the room
 /// that the balls leave, become the gaps beyond touching.
 inline void make_room(const Parameters& p, double* phi) {
   const double room = (two_pi - p.balls * p.contact_angle) / two_pi;
@@ -22,7 +22,7 @@ inline void make_room(const Parameters& p, double* phi) {
     phi[i] = wrapped_positive(phi[0] + wrapped_positive(phi[i] - phi[0]) * room + place[i] * p.contact_angle);
 }
 
-/// Whether balls at these angles do not overlap. Balls that touch, up to rounding, do not.
+/// Whether balls at these angles do not overlap. Touching balls, up to rounding, do not.
 inline bool has_room(const Parameters& p, const double* phi) {
   constexpr double rounding = 1e-9;
   if (!p.balls_collide()) return true;

@@ -1,4 +1,4 @@
-// Carries a state from one rotor to another that sags differently.
+// Transfers a state to a rotor that sags differently.
 #pragma once
 
 #include "equipoise/model/parameters.hpp"
@@ -6,8 +6,8 @@
 
 namespace equipoise::model {
 
-/// Shifts the centre of a state, at rotor angle `psi`, so that it is as far from the rest position of `to` as it was
-/// from that of `from`. A soft rotor sags by more than it ever vibrates.
+/// Shifts the centre of a state at rotor angle `psi`: it keeps its distance from the rest position, now that of `to`
+/// instead of `from`. A soft rotor sags by more than it ever vibrates.
 inline void hang_anew(const Parameters& from, const Parameters& to, double psi, double* state) {
   const auto before = rest_position(from, psi), after = rest_position(to, psi);
   state[index::x] += after[0] - before[0];

@@ -1,4 +1,4 @@
-// The script: one data block a stretch of equal stability, bands, edges, legend.
+// The script: one data block per stretch of equal stability, bands, edges, legend.
 #include "equipoise/plots/branch_plot.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Stretch {
   std::vector<Sample> samples;
 };
 
-// Ends and changes of stability belong to the picture where they were located, not only at the next value.
+// Ends and changes of stability are drawn where they were located, not only at the next value.
 std::vector<Stretch> stretches_of(const Branch& branch) {
   std::vector<Stretch> stretches;
   auto event = branch.events.begin();

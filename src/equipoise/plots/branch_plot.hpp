@@ -1,4 +1,4 @@
-// A picture of branches, as a script for gnuplot with the data in it.
+// A picture of branches, as a gnuplot script that contains the data.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace equipoise {
 
 /// Draws r_min to r_max of every branch against the parameter into `path` (.png or .svg): a band where the motion
-/// attracts, dashed lines where it is unstable, one colour an identifier in all pictures.
+/// attracts, dashed lines where it is unstable. An identifier has the same colour in all pictures.
 std::string branch_plot_script(const ContinuationResult& result, const std::string& path);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Boundaries along parameters, or the share that falls below what is asked.
+// Boundaries along parameters, or the balanced share over the values tried.
 #include "equipoise/plots/capacity_charts.hpp"
 
 #include <array>
@@ -35,7 +35,7 @@ std::string capacity_title(const CapacityResult& r) {
 }
 
 std::vector<Chart> capacity_charts(const CapacityResult& r) {
-  // Apart for any kind of colour vision, as in other pictures.
+  // Distinct for any kind of colour vision, as in other pictures.
   constexpr std::array colours{"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#666666"};
   const std::string y_label = label_of(r.key, r.unit);
   std::vector<Chart> charts;

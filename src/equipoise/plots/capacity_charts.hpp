@@ -9,10 +9,10 @@
 
 namespace equipoise {
 
-/// Along the first parameter, a line a value of the second, a chart a value of the third; without parameters the
-/// balanced share over the values tried.
+/// Along the first parameter, one line per value of the second and one chart per value of the third. Without
+/// parameters: the balanced share over the values tried.
 std::vector<Chart> capacity_charts(const CapacityResult& result);
-/// What they show, in a line.
+/// A one-line title for the charts.
 std::string capacity_title(const CapacityResult& result);
 
 }  // namespace equipoise

@@ -24,7 +24,7 @@ std::string unit_label(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-// Ends of intervals that are infinite would leave no room for the rest.
+// Skips infinite ends of intervals, which would leave no room for the rest.
 void add_point(ChartSeries& s, double x, const DesignFigure& f, const DesignEstimate& e) {
   if (!std::isfinite(x) || !std::isfinite(e.value)) return;
   s.x.push_back(x);
@@ -109,7 +109,7 @@ std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
   std::vector<Chart> charts;
   const DesignCandidate* best = chosen_of(r);
   if (!best) return charts;
-  // A number that is itself the objective tells nothing of others: what they have to keep does.
+  // A variable that is itself the objective tells nothing about others; the requirements do.
   const auto is_variable = [&](const DesignFigure& f) {
     return std::any_of(r.variables.begin(), r.variables.end(),
                        [&](const DesignVariable& v) { return f.name == v.key || f.name == "-" + v.key; });

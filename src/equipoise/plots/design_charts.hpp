@@ -9,19 +9,19 @@
 
 namespace equipoise {
 
-/// What each of a design's charts shows. Those that it has nothing for are left out.
-/// The front: every further objective over the first one.
+/// The charts of a design; those without data are left out.
+/// The front: every further objective against the first.
 std::vector<Chart> front_charts(const DesignResult& result);
-/// The spin-up chosen, beside the study's own.
+/// The chosen spin-up beside the study's own.
 std::vector<Chart> spin_up_charts(const DesignResult& result);
-/// The first objective as each of the numbers that matter most is moved.
+/// The first objective as each of the most influential numbers is changed.
 std::vector<Chart> margin_charts(const DesignResult& result, std::size_t most);
-/// The best found by then over trajectories followed.
+/// The best value so far against trajectories followed.
 std::vector<Chart> history_charts(const DesignResult& result);
 
-/// For one picture: at most four of them.
+/// At most four charts, for one picture.
 std::vector<Chart> design_charts(const DesignResult& result);
-/// What they show, in a line.
+/// A one-line title for the charts.
 std::string design_title(const DesignResult& result);
 
 }  // namespace equipoise

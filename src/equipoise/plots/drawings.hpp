@@ -1,4 +1,4 @@
-// The pictures of the page for one machine, as SVG (drawing/svg.hpp): they need no script, no other program and no
+// The pictures on the page for one machine, as SVG (drawing/svg.hpp). They need no script, no other program and no
 // light background, and print as lines.
 #pragma once
 
@@ -8,21 +8,21 @@
 
 namespace equipoise {
 
-/// Bars by outcome with their intervals.
+/// Bars by outcome, with their intervals.
 std::string shares_svg(const MachinePage& page);
 
-/// The balls in their race, seen from the turning rotor, and beside it the way of the rotor's centre in fixed axes,
-/// to the scale that all motions of the page have.
+/// The balls in their race, in the rotating frame; beside it the path of the rotor's centre in fixed axes, to one scale
+/// for all motions of the page.
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion);
 
 /// Stacked bars by outcome, with the limit if the study has one.
 std::string distribution_svg(const MachinePage& page, const FigureDistribution& distribution);
 
-/// The shown runs over time.
+/// The shown runs against time.
 std::string displacement_svg(const MachinePage& page);
 std::string speed_svg(const MachinePage& page);
 
-/// Of a shown run, by its place.
+/// Colour of the shown run number `place`.
 const char* run_colour(std::size_t place);
 
 }  // namespace equipoise

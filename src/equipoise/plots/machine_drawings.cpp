@@ -45,7 +45,7 @@ std::string shares_svg(const MachinePage& page) {
              SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
     svg.rectangle({left, top}, place(line.share.share) - left, thick, {"", colour_of(line.id)});
-    // The whisker stands out on its bar and beside it.
+    // The whisker must stand out both on its bar and beside it.
     const double low = place(line.share.low), high = place(line.share.high);
     for (const SvgPen& pen : {SvgPen{"var(--paper)", "", 4.0}, SvgPen{ink, "", 1.6}}) {
       svg.line({low, middle}, {high, middle}, pen);
@@ -116,7 +116,7 @@ std::string speed_svg(const MachinePage& page) {
   SvgAxes axes(svg, top_left, bottom_right, time, speed, shown.axis("time", time.high, Dimension::time),
                shown.axis("speed", std::max(speed.high, -speed.low), Dimension::speed));
   const std::size_t lines =
-      page.basin.study.speed.driven() ? page.runs.size() : std::size_t{1};  // prescribed: the same
+      page.basin.study.speed.driven() ? page.runs.size() : std::size_t{1};  // the same at a prescribed speed
   for (std::size_t k = lines; k-- > 0;) axes.line(page.runs[k].t, page.runs[k].speed, {run_colour(k), "", 1.6});
   return svg.str();
 }

@@ -1,4 +1,4 @@
-// Pixels as a picture in axes, borders of balance, legend.
+// Pixels as a picture in axes, limits of balance, legend.
 #include "equipoise/plots/map_drawing.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace equipoise {
 
 namespace {
 
-// Angles of balls in parts of a turn; quantities in the unit that suits the largest; others as the pictures have them.
+// Angles of balls in parts of a turn, quantities in the unit that suits the largest value, others as in pictures.
 AxisWords words_for(const Study& study, const SliceAxis& axis) {
   if (axis.angle()) {
     const std::string label = axis_label(axis.key);
@@ -34,7 +34,7 @@ AxisWords words_for(const Study& study, const SliceAxis& axis) {
   return {axis_label(axis.key), 1.0};
 }
 
-// Pixels from above, by outcome; what was not computed is white.
+// Pixels from the top, by outcome; pixels not computed are white.
 Raster raster_of(const BasinSlice& map) {
   Raster raster{static_cast<std::size_t>(map.x.pixels), static_cast<std::size_t>(map.y.pixels), {}, {}};
   std::map<short, std::uint8_t> places;

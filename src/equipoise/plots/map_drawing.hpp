@@ -1,4 +1,4 @@
-// The picture of a map's page, as SVG.
+// The picture on a basin slice's page, as SVG.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace equipoise {
 
-/// Outcomes by colour, named below with their shares; where balance ends to exist (dashed) and changes stability.
+/// Outcomes by colour, listed below with their shares; lines where balance ends (dashed) or changes stability.
 std::string map_svg(const BasinSlice& map);
 
-/// "initial angle of ball 1, φ1" and its like, in units if the study has them.
+/// "initial angle of ball 1, φ1" and so on, with units if the study has them.
 std::string slice_axis_words(const Study& study, const SliceAxis& axis);
 
 }  // namespace equipoise

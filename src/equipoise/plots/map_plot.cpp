@@ -1,4 +1,4 @@
-// The script: the image, the borders of balance, the legend.
+// The script: the image, the limits of balance, the legend.
 #include "equipoise/plots/map_plot.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace equipoise {
 
 namespace {
 
-// Along a side: more than the canvas shows.
+// Along one side: more than the canvas shows.
 constexpr int most_drawn_pixels = 1600;
 
 std::string line_block(const std::string& name, const std::vector<std::array<MapPoint, 2>>& pieces) {
@@ -28,8 +28,7 @@ std::string line_block(const std::string& name, const std::vector<std::array<Map
   return text + "EOD\n";
 }
 
-// How dark pixels are by when they were decided: by rank among those of the same outcome, so that each colour has all
-// its shades.
+// Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades.
 class Shade {
  public:
   Shade(const BasinSlice& map, SliceShading shading) : map_(map) {
@@ -39,7 +38,7 @@ class Shade {
     for (auto& [code, times] : times_) std::sort(times.begin(), times.end());
   }
 
-  // A packed colour, at least half as bright: the legend's is still recognised.
+  // A packed colour, at least half as bright: still recognisable in the legend.
   int apply(std::size_t pixel, int packed) const {
     constexpr double darkest = 0.5;
     const auto found = times_.find(map_.code[pixel]);

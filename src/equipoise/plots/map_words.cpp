@@ -1,4 +1,4 @@
-// Angles in parts of a turn; pixels that are missing, filled in or left out.
+// Angles in parts of a turn; notes on missing, filled-in or left-out pixels.
 #include "equipoise/plots/map_words.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace equipoise {
 
 namespace {
 
-// In quarter turns where it is some, else as a number.
+// In quarter turns if it is a multiple of one, else as a number.
 std::string angle_text(double angle) {
   const double quarters = angle / (0.5 * pi);
   if (std::fabs(quarters - std::round(quarters)) > 1e-9) return fmt::format("{:.4g}", angle);

@@ -1,4 +1,4 @@
-// What pictures of maps say beside their colours.
+// Words in pictures of basin slices.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace equipoise {
 
-/// ", φ3 = π/2, φ4 = φ1 + π": the balls' angles that do not vary; nothing if all do.
+/// ", φ3 = π/2, φ4 = φ1 + π": ball angles that do not vary; empty if all do.
 std::string fixed_angles_text(const BasinSlice& map);
 
-/// What the map lacks or leaves out; nothing if nothing.
+/// What the slice lacks or leaves out; empty if nothing.
 std::string map_making_text(const BasinSlice& map);
 
 }  // namespace equipoise

@@ -16,8 +16,8 @@ namespace {
 constexpr SvgPoint race_centre{80.0, 84.0}, rest_place{246.0, 84.0};
 constexpr double race = 60.0, field = 66.0;  // radii
 
-// What the ring around the way of the centre stands for: enough for all motions, and for a fifth of the eccentricity,
-// below which a rotor counts as balanced in any drawing.
+// Scale of the ring around the centre's path: enough for all motions, and for a fifth of the eccentricity. Below that a
+// rotor counts as balanced in any drawing.
 double ring_radius(const MachinePage& page) {
   double reach = 0.2 * page.basin.study.parameters.eccentricity;
   for (const DrawnMotion& m : page.motions) reach = std::max(reach, m.r_max);
@@ -25,7 +25,7 @@ double ring_radius(const MachinePage& page) {
   return round_up(std::max(reach, 1e-12) * unit) / unit;
 }
 
-// Of balls that have a size; of others one that is well seen.
+// Radius of the ball; a clearly visible one if the study gives no size.
 double ball_pixels(const model::Parameters& p, std::size_t i) {
   double radius = 0.0;
   if (p.ball_radius[i] > 0.0)
@@ -43,7 +43,7 @@ void draw_race(Svg& svg) {
   svg.circle(race_centre, race, {rule_colour, "", 5.0});
   svg.line({race_centre.x - 4.0, race_centre.y}, {race_centre.x + 4.0, race_centre.y}, {quiet_ink, ""});
   svg.line({race_centre.x, race_centre.y - 4.0}, {race_centre.x, race_centre.y + 4.0}, {quiet_ink, ""});
-  // The heavy side is to the right.
+  // The heavy side is on the right.
   const double from = race_centre.x + 0.48 * race, to = race_centre.x + 0.72 * race;
   svg.path({{to, race_centre.y}, {from, race_centre.y - 7.0}, {from, race_centre.y + 7.0}}, {"", quiet_ink}, true);
 }

@@ -1,4 +1,4 @@
-// One unit for whatever stands together.
+// One unit for numbers that stand together.
 #include "equipoise/plots/quantities.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Numbers of a study as its page shows them: three digits, in the machine's units if it has them.
+// A study's numbers on a page: three digits, in the machine's units if it has them.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 
 namespace equipoise {
 
-/// Three digits, four of what has as many before the point: "0.0331", "3573", "12350".
+/// Three digits; four if there are as many before the point: "0.0331", "3573", "12350".
 std::string page_number(double value);
 
 /// A key of a study in words: "final speed", "unbalance", "ball drag", "initial angle of ball 1".
 std::string key_words(const std::string& key);
-/// A key's value as it was given; a plain number of what has a symbol gets that: "2.4 ω_c".
+/// A key's value as it was given; a plain number gets its symbol, if there is one: "2.4 ω_c".
 std::string value_words(const std::string& key, const std::string& value);
 
 class PageQuantities {
  public:
   explicit PageQuantities(const Study& study) : scales_(study.scales) {}
 
-  /// "0.2 mm"; of a dimensionless study "0.2 R".
+  /// "0.2 mm"; in a dimensionless study "0.2 R".
   std::string text(double value, study::Dimension dimension) const;
-  /// "0.1 to 0.3 mm"; "0.2 mm" of what differs by less than three digits show.
+  /// "0.1 to 0.3 mm"; "0.2 mm" if three digits show no difference.
   std::string range(double low, double high, study::Dimension dimension) const;
   /// "peak displacement, mm", in the unit that suits the largest value.
   AxisWords axis(const std::string& name, double largest, study::Dimension dimension) const;

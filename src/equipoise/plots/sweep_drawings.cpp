@@ -18,7 +18,7 @@ namespace equipoise {
 
 namespace {
 
-// Places of values from the least to the largest.
+// Indices of the values in rising order.
 std::vector<std::size_t> rising(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,7 +26,7 @@ std::vector<std::size_t> rising(const std::vector<double>& values) {
   return order;
 }
 
-// Of a sweep along one axis, those that are done, by value.
+// The finished cells of a sweep along one axis, by value.
 std::vector<std::size_t> cells_along(const SweepResult& r) {
   std::vector<std::size_t> cells;
   for (const std::size_t k : rising(r.axes.front().parameters.front().values))
@@ -34,7 +34,7 @@ std::vector<std::size_t> cells_along(const SweepResult& r) {
   return cells;
 }
 
-// Of a cell's peak displacements, with ends that can be drawn: of few starts an interval ends at the largest.
+// A quantile of a cell's peak displacements with finite ends: with few starts the interval ends at the largest.
 QuantileEstimate peak_quantile(const SweepResult& r, std::size_t cell, std::size_t quantile) {
   const SampleSummary& figure = r.cells[cell]->transients->figure(&TransientRow::peak_radial);
   QuantileEstimate estimate = figure.quantiles[quantile];
@@ -42,7 +42,7 @@ QuantileEstimate peak_quantile(const SweepResult& r, std::size_t cell, std::size
   return estimate;
 }
 
-// Cells of a table, each with a label at its row and column where they fit.
+// Cells of a table, with labels for rows and columns where they fit.
 struct HeatGrid {
   SvgPoint top_left{58.0, 10.0}, bottom_right{416.0, 236.0};
   std::size_t columns, rows;
@@ -63,7 +63,7 @@ std::vector<std::string> heat_labels(const SweepParameter& p, const std::vector<
   return labels;
 }
 
-// Every so many-th value has its label, so that they keep apart.
+// Labels every k-th value, so that labels do not overlap.
 void label_grid(Svg& svg, const HeatGrid& grid, const std::vector<std::string>& x, const std::vector<std::string>& y) {
   std::size_t longest = 1;
   for (const std::string& label : x) longest = std::max(longest, label.size());
@@ -91,7 +91,7 @@ void draw_scale(Svg& svg, double top) {
 }
 
 void draw_cell(Svg& svg, const HeatGrid& grid, SvgPoint corner, double share) {
-  // A hair wider than itself, lest the page shine through between neighbours.
+  // Slightly larger than the cell, so that the page does not show through between neighbours.
   svg.rectangle(corner, grid.width() + 0.3, grid.height() + 0.3, {"", heat_colour(share)});
   constexpr double least_width = 22.0, least_height = 11.0, light = 0.55;
   if (grid.width() < least_width || grid.height() < least_height) return;
@@ -125,7 +125,7 @@ std::string stacked_svg(const SweepResult& r) {
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Share& balanced = r.cells[cells[i]]->outcomes.front().share;
-    // Light around dark: seen on any layer.
+    // Dark on light: visible on any layer.
     for (const SvgPen& pen : {SvgPen{"#ffffff", "", 3.2, 0.8}, SvgPen{"#1b1f24", "", 1.5}})
       svg.line(axes.at(x[i], 100.0 * balanced.low), axes.at(x[i], 100.0 * balanced.high), pen);
   }

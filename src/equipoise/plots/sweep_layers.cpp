@@ -1,4 +1,4 @@
-// Outcomes in the order in which they are stacked; what parameters are called.
+// Outcomes in stacking order; labels of parameters.
 #include "equipoise/plots/sweep_layers.hpp"
 
 #include <map>
@@ -10,7 +10,7 @@
 namespace equipoise {
 
 std::vector<SweepLayer> sweep_layers(const SweepResult& r) {
-  constexpr int last = 1'000'000;  // behind all identifiers
+  constexpr int last = 1'000'000;  // after all identifiers
   std::map<int, SweepLayer> layers;
   for (std::size_t k = 0; k < r.cells.size(); ++k) {
     if (!r.cells[k]) continue;

@@ -1,4 +1,4 @@
-// What pictures of sweeps show, whoever draws them.
+// What all pictures of sweeps share.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace equipoise {
 
-/// One outcome of a sweep, to be stacked on those before it.
+/// One outcome of a sweep, stacked on those before it.
 struct SweepLayer {
-  std::string name;           ///< with the alias before it
+  std::string name;           ///< after its alias
   std::string colour;         ///< the same in all pictures
   std::vector<double> share;  ///< by cell; 0 where it is missing
 };
-/// From below: balanced, the other attractors that some start came to by identifier, and what came to none.
+/// From the bottom: balanced, the other attractors met, by identifier, and outcomes without attractor.
 std::vector<SweepLayer> sweep_layers(const SweepResult& result);
 
 /// "final rotor speed Ω / critical speed", "rotor.unbalance (g mm)".

@@ -40,7 +40,7 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
       "set yrange [0:100]\nset key outside right top vertical Left reverse samplen 2 spacing 1.3 width 1 invert\n"
       "set lmargin 9\nset grid front\n",
       quoted(heading(r, title)), quoted(sweep_axis_label(x)), *low - margin, *high + margin);
-  // A lone value is a column.
+  // A single value becomes a column.
   const bool lone = r.axes.front().size() == 1;
   std::string items;
   int column = 4;
@@ -63,8 +63,8 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
   return script + "plot " + items + "\n";
 }
 
-// Where values stand along an axis of a heat map: evenly spaced ones at themselves, others (0.01, 0.05, 0.1) at their
-// ranks, so that all cells are of one size.
+// Positions of values along an axis of a heat map. Evenly spaced values stand at themselves, others (0.01, 0.05, 0.1)
+// at their ranks, so that all cells have one size.
 class HeatAxis {
  public:
   explicit HeatAxis(const SweepParameter& p) : parameter_(p), at_(p.values), even_(is_even(p.values)) {
@@ -110,7 +110,7 @@ class HeatAxis {
   double half_ = 0.5;
 };
 
-// One rectangle a cell; the share is written into it where there is room.
+// One rectangle per cell; its share is written into it where there is room.
 std::string panel(const SweepResult& r, std::size_t first, const std::string& title, int number) {
   const HeatAxis y(r.axes[r.axes.size() - 2].parameters.front()), x(r.axes.back().parameters.front());
   std::string script = fmt::format("$panel_{} << EOD\n", number);

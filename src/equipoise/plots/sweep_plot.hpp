@@ -1,4 +1,4 @@
-// A picture of a sweep, as a script for gnuplot with the data in it.
+// A picture of a sweep, as a gnuplot script that contains the data.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace equipoise {
 
-/// Along one axis: shares stacked, one colour an identifier, with the interval of balance. Over two: the balanced share
-/// as a heat map; over three, one such map a value of the first axis. `path`: .png or .svg.
+/// Along one axis: stacked shares with the interval of balance; an identifier has the same colour in all pictures. Over
+/// two axes: the balanced share as a heat map; over three, one such map per value of the first. `path`: .png or .svg.
 std::string sweep_plot_script(const SweepResult& result, const std::string& title, const std::string& path);
 
 }  // namespace equipoise

@@ -8,7 +8,7 @@ namespace equipoise {
 
 namespace {
 
-// A field known at the pixels' centres, and continued from there in a straight line to the map's edges.
+// A field known at the pixels' centres, extrapolated linearly to the edges.
 class MapField {
  public:
   MapField(const BasinSlice& map, const std::vector<float>& values) : map_(map), values_(values) {}
@@ -19,7 +19,7 @@ class MapField {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         if (a.share[i] * b.share[j] != 0.0) sum += a.share[i] * b.share[j] * values_[map_.at(a.pixel[i], b.pixel[j])];
-    // What is only extrapolated shows no change of sign.
+    // A change of sign that is only extrapolated does not count.
     const double nearest = values_[map_.at(a.pixel[0], b.pixel[0])];
     return (sum < 0.0) == (nearest < 0.0) ? sum : nearest;
   }

@@ -1,4 +1,4 @@
-// Where a quantity known at a map's pixels changes its sign.
+// Where a quantity known at the pixels of a basin slice changes sign.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace equipoise {
 
 using MapPoint = std::array<double, 2>;
 
-/// Ends of the line pieces on which a field is zero, by linear interpolation along the edges of every cell between four
-/// centres; pieces beside undefined values are left out. None where it is the same everywhere.
+/// Pieces of the line on which a field is zero, by linear interpolation along the edges of every cell between four
+/// centres. Pieces beside undefined values are left out. Empty if the field is the same everywhere.
 std::vector<std::array<MapPoint, 2>> zero_line(const BasinSlice& map, const std::vector<float>& values);
 
 }  // namespace equipoise

@@ -91,7 +91,7 @@ std::string events_text(const Attractor& a, int balls) {
   return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
 }
 
-// What the columns of a rotor whose equations depend on its angle mean.
+// Meaning of the columns for a rotor whose equations depend on its angle.
 std::string section_text(const Study& study, const TableUnits& units) {
   const model::System system = study.system();
   if (system.autonomous()) return "";
@@ -134,7 +134,7 @@ std::string attractors_text(const AttractorsResult& r) {
     const Share& share = share_of(r, a.id).share;
     std::string drift;
     for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
-    const bool measured = m.kind == MotionKind::measured;  // of which no state is known
+    const bool measured = m.kind == MotionKind::measured;  // its state is unknown
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
     std::vector<std::string> row{fmt::format("{}", a.id),
                                  title_of(a),

@@ -1,4 +1,4 @@
-// The attractors of a study, for people and for machines.
+// The attractors of a study as text and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The answer of an ensemble as text and as JSON.
+// The result of an ensemble as text and as JSON.
 #include "equipoise/reports/basin_report.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// On what grounds the starts were decided, as shares of all starts.
+// The grounds on which starts were decided, as shares of all starts.
 std::string decided_text(const BasinResult& r) {
   if (r.starts == 0) return "";
   std::array<std::uint64_t, decided_by_count> counts{};
@@ -37,7 +37,7 @@ std::string decided_text(const BasinResult& r) {
   return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
 }
 
-// Which starts came through the resonance, which did not, and of which that is not known.
+// Shares of starts that passed the resonance, that did not, and for which this is unknown.
 std::string passage_text(const BasinResult& r) {
   const Share &passed = *r.passed, &held = *r.not_passed;
   const double above = r.study.passed_speed();
@@ -56,7 +56,7 @@ std::string passage_text(const BasinResult& r) {
   return text + ".\n";
 }
 
-// Whether it mattered that balls collide.
+// Whether collisions of balls mattered.
 std::string contact_text(const Share& met) {
   if (met.count == 0)
     return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";

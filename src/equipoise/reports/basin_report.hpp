@@ -1,4 +1,4 @@
-// What an ensemble answered, for people and for machines.
+// The result of an ensemble as text and as JSON.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
 
-// The number with the fewest digits that lies between, but with as many as the bracket supports.
+// The number with the fewest digits between the bounds, but with as many digits as they support.
 std::string located(double low, double high) {
   const double middle = 0.5 * (low + high);
   if (!(high > low)) return fmt::format("{:.12g}", middle);
@@ -34,7 +34,7 @@ std::string located(double low, double high) {
   return fmt::format("{:.12f}", middle);
 }
 
-// Rounded down or up to these digits; what is a decimal number of as many stays.
+// Rounded down or up to these digits; a number that already has no more digits stays.
 std::string rounded_down(double value, int digits) {
   const double scale = std::pow(10.0, digits);
   return fmt::format("{:.{}f}", std::floor(value * scale + 1e-6) / scale, digits);
@@ -58,7 +58,7 @@ std::string bracket_text(const BranchEvent& e) {
   return fmt::format("{} and {}", rounded_down(e.low, digits), rounded_up(e.high, digits));
 }
 
-// Where the branch's range ends, told as well as it is known.
+// Where the branch's range ends, as exactly as known.
 std::string end_text(const Branch& branch, double value) {
   for (const BranchEvent& e : branch.events)
     if (e.place() == value) return event_text(e);
@@ -75,7 +75,7 @@ bool has_event(const Branch& branch, BranchChange change) {
                      [&](const BranchEvent& e) { return e.change == change; });
 }
 
-// Whether the branch begins, or ends, for a known reason or where the line does.
+// Whether the branch begins, or ends, for a known reason or at the line's end.
 bool begin_is_known(const ContinuationResult& r, const Branch& branch) {
   return has_event(branch, BranchChange::birth) ||
          (branch.points.front().value == r.values.front() && !has_event(branch, BranchChange::first_seen));

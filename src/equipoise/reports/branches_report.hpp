@@ -1,4 +1,4 @@
-// Attractors along a parameter, for people and for machines.
+// Attractors along a parameter as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ std::string branches_text(const ContinuationResult& result);
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string branches_json(const ContinuationResult& result);
 
-/// One line a value and branch, after comment lines with the study and the version.
+/// One line per value and branch, after comment lines with the study and the version.
 std::string branches_csv(const ContinuationResult& result);
 
 }  // namespace equipoise

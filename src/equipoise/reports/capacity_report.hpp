@@ -1,4 +1,4 @@
-// Capacities for people and for machines.
+// Capacities as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ std::string capacity_text(const CapacityResult& result);
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string capacity_json(const CapacityResult& result);
 
-/// A line a cell, the study before them as comments.
+/// One line per cell, after the study as comments.
 std::string capacity_csv(const CapacityResult& result);
 
 }  // namespace equipoise

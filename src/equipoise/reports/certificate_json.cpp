@@ -1,4 +1,4 @@
-// Certificates as JSON, written line by line so that a person can read them and a box is one line.
+// Certificates as JSON: readable by people, with one line per box.
 #include "equipoise/reports/certificate_json.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string rows(const Eigen::MatrixXd& m) {
 // Multipliers of a box.
 std::size_t vertices_of(const Certificate& c) { return std::size_t{1} << (c.parameters.balls + (c.motor ? 1 : 0)); }
 
-// What only a motor's rotor has, and a race off its centre.
+// Entries only for a driven rotor, or for an off-centre race.
 std::string machine_text(const Certificate& c) {
   const model::Parameters& p = c.parameters;
   std::string text;
@@ -106,7 +106,7 @@ std::string member_text(const MemberCertificate& c) {
   return text + fmt::format("  \"form\": {}\n }}", rows(c.form));
 }
 
-// Reads one certificate, naming the key of what does not fit.
+// Reads one certificate; errors name the offending key.
 class Reader {
  public:
   Reader(const Json& object, std::string where, std::string prefix)
@@ -257,7 +257,7 @@ MemberCertificate member_from(const Reader& r) {
   return c;
 }
 
-// The file's object. It holds at least one certificate of either kind.
+// The file's object. It must hold at least one certificate of either kind.
 Json file_from(const std::string& text, const std::string& where) {
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded())
@@ -273,7 +273,7 @@ Json file_from(const std::string& text, const std::string& where) {
   return json;
 }
 
-// The entries of one of the file's arrays, if it is there.
+// The entries of one of the file's arrays, if present.
 template <class Read>
 auto entries(const Json& file, const char* key, const std::string& where, const Read& read) {
   std::vector<decltype(read(std::declval<Reader>()))> result;

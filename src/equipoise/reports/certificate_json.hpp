@@ -1,4 +1,4 @@
-// Certificates as JSON: every number is written so that reading gives the same bits.
+// Certificates as JSON whose numbers read back to the same bits.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ namespace equipoise {
 std::string certificates_json(const std::vector<Certificate>& certificates,
                               const std::vector<MemberCertificate>& members = {});
 
-/// Of all that `result` proved; empty if that is nothing.
+/// Everything that `result` proved; empty if nothing.
 std::string certificates_json(const CertifyResult& result);
 
-/// Reads what certificates_json() wrote. Throws InputError, naming `where` and the key, for anything else; whether a
-/// certificate proves what it claims is for check_certificate() and check_member() to say.
+/// Reads what certificates_json() wrote. Throws InputError, naming `where` and the key, for anything else. Whether a
+/// certificate is valid is checked by check_certificate() and check_member().
 std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where);
 std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where);
 

@@ -53,7 +53,7 @@ std::string angles_text(const MemberCertificate& c) {
   return fmt::format("phi = ({:.6f})", fmt::join(c.phi.begin(), c.phi.begin() + c.parameters.balls, ", "));
 }
 
-// Of what was proved one member each: the widest neighbourhood, the fastest growth.
+// Summary of the members' proofs: the widest neighbourhood, the fastest growth.
 std::string members_text(const CertifyResult& r) {
   if (r.members.empty()) return "";
   const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();

@@ -1,4 +1,4 @@
-// What was proved of a study's balanced states, for people and for machines.
+// Proofs about a study's balanced states as text and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A comparison for people and for machines.
+// A comparison as text and as JSON.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace equipoise {
 /// Shares, differences, changes and a verdict for the terminal.
 std::string comparison_text(const ComparisonResult& result);
 
-/// What the difference in balanced starts amounts to, in one sentence.
+/// The difference in balanced starts, in one sentence.
 std::string verdict(const ComparisonResult& result);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.

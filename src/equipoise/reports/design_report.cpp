@@ -122,7 +122,7 @@ std::string estimate_text(const DesignFigure& figure, double value) {
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
   if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
   if (figure.share) {
-    Share share;  // of as many starts as tell none, some and all apart
+    Share share;  // the fewest starts that distinguish none, some and all
     share.total = 2;
     share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
     share.low = e.low;

@@ -8,14 +8,14 @@
 
 namespace equipoise {
 
-/// For a terminal: the front, the chosen design beside the study as it is, its margins, what limits it.
+/// For a terminal: the front, the chosen design beside the original study, its margins, what limits it.
 std::string design_text(const DesignResult& result);
-/// One JSON object; figures are in the units of "units", shares are fractions of one, what has no end is null.
+/// One JSON object; figures are in the units of "units", shares are fractions of one, infinite values are null.
 std::string design_json(const DesignResult& result);
-/// A line a member of the front.
+/// One line per member of the front.
 std::string design_csv(const DesignResult& result);
 
-/// What the answer is, in a sentence or two.
+/// The result in a sentence or two.
 std::string design_answer(const DesignResult& result);
 
 /// "99.62 %", "0.31 mm", and with its interval "99.62 % (99.50 to 99.71 %)".
@@ -23,7 +23,7 @@ std::string estimate_text(const DesignFigure& figure, double value);
 std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& estimate);
 /// "0.05", "12 g", "0 at 0, 2.8 at 60": a candidate's value.
 std::string setting_text(const StudyValue& value);
-/// "balancer.drag"; of a spin-up "speed of point 1", where it begins at point 0.
+/// "balancer.drag"; for a spin-up "speed of point 1", where point 0 is its start.
 std::string margin_name(const std::string& key);
 
 }  // namespace equipoise

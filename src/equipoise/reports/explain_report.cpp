@@ -68,7 +68,7 @@ class Text {
   static constexpr int label_width = 22;
 
   std::string physical(double value, Dimension d) const { return engineering(value * study::scale_of(d, *scales_), d); }
-  // In both forms where there are scales, else dimensionless.
+  // In both forms if there are scales, else dimensionless.
   std::string both(double value, Dimension d) const {
     return scales_ ? fmt::format("{} ({:.5g})", physical(value, d), value) : fmt::format("{:.5g}", value);
   }
@@ -186,7 +186,7 @@ class Text {
   }
 
   void eigenvalues(const BalancedMotion& m) {
-    // What rounding makes of a real double eigenvalue is no oscillation.
+    // Rounding turns a real double eigenvalue into a pair, which is no oscillation.
     double largest = 0.0;
     for (const auto& v : m.eigenvalues) largest = std::max(largest, std::abs(v));
     const auto paired = [&](const std::complex<double>& v) {
@@ -205,7 +205,7 @@ class Text {
                                    : "stays",
            scales_ && swings(v) ? fmt::format("{:.4g} Hz", v.imag() * scales_->frequency / (2.0 * pi)) : ""});
     }
-    std::size_t first = 25, second = 18;  // wider for the few that are, with two spaces after each
+    std::size_t first = 25, second = 18;  // wider for longer entries, with two spaces after each
     for (const auto& row : rows) {
       first = std::max(first, row[0].size() + 2);
       second = std::max(second, row[1].size() + 2);
@@ -259,7 +259,7 @@ class Text {
   std::string text_;
 };
 
-// A value with its SI value and unit, where there are scales.
+// A value with its SI value and unit, if there are scales.
 Json value_json(double value, Dimension d, const std::optional<Scales>& scales) {
   Json json{{"dimensionless", value}};
   if (scales) {

@@ -1,4 +1,4 @@
-// A study explained, for people and for machines.
+// A study explained, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace equipoise {
 
-/// Whether the balls can balance the rotor, in a line.
+/// Whether the balls can balance the rotor, in one line.
 std::string verdict_text(const Explanation& e);
 
-/// For people. Physical units wherever the study has scales.
+/// Text; in physical units wherever the study has scales.
 std::string explain_text(const Explanation& e);
 
-/// For machines.
+/// JSON.
 std::string explain_json(const Explanation& e);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What is in a file, for people and for machines.
+// The content of a file as text and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Maps as text and JSON.
+// Basin slices as text and as JSON.
 #include "equipoise/reports/map_report.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ MapJson axis_json(const SliceAxis& a) {
   return {{"key", a.key}, {"values", values}};
 }
 
-// Rows of a map, as text: a tree of as many numbers would take ten times the room.
+// Rows of a slice as text: a JSON tree of so many numbers would take ten times the memory.
 template <class Cell>
 void add_rows(const BasinSlice& map, std::string& text, const Cell& cell) {
   text += '[';
@@ -61,7 +61,7 @@ void add_number(std::string& text, Number number) {
   fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
-// Where the balls start that no axis and no tie places.
+// Where balls start that neither an axis nor a link places.
 std::string starts_text(const BasinSlice& map) {
   if (draws_starts(map))
     return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
@@ -82,10 +82,10 @@ std::string starts_text(const BasinSlice& map) {
   return together.empty() ? text : text + "Note: " + together + ".\n";
 }
 
-// Those that a stopped run did not come to.
+// Pixels that a stopped run did not reach.
 std::uint64_t open_pixels(const BasinSlice& map) { return map.pixels - map.codes.front().share.total; }
 
-// Of a stopped run whatever the open pixels come to.
+// After a stop: bounds whatever the open pixels come to.
 std::string part_of_map(const BasinSlice& map, const Share& share) {
   const double all = static_cast<double>(map.pixels), count = static_cast<double>(share.count);
   const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
@@ -93,7 +93,7 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
   return fmt::format("{:>10.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
 }
 
-// What the map was made of, beside one run that computes every pixel.
+// How the slice was made, if not by one run that computed every pixel.
 std::string making_text(const BasinSlice& map) {
   std::string text;
   const double all = static_cast<double>(map.pixels);

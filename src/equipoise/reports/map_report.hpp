@@ -1,4 +1,4 @@
-// A map for people and for machines.
+// A basin slice as text and as JSON.
 #pragma once
 
 #include <string>

@@ -22,25 +22,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Attractors with a column of their own in a terminal's table.
+// Number of attractors with their own column in a terminal's table.
 constexpr std::size_t most_columns = 4;  // beside balanced
 
 struct SweepColumn {
   int id = 0;
   std::string title;
-  double sum = 0.0, largest = 0.0;  // of its shares in all cells, and in any
+  double sum = 0.0, largest = 0.0;  // of its shares: sum over all cells, and largest in any cell
   std::size_t cells = 0;            // in which starts came to it
   std::size_t width() const { return std::max<std::size_t>(title.size(), 8); }
 };
 
-// "V2", and with its number the second motion of that alias: "V2 (2)".
+// "V2"; the second motion of that alias with its number: "V2 (2)".
 std::string column_name(const SweepOutcome& o) {
   if (o.alias.empty()) return o.name;
   const std::size_t number = o.name.rfind(" (");
   return number == std::string::npos ? o.alias : o.alias + o.name.substr(number);
 }
 
-// Attractors that some start came to: balanced first, then by their shares over all cells; the rarest have no column.
+// Attractors that some start came to: balanced first, then by their shares over all cells. The rarest have no column.
 struct Columns {
   explicit Columns(const SweepResult& r) {
     std::map<int, SweepColumn> all;
@@ -66,7 +66,7 @@ struct Columns {
   bool stalled = false;
 
  private:
-  // Whatever motions are called, no two columns are called alike.
+  // Makes all column titles different.
   void tell_apart() {
     std::map<std::string, int> titles;
     for (const SweepColumn& column : shown) ++titles[column.title];
@@ -75,7 +75,7 @@ struct Columns {
   }
 };
 
-// Which motions the last column holds, and how much of any cell.
+// The motions in the last column, and their largest share in any cell.
 std::string others_text(const Columns& columns) {
   constexpr std::size_t most_named = 6;
   if (columns.others.empty()) return "";
@@ -121,7 +121,7 @@ std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t 
   return line + fmt::format("  {:>9}\n", percent(cell.undecided.share, 2));
 }
 
-// Lost starts, and what cells have to say.
+// Lost starts, and the cells' notes.
 std::string what_else(const SweepResult& r) {
   std::string text;
   std::uint64_t lost = 0;

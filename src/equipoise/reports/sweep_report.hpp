@@ -1,4 +1,4 @@
-// A sweep for people and for machines.
+// A sweep as text, JSON and CSV.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace equipoise {
 
-/// A line a cell for the terminal.
+/// One line per cell, for the terminal.
 std::string sweep_text(const SweepResult& result);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string sweep_json(const SweepResult& result);
 
-/// A line a cell and outcome, the study before them as comments.
+/// One line per cell and outcome, after the study as comments.
 std::string sweep_csv(const SweepResult& result);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Stated choices for three questions, and their answers by maps and ensembles.
+// Stated choices for three open questions, and answers by basin slices and ensembles.
 #include "equipoise/reproduction/open_questions.hpp"
 
 #include <array>
@@ -35,7 +35,7 @@ SamplingBox stated_box() {
   return box;
 }
 
-// A part's progress is reported under the part's name.
+// A part's progress is reported under its name.
 void use(const OpenQuestionSettings& settings, const std::string& part, RunOptions& options) {
   options.threads = settings.threads;
   options.stop = settings.stop;

@@ -1,4 +1,4 @@
-// The settings of the paper's captions, and the curves that follow.
+// The settings in the paper's captions, and the resulting curves.
 #include "equipoise/reproduction/paper_figures.hpp"
 
 #include <algorithm>
@@ -25,13 +25,13 @@ using model::SpeedLaw;
 constexpr double quarter = 0.5 * pi;
 constexpr std::array both_laws{SpeedLaw::published, SpeedLaw::kinematic};
 constexpr double sampling = 0.1;             // at least fifteen samples in the fastest oscillation of r
-constexpr std::size_t longest_curve = 1800;  // points of a curve in a picture
-constexpr double omitted_duration = 500.0;   // T0 where a caption does not say it
+constexpr std::size_t longest_curve = 1800;  // points per curve in a picture
+constexpr double omitted_duration = 500.0;   // T0 where a caption omits it
 const char* const omitted_reason =
     "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its "
     "tables 5 and 6 share.";
 
-// Smallest and largest of every bucket, in the order in which they come: the envelope survives, whatever the width.
+// Keeps the smallest and largest value of every bucket, in their order: the envelope survives at any width.
 void thin(std::vector<double>& t, std::vector<double>& r) {
   if (t.size() <= longest_curve) return;
   const std::size_t buckets = longest_curve / 2;
@@ -75,8 +75,8 @@ Study ramp_study(double zeta, double beta, double final, double duration, double
   return study;
 }
 
-// A state on the motion that the paper calls `alias`: the first start, in the order of the random ones, that comes to
-// it. V1 lives where the balls are coincident; V4 is met by one start in thirty thousand, so a known one is taken.
+// A state on the motion that the paper calls `alias`: the first random start that comes to it. V1 exists where the
+// balls coincide. V4 is met by one start in thirty thousand, so a known state is used.
 std::optional<Eigen::VectorXd> state_on(const std::string& alias, const model::Parameters& p, double speed,
                                         const StopFlag* stop) {
   constexpr std::uint64_t tries = 400;
@@ -140,7 +140,7 @@ PaperFigure transients_figure(const StopFlag* stop) {
   return figure;
 }
 
-// Of balls released at the end of the ramp and at `early`: one panel a law, one curve a release speed.
+// Balls released at the end of the ramp and at `early`: one panel per law, one curve per release speed.
 void add_releases(PaperFigure& figure, const std::string& title, double zeta, double beta, double final, double early,
                   double until, const StopFlag* stop) {
   for (const SpeedLaw law : both_laws) {

@@ -21,14 +21,14 @@ struct FigurePanel {
 };
 struct PaperFigure {
   std::string id, title, caption;
-  std::string choice;  ///< what the paper's caption leaves open and how it was settled here; empty if nothing
+  std::string choice;  ///< how a gap in the paper's caption was filled here; empty if there is none
   std::vector<FigurePanel> panels;
 };
 
 /// "figure-attractors", "figure-transients", "figure-ball-lag", "figure-release".
 const std::vector<std::string>& paper_figure_ids();
 
-/// Computes a figure's curves, each by simulate(). Empty panels if stopped early. `id`: one of paper_figure_ids().
+/// Computes a figure's curves by simulate(). Panels are empty if stopped early. `id`: one of paper_figure_ids().
 PaperFigure paper_figure(const std::string& id, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Row by row, law by law: an ensemble from a file, or computed.
+// Row by row and law by law: an ensemble, read from a file or computed.
 #include "equipoise/reproduction/reproduce.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor == balanced_id; }
 
-// As many times the starts of a row whose cell differs.
+// Factor on the starts of a row whose cell differs.
 constexpr std::uint64_t follow_up_factor = 5;
 
 class TableRun {
@@ -66,8 +66,8 @@ class TableRun {
     if (error) throw InputError("output", "", options_.folder, "must be a folder that can be written");
   }
 
-  // One table in a hundred shows a cell that differs by chance. So what differs is sampled further, and the larger
-  // sample decides: chance fades in it, a true difference stands out.
+  // By chance, one table in a hundred shows a cell that differs. Such a cell is sampled further, and the larger sample
+  // decides: in it chance fades and a true difference stands out.
   void follow_up(ReproducedTable& table) {
     bool larger = false;
     for (ReproducedRow& row : table.rows)
@@ -90,7 +90,7 @@ class TableRun {
   EnsembleResult ensemble(const ReproducedRow& row, model::SpeedLaw law, std::uint64_t factor = 1) {
     Study study = study_of(*row.published, law);
     study.sampling.starts = factor * starts_of(*row.published);
-    // The constant-speed study has no law to name.
+    // The constant-speed study has no law in its name.
     const std::string name = row.published->study +
                              (study.speed.profile == Profile::constant ? "" : fmt::format("-{}", name_of(law))) +
                              (factor > 1 ? "-follow-up" : "");
@@ -106,7 +106,7 @@ class TableRun {
     return result;
   }
 
-  // A finished ensemble of just as many starts; false if the file holds anything else of the same study.
+  // Reads a finished ensemble of exactly as many starts; false if the file holds anything else of the same study.
   bool stored(const Study& study, const std::string& path, EnsembleResult& result) const {
     if (!std::filesystem::exists(path)) return false;
     const BasinFile file(path, basin_file_header(study, false));
@@ -159,7 +159,7 @@ class TableRun {
     if (options_.progress) options_.progress(progress_);
   }
 
-  // What comes before a row's starts adds nothing to those that are done.
+  // Stages before a row's starts add nothing to the starts done.
   void report_stage(const Progress& stage) const {
     if (!options_.progress) return;
     Progress now = progress_;

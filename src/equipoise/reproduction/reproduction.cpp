@@ -1,4 +1,4 @@
-// The reproduced paper for the terminal and as JSON.
+// The reproduced paper as text for the terminal and as JSON.
 #include "equipoise/reproduction/reproduction.hpp"
 
 #include <algorithm>

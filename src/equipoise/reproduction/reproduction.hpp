@@ -1,4 +1,4 @@
-// All that `equipoise reproduce` found, and its forms for people and for machines.
+// The result of `equipoise reproduce`, and its text and JSON.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,13 @@ struct Picture {
   std::string id, title, path;
 };
 
-/// A row of table 7 under the reading that fits it best of those that test balance: a lead, not a claim.
+/// A row of table 7 under the reading that fits best among those that test balance: a lead, not a claim.
 struct LeadRow {
   std::string label;
   double printed = 0.0;  ///< percent
   Share balanced;
 };
 
-/// All that `equipoise reproduce` found.
 struct Reproduction {
   std::vector<ReproducedTable> tables;
   std::vector<ConclusionRow> conclusions;
@@ -32,14 +31,15 @@ struct Reproduction {
   std::vector<PaperFigure> figures;
   std::optional<OpenQuestions> open;
   std::vector<Picture> pictures;
-  std::string command;                              ///< that made it
-  bool partial = false;                             ///< stopped before all was done
-  double seconds = 0.0, cpu_seconds = 0.0;          ///< of all ensembles, with what earlier runs spent on stored ones
-  double run_seconds = 0.0, run_cpu_seconds = 0.0;  ///< of this run, with figures, maps and what was not stored
+  std::string command;                              ///< the command that made it
+  bool partial = false;                             ///< stopped before everything was done
+  double seconds = 0.0, cpu_seconds = 0.0;          ///< of all ensembles, including earlier runs' time for stored ones
+  double run_seconds = 0.0, run_cpu_seconds = 0.0;  ///< of this run, with figures, slices and ensembles that were not
+                                                    ///< stored
   std::uint64_t starts = 0, ensembles = 0;
   int threads = 0;
   std::string cpu_target;
-  /// A cell that is claimed to agree differs.
+  /// Whether a cell differs although agreement is claimed.
   bool differs() const;
 };
 

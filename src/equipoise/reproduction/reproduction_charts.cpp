@@ -13,7 +13,7 @@ namespace equipoise {
 
 namespace {
 
-// Four steps that differ in colour and in lightness (after M. Okabe, K. Ito, Color Universal Design, 2008).
+// Four colours that differ in hue and in lightness (after M. Okabe, K. Ito, Color Universal Design, 2008).
 constexpr std::array four{"#0072B2", "#D55E00", "#009E73", "#E69F00"};
 
 std::string label_of(const FigureSeries& s) {

@@ -9,13 +9,13 @@
 
 namespace equipoise {
 
-/// Balanced share of every row: printed, published law, kinematic law. None for table 7, whose rows share no axis.
+/// Balanced share of every row: printed, published law, kinematic law. Empty for table 7, whose rows share no axis.
 std::optional<Chart> table_chart(const ReproducedTable& table);
 
-/// One chart a panel.
+/// One chart per panel.
 std::vector<Chart> figure_charts(const PaperFigure& figure);
 
-/// Balanced share against speed, of starts in the box and at rest.
+/// Balanced share against speed, for starts in the box and at rest.
 Chart box_chart(const OpenQuestions& open);
 
 /// Columns panel, series, law, t, r, after comment lines with the caption and every curve's study.

@@ -1,4 +1,4 @@
-// What the report says, block by block.
+// The report, block by block.
 #include "equipoise/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Answer = ConclusionResult::Answer;
 DocumentCell text(const std::string& words, Tone tone = Tone::plain) { return {words, tone, false}; }
 DocumentCell number(const std::string& words) { return {words, Tone::plain, true}; }
 
-// A row's name: on one line where there is room.
+// A row's name, on one line where there is room.
 DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
 
 std::string picture_of(const Reproduction& r, const std::string& id) {
@@ -106,7 +106,7 @@ void laws(const Reproduction& r, Document& d) {
   d.blocks.push_back(std::move(table));
 }
 
-// Table 7's own section: what a fit gives, and how little that says.
+// The section on table 7: what a fit gives, and how little that proves.
 void table_7_evidence(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{3, "Table 7: the best lead, and why it is none", "table-7-evidence"});
   d.blocks.push_back(
@@ -241,7 +241,7 @@ void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::opt
   if (!e) return;
   const auto lost = e->lost();
   DocumentCell study = text(row.published->study);
-  // As the explorer writes its own address (web/src/setting/setting.ts).
+  // The same address as the explorer writes (web/src/setting/setting.ts).
   if (!explorer.empty())
     study.link = fmt::format("{}#study={}{}", explorer, row.published->study,
                              ramps ? fmt::format("&set=speed.law%3D{}", law) : "");

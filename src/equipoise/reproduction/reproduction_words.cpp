@@ -119,13 +119,13 @@ std::string balanced_by_angle(const BasinSlice& map) {
                      of_at_least(1), map.study.parameters.total_mass());
 }
 
-// How far, of what all balls together can cancel, and whether something balances beyond.
+// How much of what all balls together can cancel is balanced, and whether anything balances beyond.
 std::string balanced_by_mass(const BasinSlice& map) {
   const int balls = map.study.parameters.balls;
-  std::vector<std::pair<double, double>> ends;  // of what they can cancel; mu
+  std::vector<std::pair<double, double>> ends;  // as a part of what they can cancel; mu
   int again = 0;
   for (int row = 0; row < map.y.pixels; ++row) {
-    // What is not decided ends no stretch.
+    // An undecided pixel ends no stretch.
     const auto code = [&](int column) { return map.code[map.at(column, row)]; };
     int last = -1;
     bool ended = false, returns = false;

@@ -32,7 +32,7 @@ std::uint64_t called_balanced(const Observation& observation, const Table7Test& 
   const auto first = static_cast<std::size_t>(std::lround(test.from / observation.window));
   const auto end = static_cast<std::size_t>(std::lround(test.to / observation.window));
   const auto limit = static_cast<float>(test.tolerance * test.tolerance);
-  const auto passes = [&](float r2) { return r2 < limit; };  // not-a-number does not
+  const auto passes = [&](float r2) { return r2 < limit; };  // NaN does not pass
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < observation.starts; ++i) {
     const std::size_t row = i * observation.windows;

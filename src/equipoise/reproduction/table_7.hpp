@@ -10,16 +10,16 @@
 
 namespace equipoise {
 
-/// A row as printed: the ramp function rises from 0 to 3 until T0, stays until T1 and falls to 2 until T2.
+/// A printed row: the ramp function rises from 0 to 3 until T0, stays until T1 and falls to 2 until T2.
 struct Table7Row {
   double t0, t1, t2;
-  double printed;  ///< balanced, in percent, of 300 000 starts
+  double printed;  ///< balanced, in percent of 300 000 starts
 };
 inline constexpr std::array<Table7Row, 4> table_7_rows{
     {{50, 400, 500, 98.43}, {100, 300, 500, 97.19}, {100, 400, 500, 97.64}, {200, 400, 500, 93.64}}};
 
-/// A test of balance at a finite time: r below `tolerance` throughout [from, to], multiples of table_7_window, or at
-/// the one time where both are equal.
+/// A test of balance at a finite time: r stays below `tolerance` throughout [from, to], multiples of table_7_window, or
+/// at one time if both are equal.
 struct Table7Test {
   double from, to, tolerance;
 };
@@ -34,8 +34,8 @@ struct LeadReading {
 };
 
 /// The best lead, not a claim: kinematic law, balls released at 2.2, balanced if r stays below 0.00134 from t = 630 to
-/// 730. The release was chosen among 96 protocols, time and tolerance were FITTED to the printed shares; none is in the
-/// paper's text. From starts 0 .. starts - 1 of seed 1. Throws RunError if stopped early.
+/// 730. The release was chosen among 96 protocols; time and tolerance were FITTED to the printed shares; none is in the
+/// paper's text. Uses starts 0 .. starts - 1 of seed 1. Throws RunError if stopped early.
 std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads = 0, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// The paper from its first table to the questions it leaves open: what is asked for, done in its order and added up.
+// The whole paper, from its first table to its open questions: computes what is asked for, in order, and sums it up.
 #include <algorithm>
 #include <chrono>
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int last_table = 7;
 
-// Starts a row from which the best lead on table 7 is computed anew: enough for half-widths of .2 to .4 points.
+// Starts per row for recomputing the best lead on table 7: enough for half-widths of .2 to .4 points.
 constexpr std::uint64_t lead_starts = 20000;
 
 void total(Reproduction& r) {
@@ -78,7 +78,7 @@ class WholePaper {
         r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
                                   reading.row.printed, reading.balanced});
     } catch (const RunError&) {
-      if (!stopped()) throw;  // stopped: what is there so far counts
+      if (!stopped()) throw;  // stopped: results so far are valid
     }
   }
 

@@ -1,4 +1,4 @@
-// Basin results: what is finished in NetCDF, what is new in a journal, read as one.
+// Basin results: finished ones in NetCDF, new ones in a journal, read as one.
 #include "equipoise/result_files/basin_file.hpp"
 
 #include <algorithm>
@@ -124,8 +124,7 @@ void BasinFile::State::read_journal() {
   for (const io::Journal::Record& record : journal->records()) take(record);
 }
 
-// A run that was killed between putting its results in place and removing its journal left both: what is known
-// already is passed over.
+// A run killed between writing its results and removing its journal leaves both. Records in the results are skipped.
 void BasinFile::State::take(const io::Journal::Record& record) {
   using Kind = io::Journal::Kind;
   if (record.kind == Kind::note) return;
@@ -167,7 +166,7 @@ void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t coun
     first += part;
     count -= part;
   }
-  std::size_t before = 0;  // bytes a start of the columns before this one
+  std::size_t before = 0;  // bytes per start in the columns before this one
   for (std::size_t j = 0; j < k; ++j) before += columns[j].bytes();
   auto piece = std::upper_bound(pieces.begin(), pieces.end(), first,
                                 [](std::uint64_t value, const Piece& p) { return value < p.first + p.count; });
@@ -229,7 +228,7 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   return fates;
 }
 
-// What has no value is missing in the file: every figure of a start that was lost, the settling time of one that did
+// A figure is missing in the file if it has no value: all of a start that was lost, the settling time of one that did
 // not settle, the time above a limit of one that stays above it.
 std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::size_t count) const {
   std::vector<TransientRow> rows(count);
@@ -286,7 +285,7 @@ bool BasinFile::complete() const {
   return state_->file && unfinished() == 0 && state_->file->attribute("complete") == "yes";
 }
 
-// What a count does not tell.
+// Everything about a share except its count.
 void BasinFile::State::read_share(std::size_t k, Share& share) const {
   const std::size_t kinds = file->length("outcome_kind");
   const auto get = [&](const std::string& name, double& value) {

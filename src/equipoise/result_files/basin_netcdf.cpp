@@ -21,7 +21,7 @@ namespace equipoise::io {
 
 namespace {
 
-// Starts that are copied at once.
+// Starts copied at a time.
 constexpr std::size_t block = 65536;
 
 class BasinWriter {
@@ -46,7 +46,7 @@ class BasinWriter {
   }
 
  private:
-  // Whole numbers as such as far as they go, which is for any run of this century.
+  // Counts are integers as far as those go, which is enough for any run of this century.
   bool counts_are_short() const { return c_.starts <= static_cast<std::uint64_t>(std::numeric_limits<int>::max()); }
   int count_type() const { return counts_are_short() ? NC_INT : NC_DOUBLE; }
 
@@ -91,7 +91,7 @@ class BasinWriter {
       if (std::string_view(c.name) == "decided_by") describe_grounds(columns_.back());
       if (c.type == NC_FLOAT) file_.fill(columns_.back(), &missing_figure);
     }
-    file_.leave_unfilled();  // a fill value turns filling on
+    file_.leave_unfilled();  // setting a fill value turns filling on
   }
 
   void describe_outcomes(int variable) {
@@ -121,7 +121,7 @@ class BasinWriter {
       kind_share_[k] = file_.variable(std::string("kind_") + share_columns[k].name, NC_DOUBLE, {kind}, "1",
                                       share_columns[k].of_ensemble);
     define_left_unbalance(kind);
-    if (random_) return;  // those alone need no more than their counts
+    if (random_) return;  // random starts need no more than their counts
     kind_interval_ =
         file_.text_variable("kind_interval", kind, intervals_,
                             "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
@@ -159,7 +159,7 @@ class BasinWriter {
     say("sampling_points_per_replicate", fmt::format("{}", c_.starts / sobol_replicates));
   }
 
-  // Dimensionless like all else; a study in physical units says what the units are worth.
+  // Dimensionless like everything else; a study in physical units states its scales.
   void define_transients() {
     const auto say = [&](const char* name, double value) {
       file_.attribute(NC_GLOBAL, name, fmt::format("{}", value));

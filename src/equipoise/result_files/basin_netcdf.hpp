@@ -11,7 +11,7 @@
 
 namespace equipoise::io {
 
-/// All that such a file says.
+/// The content of such a file.
 struct BasinContents {
   const BasinFileHeader& header;
   const std::vector<StartColumn>& columns;

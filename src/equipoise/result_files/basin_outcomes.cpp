@@ -1,4 +1,4 @@
-// Outcomes out of a file of results.
+// Reads outcomes from a file of results.
 #include "equipoise/result_files/basin_outcomes.hpp"
 
 #include <cstddef>

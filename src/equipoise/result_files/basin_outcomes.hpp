@@ -1,4 +1,4 @@
-// What every start of an ensemble came to, and no more: to be compared with another.
+// The outcome of every start of an ensemble, and nothing else, for comparison with another.
 #pragma once
 
 #include <map>
@@ -11,16 +11,16 @@ namespace equipoise {
 
 struct BasinOutcomes {
   Study study;
-  std::vector<short> outcome;  ///< of start i: an attractor's identifier, or undecided_code and its like
+  std::vector<short> outcome;  ///< of start i: an attractor's identifier, or a code such as undecided_code
   struct Name {
     std::string name, alias;
   };
-  std::map<short, Name> names;  ///< of all outcomes that there are
-  std::string own_starts;       ///< of starts that were the caller's: their number and checksum
+  std::map<short, Name> names;  ///< of all outcomes that occur
+  std::string own_starts;       ///< for the caller's own starts: their number and checksum
   bool partial = false;
 };
 
-/// Of a file that basin() wrote and finished. Throws InputError, naming the file, if it is none or is damaged.
+/// Reads a file that basin() finished. Throws InputError, naming the file, for other or damaged files.
 BasinOutcomes read_basin_outcomes(const std::string& path);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Kinds of files by what stands in them.
+// Recognises kinds of files by their content.
 #include "equipoise/result_files/inspection.hpp"
 
 #include <array>
@@ -36,7 +36,7 @@ std::string kind_of(const io::NetcdfFile& file) {
   return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
 }
 
-// `before`: what the names of their variables begin with.
+// `before`: prefix of their variables' names.
 void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
   const std::size_t kinds = file.length("outcome_kind");
   const int codes = file.variable(before + "code", NC_SHORT, {kinds}),

@@ -1,4 +1,4 @@
-// A look at any file that this program leaves.
+// Inspects any file that this program writes.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace equipoise {
 
-/// Damage is told, not thrown: what is sound of an unfinished file is counted. Changes nothing. Throws InputError for
-/// what cannot be read, is in use, or is no file of results.
+/// Damage is reported, not thrown: the sound part of an unfinished file is counted. Changes nothing. Throws InputError
+/// for files that cannot be read, are in use, or hold no results.
 Inspection inspect_file(const std::string& path);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Identities written and compared key by key.
+// Writes identities, and compares them key by key.
 #include "equipoise/result_files/result_identity.hpp"
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace equipoise::io {
 
 namespace {
 
-// More than these would hide which differ.
+// More would hide which ones differ.
 constexpr std::size_t most_told = 3;
 
 std::map<std::string, std::string> values_of(const std::string& identity) {

@@ -1,4 +1,4 @@
-// What files say of a share: one line each, for ensembles and for cells of sweeps.
+// The numbers of a share in files: one line each, for ensembles and for cells of sweeps.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace equipoise::io {
 
 struct ShareColumn {
-  const char* name;  ///< of a sweep's variable; of an ensemble's behind "kind_"
+  const char* name;  ///< a sweep's variable; an ensemble's has "kind_" before it
   double Share::*value;
   const char* of_ensemble;  ///< long_name
   const char* of_cell;

@@ -1,4 +1,4 @@
-// Dimensions, variables and attributes of a map; its rows as they come, and as they are asked for.
+// Dimensions, variables and attributes of a basin slice; its rows written as they come, and read on demand.
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -27,7 +27,7 @@ const std::string& whole_map_file(const std::string& path) {
   return path;
 }
 
-// flag_meanings are words with blanks between them.
+// flag_meanings are words separated by blanks.
 std::string slice_flag_meanings(const std::vector<OutcomeShare>& codes) {
   std::string text;
   for (const OutcomeShare& c : codes) text += (text.empty() ? "" : " ") + flag_word(c.name);

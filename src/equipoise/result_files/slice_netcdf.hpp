@@ -1,4 +1,4 @@
-// The NetCDF file of a map, written and read some rows at a time.
+// The NetCDF file of a basin slice, written and read some rows at a time.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace equipoise::io {
 
-/// What a map's file says beside its pixels.
+/// What a slice's file states besides its pixels.
 struct SliceFileHeader {
   std::string study;  ///< resolved, as TOML
   SliceAxis x, y;
@@ -20,21 +20,21 @@ struct SliceFileHeader {
   int block = 0;           ///< BasinSlice::block
   std::string arithmetic;  ///< BasinFileHeader::arithmetic
   bool one_rotor = true;
-  SlicePixel rotor{};  ///< if so, its numbers
+  SlicePixel rotor{};  ///< for one rotor: its numbers
 };
 
-/// All that decides what stands in a pixel but its place, and that with the places; a key a line as in a study.
+/// Everything that determines a pixel except its place, and the same with the places; one key per line, as in a study.
 std::string subject_of(const SliceFileHeader& header);
 std::string identity_of(const SliceFileHeader& header);
 
-/// A new file, which takes its place with finish().
+/// Writes a new file, which finish() puts in its place.
 class SliceWriter {
  public:
-  /// `codes`: all that pixels may have but not_computed_code; their shares are not known yet. Throws RunError if there
-  /// is no room, as do all others.
+  /// `codes`: all codes that pixels may have except not_computed_code; their shares are not known yet. Throws RunError
+  /// if the file cannot be written, as do the other members.
   SliceWriter(const std::string& path, const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
               const std::vector<std::vector<double>>& discoveries, bool complete);
-  /// Every row once.
+  /// Every row must be written once.
   void write_rows(int first, int rows, const SlicePixel* pixels);
   /// Codes as before, with shares.
   void finish(const std::vector<OutcomeShare>& codes);
@@ -58,10 +58,10 @@ class SliceWriter {
   int code_ = -1, name_ = -1, alias_ = -1, share_ = -1, discovery_ = -1;
 };
 
-/// A file that such a writer finished.
+/// Reads a file that a SliceWriter finished.
 class SliceReader {
  public:
-  /// Throws InputError, naming the file, if it is none or damaged.
+  /// Throws InputError, naming the file, for other or damaged files.
   explicit SliceReader(const std::string& path);
 
   std::string identity() const { return file_.attribute("identity"); }
@@ -69,7 +69,7 @@ class SliceReader {
   bool complete() const { return file_.attribute("complete") == "yes"; }
   const SliceAxis& x() const { return x_; }
   const SliceAxis& y() const { return y_; }
-  /// Attractors alone.
+  /// Attractors only.
   std::vector<OutcomeShare> codes() const;
   std::vector<std::vector<double>> discoveries() const;
   void read_rows(int first, int rows, SlicePixel* pixels) const;

@@ -13,14 +13,14 @@ namespace equipoise {
 
 struct BasinFileHeader;
 
-/// Starts in a row, as they come from a run. Every array has `count` entries or, where said, so many a start.
+/// Consecutive starts, as they come from a run. Every array has `count` entries or, where stated, so many per start.
 struct StartBatch {
   std::size_t count = 0;
-  const double* phi = nullptr;  ///< initial ball angles, one a ball
+  const double* phi = nullptr;  ///< initial ball angles, one per ball
   const Fate* fates = nullptr;
   const double* rotor = nullptr;    ///< with full_starts: x, y, x_dot, y_dot
-  const double* phi_dot = nullptr;  ///< with full_starts: one a ball
-  const double* psi = nullptr;      ///< of starts that are the caller's
+  const double* phi_dot = nullptr;  ///< with full_starts: one per ball
+  const double* psi = nullptr;      ///< of the caller's own starts
   const double* weight = nullptr;   ///< on a grid
   const TransientRow* rows = nullptr;
   const double* drawn = nullptr;  ///< with uncertain values: one each
@@ -44,10 +44,10 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header);
 /// The batch column by column, as an unfinished file holds it.
 std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& batch);
 
-/// The fate that a code stands for. False for what is none.
+/// The fate that a code stands for. False if the code is unknown.
 bool fate_from(short code, signed char by, double time, Fate& fate);
 
-/// Stands where a start has no value of a transient figure.
+/// Marks a transient figure that a start does not have.
 extern const float missing_figure;
 
 }  // namespace io

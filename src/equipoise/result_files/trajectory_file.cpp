@@ -39,7 +39,7 @@ void write_csv(std::ostream& out, const Trajectory& r) {
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
     line.clear();
   }
-  out.write(line.data(), static_cast<std::streamsize>(line.size()));  // the header alone, if there were no rows
+  out.write(line.data(), static_cast<std::streamsize>(line.size()));  // only the header, if there were no rows
 }
 
 void write_csv_file(const std::string& path, const Trajectory& trajectory) {

@@ -12,7 +12,7 @@ namespace equipoise {
 /// bits.
 void write_csv(std::ostream& out, const Trajectory& trajectory);
 
-/// The same to a file, which it replaces once all is written. Throws RunError if it cannot be.
+/// The same to a file, replaced once everything is written. Throws RunError if it cannot be written.
 void write_csv_file(const std::string& path, const Trajectory& trajectory);
 
 /// The same as NetCDF with coordinate t, `study` (TOML) as an attribute. Replaces an existing file.

@@ -1,4 +1,4 @@
-// Large maps made small.
+// Thins large basin slices.
 #include "equipoise/results/basin_slice.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ SliceAxis thinned(const SliceAxis& axis, int every) {
 
 BasinSlice thinned(const BasinSlice& map, int most) {
   const int most_pixels = std::max(map.x.pixels, map.y.pixels), least = std::min(map.x.pixels, map.y.pixels);
-  const int every = std::min((most_pixels + most - 1) / most, least);  // of either side one is left
+  const int every = std::min((most_pixels + most - 1) / most, least);  // at least one pixel of either side is left
   if (every <= 1) return map;
   BasinSlice result;
   result.study = map.study;

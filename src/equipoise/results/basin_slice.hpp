@@ -1,4 +1,4 @@
-// A plane of starts or parameters with the outcome of one start at every pixel.
+// A basin slice: a plane of starts or parameters with the outcome of one start at every pixel.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace equipoise {
 
 inline constexpr int most_slice_pixels = 20000;  ///< along one side
 
-/// A quantity that varies along one side of a map.
+/// A quantity that varies along one side of a basin slice.
 struct SliceAxis {
   std::string key;  ///< of rotor, balancer, speed or initial that takes a number; initial.phi_1 for one ball's angle,
                     ///< initial.phi_dot_1 for its rate
@@ -36,7 +36,7 @@ struct AngleLink {
   double offset = 0.0;
 };
 
-/// Marks pixels that a stopped run did not come to.
+/// Marks pixels that a stopped run did not reach.
 inline constexpr short not_computed_code = -32768;
 
 /// What a pixel's start came to.
@@ -45,7 +45,7 @@ struct SlicePixel {
   bool computed = false;                                 ///< followed, not filled in between others
   float time = std::numeric_limits<float>::quiet_NaN();  ///< study time at which the outcome was known
   float r_max = time;                                    ///< of the final motion
-  float balance_margin = time, balance_growth = time;    ///< as in BasinSlice, where they differ from pixel to pixel
+  float balance_margin = time, balance_growth = time;    ///< as in BasinSlice, where they differ between pixels
 };
 
 /// The numbers of a pixel, as files name them.
@@ -73,18 +73,19 @@ void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
     if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k].value);
 }
 
-/// Rows follow y, pixels within a row x. What is not a number has no value there.
+/// Rows follow y, pixels within a row x. NaN means no value.
 struct BasinSlice {
-  Study study;     ///< as given; the values of the two keys in it play no part
+  Study study;     ///< as given; its values of the two keys play no part
   SliceAxis x, y;  ///< of the pixels that are here
-  int every = 1;   ///< of a large map that is in a file only every so many-th row and column is here
+  int every = 1;   ///< of a large slice in a file, only every so many-th row and column is here
   std::vector<AngleLink> links;
-  int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: none were
+  int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: no blocks
   std::vector<short> code;
-  std::vector<bool> computed;  ///< of a map with blocks: whether a pixel was computed; else empty
-  std::vector<float> time;     ///< study time at which the outcome was known; none where it was filled in
+  std::vector<bool> computed;  ///< of a slice with blocks: whether a pixel was computed; else empty
+  std::vector<float> time;     ///< study time at which the outcome was known; NaN where it was filled in
   std::vector<float> r_max;    ///< of the final motion; likewise
-  /// lambda + sum mu_i - 2 max(lambda, mu_i): balance exists where >= 0. One value where all pixels share a rotor.
+  /// lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where >= 0. One value if all pixels share a
+  /// rotor.
   std::vector<float> balance_margin;
   /// Largest real part of an eigenvalue at the more stable of the isolated balanced states; not a number where there
   /// are none. One value where all pixels share a rotor.
@@ -94,10 +95,10 @@ struct BasinSlice {
   std::vector<OutcomeShare> codes;
   SliceFigures figures;  ///< of the whole map, if it is complete
   bool complete = true;
-  bool read_whole = false;                        ///< nothing was computed: the output held all of it
+  bool read_whole = false;                        ///< nothing was computed: the output held everything
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
-  std::uint64_t pixels_kept = 0;                  ///< of those computed, how many earlier runs had left in the output
-  std::uint64_t pixels_reused = 0;                ///< and how many were taken from another map's file
+  std::uint64_t pixels_kept = 0;                  ///< computed pixels that earlier runs left in the output
+  std::uint64_t pixels_reused = 0;                ///< computed pixels taken from another slice's file
   int threads = 1;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this call
   std::string cpu_target;                   ///< instruction set used
@@ -107,16 +108,16 @@ struct BasinSlice {
   }
 };
 
-/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: where both axes are
-/// parameters and the study does not say where the balls start. One start at all pixels would stand for no other.
+/// Whether every pixel draws its own start, by its number (row by row from 0) and the study's seed: if both axes are
+/// parameters and the study does not say where the balls start. One start for all would represent no other.
 bool draws_starts(const BasinSlice& map);
 
-/// The axis of every `every`-th pixel of another: their centres are where they were.
+/// The axis of every `every`-th pixel of another; their centres stay in place.
 SliceAxis thinned(const SliceAxis& axis, int every);
 /// The first of these pixels.
 inline int first_of(int every) { return every / 2; }
 
-/// As few of the rows and columns of a map, at even distances, as leave at most `most` along either side.
+/// Keeps rows and columns at even distances, so that at most `most` are left along either side.
 BasinSlice thinned(const BasinSlice& map, int most);
 
 }  // namespace equipoise

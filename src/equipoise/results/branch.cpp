@@ -1,4 +1,4 @@
-// Names of what happens on a branch, its ranges, its numbers.
+// Names of events on a branch, its ranges, its numbers.
 #include "equipoise/results/branch.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<ValueRange> ranges_of(const Branch& branch) {
   const bool before_points = first != branch.events.end() && first->middle() < points.front().value;
   const bool stable = before_points ? first->change == BranchChange::stability_lost : points.front().motion.stable;
   std::vector<ValueRange> ranges{{points.front().value, points.front().value, stable}};
-  // Stability may be lost and gained again between two points, or between the last one and the end.
+  // Stability may be lost and regained between two points, or between the last point and the end.
   auto event = branch.events.begin();
   const auto pass_events = [&](double until) {
     for (; event != branch.events.end() && event->middle() < until; ++event) {
@@ -72,7 +72,7 @@ double growth_rate(const Motion& motion) {
 }
 
 double largest_multiplier(const Motion& motion) {
-  constexpr double unit_multiplier = 1e-7;  // those along a continuum of balanced states differ by less from 1
+  constexpr double unit_multiplier = 1e-7;  // along a continuum of balanced states multipliers differ from 1 by less
   if (motion.orbit.nodes.empty()) return std::numeric_limits<double>::quiet_NaN();
   for (const auto& value : motion.orbit.decays())
     if (motion.kind == MotionKind::periodic || std::abs(value - 1.0) >= unit_multiplier) return std::abs(value);

@@ -1,4 +1,4 @@
-// What the parameters that branches are followed along are called.
+// Labels of the parameters that branches are continued along.
 #include "equipoise/results/branches_result.hpp"
 
 namespace equipoise {

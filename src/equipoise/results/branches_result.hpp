@@ -1,4 +1,4 @@
-// What a search for attractors along a parameter answered.
+// The result of a continuation along a parameter.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 namespace equipoise {
 
 struct ContinuationResult {
-  Study study;                 ///< as given; the parameter's own value in it plays no part
+  Study study;                 ///< as given; its own value of the parameter plays no part
   std::string key;             ///< of the parameter
   std::vector<double> values;  ///< rising
   double step = 0.0;
-  std::uint64_t starts = 0;      ///< random ones searched at every value and half-way between
+  std::uint64_t starts = 0;      ///< random starts searched at every value and half-way between
   std::vector<Branch> branches;  ///< by identifier
-  bool partial = false;          ///< stopped before all was followed
+  bool partial = false;          ///< stopped before everything was continued
   double seconds = 0.0;
   int threads = 1;
   std::string cpu_target;
 };
 
-/// "final rotor speed Omega / critical speed" and its like; the key itself for parameters without a name here.
+/// "final rotor speed Omega / critical speed" and so on; the key itself for parameters without a label.
 std::string parameter_label(const std::string& key);
 
 }  // namespace equipoise

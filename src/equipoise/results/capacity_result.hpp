@@ -13,33 +13,33 @@
 
 namespace equipoise {
 
-/// One ensemble on the way to it.
+/// One ensemble of the search.
 struct CapacityTrial {
   double value = 0.0;
   Share balanced, undecided;  ///< of no starts if `unstable`
-  bool unstable = false;      ///< no balanced state attracts there: none of its starts were followed
-  /// On the motions found, where the search at a neighbouring value begins.
+  bool unstable = false;      ///< no balanced state attracts there: no start was followed
+  /// States on the motions found, from which the search at a neighbouring value begins.
   std::vector<std::vector<double>> states;
 
-  /// What the balanced share is at most, whatever undecided starts would come to.
+  /// Upper bound on the balanced share, whatever undecided starts would come to.
   double most() const { return unstable ? 0.0 : balanced.most; }
 };
 
-/// The boundary in one cell: below it the balanced share of the starts is as large as asked at every value tried.
+/// The boundary in one cell: at every value tried below it, the balanced share is as large as required.
 struct CapacityCell {
   std::vector<CapacityTrial> trials;  ///< by value
-  /// Where the share falls short, half-way between the last value that does not and the first that does; none where it
-  /// does at the least value already, or nowhere.
+  /// Where the share falls short: half-way between the last value that does not and the first that does. Empty if it
+  /// does so at the least value already, or nowhere.
   std::optional<double> value;
   /// With 95 % confidence at each end: the last value at which the share is surely as large, whatever undecided starts
-  /// would come to, and the first at which it is surely smaller; the ends of the range where there are none.
+  /// would come to, and the first at which it is surely smaller. The ends of the range if there are none.
   double low = 0.0, high = 0.0;
-  bool always = false;  ///< as large up to the end of the range: the capacity is beyond it
-  bool never = false;   ///< smaller from its begin on
+  bool always = false;  ///< as large up to the end of the range: the capacity lies beyond
+  bool never = false;   ///< smaller from the start of the range
 };
 
-/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high: none where no value tried says so.
-/// More trials only bring the two closer.
+/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high; empty if no value tried shows it. More
+/// trials only bring the two closer.
 struct OpenCapacity {
   std::optional<double> low, high;
   std::size_t trials = 0;
@@ -47,15 +47,15 @@ struct OpenCapacity {
 
 struct CapacityResult {
   Study study;
-  std::string key, unit;  ///< of what is asked for, and of its values
+  std::string key, unit;  ///< the key asked for, and the unit of its values
   double from = 0.0, to = 0.0, precision = 0.0;
   double at_least = 0.95;
-  std::uint64_t starts = 0;  ///< of every ensemble
+  std::uint64_t starts = 0;  ///< of each ensemble
   std::vector<SweepAxis> axes;
-  std::vector<std::optional<CapacityCell>> cells;  ///< as of a sweep
-  std::vector<std::optional<OpenCapacity>> open;   ///< of cells that were begun and not done
+  std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep
+  std::vector<std::optional<OpenCapacity>> open;   ///< for cells that were begun and not finished
   std::uint64_t trials = 0;                        ///< made in this run
-  std::uint64_t most_trials = 0;                   ///< that all cells take
+  std::uint64_t most_trials = 0;                   ///< number that all cells take
   std::uint64_t resumed_trials = 0;                ///< read from an earlier run's file
   int threads = 0;
   std::string cpu_target;

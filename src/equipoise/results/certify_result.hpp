@@ -33,11 +33,11 @@ struct CertifyResult {
   Study study;
   double speed = 0.0;                ///< final speed of the study
   std::vector<StateProof> states;    ///< one for each stable state that is no copy
-  std::vector<MemberProof> members;  ///< of a continuum, drawn evenly; nothing is said of others
-  std::string note;                  ///< why there is no state to prove anything of
+  std::vector<MemberProof> members;  ///< of a continuum, drawn evenly; says nothing of other members
+  std::string note;                  ///< why there is no state to prove anything about
   bool partial = false;              ///< stopped before every state was tried
-  /// There is a stable state, and each has a proof that was checked. Of a continuum: of each member drawn it is proved
-  /// whether it attracts, and some do.
+  /// Whether there is a stable state and each has a checked proof. For a continuum: whether each member drawn is proved
+  /// to attract or not, and some attract.
   bool proved() const;
   /// Members that are proved to attract, or to be unstable.
   int attracting() const { return members_proved(true); }
@@ -54,7 +54,7 @@ struct CertificateFile {
   std::vector<CertificateResult> checks;
   std::vector<MemberCertificate> members;
   std::vector<CertificateResult> member_checks;
-  /// All of them hold.
+  /// Whether all of them are valid.
   bool proved() const;
 };
 

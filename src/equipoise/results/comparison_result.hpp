@@ -28,17 +28,17 @@ struct ChangedFate {
 
 struct ComparisonResult {
   Study first, second;
-  /// Whether start i began alike in both: same seed, method, balls and box. Differences are then of pairs, else of
-  /// independent samples.
+  /// Whether start i began alike in both (same seed, method, balls and box): differences are then paired, else
+  /// independent.
   bool common = false;
-  std::string why_not_common;  ///< if so
-  std::uint64_t starts = 0;    ///< compared: of common ones as many as both have
+  std::string why_not_common;  ///< if not
+  std::uint64_t starts = 0;    ///< starts compared: if common, as many as both have
   std::vector<ComparedShare>
-      shares;                    ///< as the first study lists them, then the second's own, undecided and its like last
-  std::optional<Share> changed;  ///< of common starts, those that ended otherwise
+      shares;                    ///< in the first study's order, then the second's own, outcomes without attractor last
+  std::optional<Share> changed;  ///< of common starts, those with another outcome
   std::vector<ChangedFate> changes;     ///< the most frequent first
-  std::optional<std::size_t> balanced;  ///< place of balance among `shares`
-  /// Of its difference: bounds at 95 % whatever undecided starts would come to.
+  std::optional<std::size_t> balanced;  ///< index of balance in `shares`
+  /// For its difference: bounds at 95 % whatever undecided starts would come to.
   double surely_low = -1.0, surely_high = 1.0;
   bool partial = false;
 };

@@ -1,4 +1,4 @@
-// What a design answered: the candidates that no other beats, the one chosen, how far it may be off, what limits it.
+// The result of a design: the candidates that no other beats, the chosen one, its margins, and what limits it.
 #pragma once
 
 #include <array>
@@ -13,13 +13,12 @@
 
 namespace equipoise {
 
-/// A spin-up that is free between two speeds: piecewise linear over `points` points, then constant. Times and speeds in
-/// the units of the design.
+/// A spin-up free between two speeds, piecewise linear over `points` points, then constant; in the design's units.
 struct SpinUpShape {
   int points = 1;
-  double until = 0.0;            ///< when the final speed is reached at the latest
+  double until = 0.0;            ///< latest time at which the final speed is reached
   double low = 0.0, high = 0.0;  ///< of the points' speeds
-  std::optional<double> slope;   ///< largest change of speed in a unit of time
+  std::optional<double> slope;   ///< largest change of speed per time
   double initial = 0.0, final = 0.0;
   std::string time_unit;
   std::optional<std::string> law;  ///< speed.law, if the study states it
@@ -34,11 +33,11 @@ struct DesignVariable {
   std::string unit;  ///< of quantities; empty for plain numbers
   double low = 0.0, high = 0.0;
   bool logarithmic = false, whole = false;
-  std::vector<StudyValue> choices;     ///< if these are all the values that there are
+  std::vector<StudyValue> choices;     ///< if these are the only values allowed
   std::optional<SpinUpShape> spin_up;  ///< `unit`, `low` and `high` are of its speeds
 };
 
-/// One variable's value in a candidate: as a study has it; of a spin-up a table of times and speeds.
+/// One variable's value in a candidate, as in a study; for a spin-up a table of times and speeds.
 struct DesignSetting {
   std::string key;
   StudyValue value;
@@ -52,7 +51,7 @@ struct DesignFigure {
   bool share = false;
 };
 
-/// A figure with its 95 % interval; both ends equal the value where nothing is drawn.
+/// A figure with its 95 % interval; without random draws both ends equal the value.
 struct DesignEstimate {
   double value = 0.0, low = 0.0, high = 0.0;
 };
@@ -63,12 +62,12 @@ struct DesignLimit {
   std::optional<double> below, above;
 };
 
-/// What an ensemble says of a candidate.
+/// Figures of a candidate from one ensemble.
 struct DesignSample {
   std::uint64_t starts = 0;
-  std::vector<DesignEstimate> figures;  ///< by DesignResult::figures; empty if this is no study
+  std::vector<DesignEstimate> figures;  ///< by DesignResult::figures; empty if the candidate is no valid study
   DesignEstimate undecided;
-  std::string note;  ///< why no start can end balanced, or why this is no study
+  std::string note;  ///< why no start can end balanced, or why the study is invalid
 };
 
 struct DesignCandidate {
@@ -79,34 +78,34 @@ struct DesignCandidate {
   const DesignSample& best_known() const { return held_out ? *held_out : search; }
 };
 
-/// The chosen candidate with one number of it changed.
+/// The chosen candidate with one of its numbers changed.
 struct DesignPoint {
   double value = 0.0;
-  std::string given;  ///< as a study has it
+  std::string given;  ///< as in a study
   DesignSample sample;
 };
 struct DesignMargin {
   std::string key;  ///< "balancer.drag", "speed.speeds[1]": the second point
   std::string unit;
-  double value = 0.0, low = 0.0, high = 0.0;  ///< chosen; the range looked at
+  double value = 0.0, low = 0.0, high = 0.0;  ///< the chosen value; the range examined
   std::vector<DesignPoint> points;            ///< by value, without the chosen one
-  DesignSample here;                          ///< the chosen one, from as many starts as these
-  /// How far it may go with all requirements kept, at the values tried: the last that keeps them on either side, and
-  /// what fails beyond; empty: nothing within the range. Without requirements: until the first objective is surely
-  /// worse.
+  DesignSample here;                          ///< the chosen one, with as many starts as these
+  /// How far the number may go while all requirements are met, at the values tried: the last value on either side that
+  /// meets them, and what fails beyond; empty: nothing within the range. Without requirements: until the first
+  /// objective is surely worse.
   double keeps_from = 0.0, keeps_to = 0.0;
   std::string fails_below, fails_above;
-  double effect = 0.0;  ///< largest change of the first objective within a tenth of the range to either side
+  double effect = 0.0;  ///< largest change of the first objective within a tenth of the range on either side
 };
 
-/// The best found by then.
+/// The best candidate found so far.
 struct DesignStep {
   std::uint64_t trajectories = 0;
-  double violation = 0.0;  ///< of the requirements, as parts of the limits; 0: kept
+  double violation = 0.0;  ///< of the requirements, relative to the limits; 0: all met
   double value = 0.0;      ///< of the first objective
 };
 
-/// How candidates are proposed: auto is CMA-ES for one objective, NSGA-II for several.
+/// How candidates are proposed. auto is CMA-ES for one objective, NSGA-II for several.
 enum class DesignMethod { automatic, cmaes, nsga2, random, latin, grid };
 inline constexpr std::array<const char*, 6> design_method_names{"auto", "cmaes", "nsga2", "random", "latin", "grid"};
 
@@ -117,19 +116,19 @@ struct DesignResult {
   std::vector<std::size_t> objectives;  ///< places in `figures`
   std::vector<DesignLimit> limits;
   DesignMethod method = DesignMethod::automatic;  ///< the one that ran
-  std::uint64_t budget = 0, trajectories = 0;     ///< allowed; followed, earlier runs' included
+  std::uint64_t budget = 0, trajectories = 0;     ///< allowed; followed, including earlier runs'
   std::uint64_t candidates = 0;                   ///< different ones
   std::uint64_t search_seed = 0, held_out_seed = 0;
-  std::optional<DesignSample> before;  ///< the study as it is, on the held-out starts
+  std::optional<DesignSample> before;  ///< the original study, on the held-out starts
   std::vector<DesignCandidate> front;  ///< by the first objective, the best first
   std::optional<std::size_t> chosen;   ///< place in `front`
-  /// No candidate keeps all requirements: the chosen one comes nearest.
+  /// False: no candidate meets all requirements, and the chosen one comes nearest.
   bool feasible = false;
   std::vector<DesignMargin> margins;  ///< by effect, the largest first
   std::vector<std::string> limited_by;
   std::vector<DesignStep> history;
-  std::string best_study;     ///< the chosen one as TOML
-  bool partial = false;       ///< stopped: of the front only what the search saw
+  std::string best_study;     ///< the chosen study as TOML
+  bool partial = false;       ///< stopped: the front rests only on the search's starts
   std::uint64_t resumed = 0;  ///< ensembles read from an earlier run's file
   std::string identity;
   int threads = 0;

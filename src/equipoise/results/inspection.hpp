@@ -1,4 +1,4 @@
-// What a file of results holds.
+// Content of a file of results.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct Inspection {
   std::string version;  ///< of the program that wrote it
   std::uint64_t bytes = 0;
   std::string damage;                                      ///< in words that follow the file's name; empty: none
-  std::optional<bool> complete;                            ///< if it says
+  std::optional<bool> complete;                            ///< if the file says
   std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
-  std::vector<OutcomeShare> outcomes;  ///< of an ensemble or a map; of their shares only the estimates
+  std::vector<OutcomeShare> outcomes;  ///< for an ensemble or a basin slice; only the estimates of their shares
   std::string study;                   ///< TOML; empty if nothing could be read
 };
 

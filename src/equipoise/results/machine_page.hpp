@@ -1,4 +1,4 @@
-// What the page for one machine shows, before it is drawn.
+// Content of the page for one machine, before it is drawn.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace equipoise {
 
-/// One table of the study with what was written in it: {"rotor", {{"mass", "2.2 kg"}, ...}}.
+/// One table of the study as written: {"rotor", {{"mass", "2.2 kg"}, ...}}.
 struct GivenTable {
   std::string name;
   std::vector<std::array<std::string, 2>> keys;
 };
 
-/// What a study says of its machine, and what follows from that without any simulation.
+/// What a study says of its machine, and what follows without simulation.
 struct GivenMachine {
   std::vector<GivenTable> given;
   Explanation explanation;
@@ -27,15 +27,15 @@ struct GivenMachine {
 /// A stretch of a motion at equally spaced times, dimensionless.
 struct MotionPath {
   std::vector<double> psi;               ///< rotor angle
-  std::vector<double> x, y;              ///< centre of the race in fixed axes, from where the rotor rests
-  std::vector<std::vector<double>> phi;  ///< by ball: angle from the heavy side, seen from the turning rotor; unwrapped
+  std::vector<double> x, y;              ///< centre of the race in fixed axes, from the rotor's rest position
+  std::vector<std::vector<double>> phi;  ///< by ball: angle from the heavy side, in the rotating frame; unwrapped
 };
 
-/// What one ball does on a motion, seen from the turning rotor.
+/// What one ball does on a motion, in the rotating frame.
 struct BallOnMotion {
-  double place = 0.0;            ///< an angle on its way, all balls' at the same time
-  double low = 0.0, high = 0.0;  ///< the way that it goes to and fro, unwrapped; no more than a turn of it
-  double drift = 0.0;            ///< mean rate, 0 where it comes back; `low` and `high` then say nothing
+  double place = 0.0;            ///< an angle on its way, at the same time for all balls
+  double low = 0.0, high = 0.0;  ///< ends of its oscillation, unwrapped; at most a turn
+  double drift = 0.0;            ///< mean rate; 0 if the ball returns; otherwise `low` and `high` are meaningless
 };
 
 /// A motion in which starts end.
@@ -44,11 +44,11 @@ struct DrawnMotion : OutcomeShare {
   std::vector<BallOnMotion> balls;
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;
   double speed = 0.0;      ///< of the rotor, mean
-  bool continuum = false;  ///< one of many such
-  bool one_start = false;  ///< the end of one start's run, for want of the motion itself
+  bool continuum = false;  ///< one member of a continuum
+  bool one_start = false;  ///< the end of one start's run, because the motion itself is not known
 };
 
-/// How often a figure of transients was how large: starts (of a grid weighted) by equal bins and by outcome.
+/// Distribution of a figure of transients: starts (weighted on a grid) by equal bins and by outcome.
 struct FigureDistribution {
   const TransientLimit* limited = nullptr;  ///< the figure, and its limit
   double low = 0.0, high = 0.0;             ///< outer edges
@@ -60,13 +60,13 @@ struct FigureDistribution {
   std::vector<Outcome> outcomes;  ///< as they are listed
 };
 
-/// One start followed again. Every entry is of a stretch of time, the next one's begins where it ends.
+/// One start followed again. Every entry covers a stretch of time; the next begins where it ends.
 struct ShownRun {
   std::uint64_t index = 0;
   int code = 0;
   std::string outcome;
-  double peak = 0.0;                            ///< displacement, as it was gathered
-  double again = 0.0;                           ///< and as it is here
+  double peak = 0.0;                            ///< displacement, as gathered in the ensemble
+  double again = 0.0;                           ///< and as found here
   std::vector<double> t, r_low, r_high, speed;  ///< middle of the stretch; extremes of the displacement; mean psi'
 };
 
@@ -74,9 +74,9 @@ struct MachinePage : GivenMachine {
   BasinResult basin;                 ///< without its starts
   std::vector<DrawnMotion> motions;  ///< the most frequent first
   std::size_t motions_left_out = 0;  ///< rarer ones
-  std::uint64_t starts_drawn = 0;    ///< in `peaks`, and to choose `runs` from: the first ones
+  std::uint64_t starts_drawn = 0;    ///< in `peaks`, and candidates for `runs`: the first ones
   std::vector<FigureDistribution> peaks;
-  std::vector<ShownRun> runs;  ///< the one with the median peak, the one with the largest; fewer if stopped
+  std::vector<ShownRun> runs;  ///< the one with the median peak, then the one with the largest; fewer if stopped
 };
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What the balanced outcome of a study with uncertain values depends on.
+// How the balanced outcome of a study with uncertain values depends on them.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-/// The key under which "where the start begins" stands among uncertain values: the ball angles, and what a box draws.
+/// The key for the start itself among uncertain values: the ball angles, and what a box draws.
 inline constexpr const char* start_input = "start";
 
 struct InputSensitivity {
@@ -21,10 +21,10 @@ struct InputSensitivity {
 struct SensitivityResult {
   std::uint64_t rows = 0;         ///< pairs of independent starts
   std::uint64_t evaluations = 0;  ///< starts followed
-  std::uint64_t undecided = 0;    ///< of these; counted as not balanced, as are lost ones
+  std::uint64_t undecided = 0;    ///< of these; counted as not balanced, like lost ones
   Share balanced;                 ///< of the pairs
   bool partial = false;           ///< stopped before all rows were done
-  /// The one with the largest total index first; empty where all starts balanced, or none.
+  /// The largest total index first; empty if all starts balanced, or none.
   std::vector<InputSensitivity> inputs;
 };
 

@@ -1,4 +1,4 @@
-// How the basins of a map lie in each other, as numbers.
+// Numbers that describe how the basins in a slice are interwoven.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@ struct SliceFigure {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-/// Each empty where the map does not show it: no boundary, or too few pixels. Distances in the plane are in pixels.
+/// Each is empty if the slice does not show it: no boundary, or too few pixels. Distances in the plane are in pixels.
 struct SliceFigures {
-  /// Of the boundary, by counting the boxes that it passes through: 1 if smooth, 2 if it fills the plane.
+  /// Of the boundary, by box counting: 1 if smooth, 2 if it fills the plane.
   std::optional<SliceFigure> box_dimension;
-  /// Share of pixels that have another outcome at a distance e goes as e to this power: the gain in certainty by more
-  /// exact starts; 2 less the dimension (McDonald, Grebogi, Ott and Yorke, Physica D 17 (1985) 125).
+  /// The share of pixels with another outcome at distance e grows as e to this power: what more accurate starts gain in
+  /// certainty. It is 2 minus the dimension (McDonald, Grebogi, Ott and Yorke, Physica D 17 (1985) 125).
   std::optional<SliceFigure> uncertainty_exponent;
-  /// Mean entropy of outcomes in boxes of 5 x 5 pixels, of all and of those with more than one outcome; above log 2 the
-  /// latter tells a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6 (2016) 31416).
+  /// Mean entropy of outcomes in boxes of 5 x 5 pixels: all, and those with several outcomes. Above log 2 the latter
+  /// indicates a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6 (2016) 31416).
   std::optional<SliceFigure> basin_entropy, boundary_basin_entropy;
-  /// Two balls over both their angles: largest distance in rad from balanced angles at which every pixel is balanced.
+  /// For two balls over both angles: largest distance (rad) from balanced angles within which every pixel is balanced.
   std::optional<double> balanced_radius;
 };
 

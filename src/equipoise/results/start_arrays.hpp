@@ -1,4 +1,4 @@
-// Every start of an ensemble in arrays: what the NetCDF file of basin() holds of it, without the file.
+// Every start of an ensemble in arrays: the content of basin()'s NetCDF file, without the file.
 #pragma once
 
 #include <array>
@@ -10,17 +10,18 @@
 
 namespace equipoise {
 
-/// Place i of every array is start i. Arrays that the study has no use for are empty.
+/// Entry i of every array is start i. Arrays that do not apply to the study are empty.
 struct StartArrays {
   std::uint64_t starts = 0;
   int balls = 0;
-  std::vector<double> phi;          ///< initial ball angles, `balls` a start
-  std::vector<double> psi;          ///< of starts of the caller's own: initial psi
-  std::vector<double> rotor_state;  ///< with a sampling box, or the caller's own: initial x, y, x_dot, y_dot, 4 a start
-  std::vector<double> phi_dot;      ///< with a sampling box, or the caller's own: `balls` a start
-  std::vector<double> drawn;        ///< with uncertain values: what the start drew of each, in its own unit
-  std::vector<double> weight;       ///< on a grid: cells that the start's cell stands for
-  std::vector<short> outcome;       ///< attractor's identifier, or a code of no_attractors
+  std::vector<double> phi;              ///< initial ball angles, `balls` a start
+  std::vector<double> psi;              ///< of the caller's own starts: initial psi
+  std::vector<double> rotor_state;      ///< with a sampling box, or the caller's own: initial x, y, x_dot, y_dot, 4 per
+                                        ///< start
+  std::vector<double> phi_dot;          ///< with a sampling box, or the caller's own: `balls` per start
+  std::vector<double> drawn;            ///< with uncertain values: the start's draw of each, in its own unit
+  std::vector<double> weight;           ///< on a grid: cells that the start's cell stands for
+  std::vector<short> outcome;           ///< attractor's identifier, or a code of no_attractors
   std::vector<double> decision_time;    ///< study time at which the outcome was known
   std::vector<signed char> decided_by;  ///< a DecidedBy
   std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
@@ -30,7 +31,7 @@ struct StartArrays {
   /// on, not-a-number for starts that were lost.
   std::array<std::vector<float>, transient_figures.size()> transients;
 
-  /// The column of that name, "settling_time" say; null if there is none.
+  /// The column with this name, such as "settling_time"; null if there is none.
   const std::vector<float>* transient(std::string_view name) const {
     for (std::size_t k = 0; k < transient_figures.size(); ++k)
       if (name == transient_figures[k].name) return &transients[k];

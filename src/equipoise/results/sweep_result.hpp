@@ -1,4 +1,4 @@
-// What a sweep over parameters answered: an ensemble a cell.
+// The result of a sweep over parameters: one ensemble per cell.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct SweepParameter {
   std::vector<std::string> given;  ///< the same as --set takes them
 };
 
-/// Parameters that vary together, one step each; a single one unless they are zipped.
+/// Parameters that vary together, one step at a time; a single one unless they are zipped.
 struct SweepAxis {
   std::vector<SweepParameter> parameters;
   std::size_t size() const { return parameters.front().values.size(); }
@@ -33,13 +33,13 @@ struct SweepAxis {
 
 /// An attractor in one cell.
 struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all cells
-  int own_id = 0;                     ///< as basin() numbers it in this cell
-  /// Of the motion: distance of the centre from the axis, period (0: none), mean rates of the balls; none where it is
-  /// told by its windows alone.
+  int own_id = 0;                     ///< the identifier that basin() gives it in this cell
+  /// Of the motion: the centre's distance from the axis, period (0: none), mean ball rates; empty if only windows are
+  /// known.
   std::optional<double> r_min{}, r_mean{}, r_max{};
   double period = 0.0;
   std::vector<double> drift{};
-  std::vector<double> state{};  ///< on it; empty: none
+  std::vector<double> state{};  ///< a state on it; empty: unknown
 };
 
 /// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
@@ -59,19 +59,19 @@ struct SweepCell : OtherShares {
   std::uint64_t starts = 0;
   std::vector<SweepOutcome> outcomes;                ///< by own_id; balanced first
   std::optional<Share> passed;                       ///< of driven rotors
-  std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if they are gathered
+  std::shared_ptr<const TransientGroup> transients;  ///< of all starts, if gathered
   bool balanced_stable = false;
   std::string note;
-  WarmStartLevels warm_start_levels;  ///< what the next cell's search begins with besides the motions
+  WarmStartLevels warm_start_levels;  ///< for the next cell's search, besides the motions
 };
 
-/// By index: the last axis' values follow one another; null: not done. Pointers, for most of a large sweep's are.
+/// By index; consecutive cells follow the last axis; null: not done. Pointers: most cells of a large sweep are null.
 using SweepCells = std::vector<std::shared_ptr<SweepCell>>;
 
 struct SweepResult {
   Study study;  ///< the one that is varied
   std::vector<SweepAxis> axes;
-  std::string identity;  ///< all that decides what stands in the cells, as text
+  std::string identity;  ///< everything that determines the cells, as text
   SweepCells cells;
   double half_width = 0.0;  ///< asked for; 0: none
   bool transients = false;
@@ -85,7 +85,7 @@ struct SweepResult {
       if (!cell) return false;
     return true;
   }
-  /// Place of a cell along every axis.
+  /// Index of a cell along every axis.
   std::vector<std::size_t> place(std::size_t cell) const;
 };
 
@@ -94,14 +94,14 @@ inline std::vector<std::size_t> place_on(const std::vector<SweepAxis>& axes, std
   for (std::size_t a = axes.size(); a-- > 0; cell /= axes[a].size()) place[a] = cell % axes[a].size();
   return place;
 }
-/// visit(parameter, k) for every parameter: in this cell it has its k-th value.
+/// Calls visit(parameter, k) for every parameter: in this cell it has its k-th value.
 template <class Visit>
 void visit_parameters(const std::vector<SweepAxis>& axes, std::size_t cell, const Visit& visit) {
   const std::vector<std::size_t> place = place_on(axes, cell);
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (const SweepParameter& p : axes[a].parameters) visit(p, place[a]);
 }
-/// Of all that varies.
+/// Keys of everything that varies.
 inline std::vector<std::string> keys_of(const std::vector<SweepAxis>& axes) {
   std::vector<std::string> keys;
   for (const SweepAxis& axis : axes)

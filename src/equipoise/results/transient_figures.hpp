@@ -43,7 +43,7 @@ struct TransientFigure : Column {
   /// that had not come below it when it was last followed.
   std::array<const char*, 2> open{"?", "?"};
 
-  /// An unbalance is told over the rotor's mass, as a length.
+  /// An unbalance is shown over the rotor's mass, as a length.
   study::Dimension told_in() const {
     return dimension == study::Dimension::unbalance ? study::Dimension::length : *dimension;
   }
@@ -103,13 +103,13 @@ constexpr std::size_t figure_place(float TransientRow::*value) {
   return k;
 }
 
-/// A limit whose exceedance is counted, in the order of TransientGroup::exceeded.
+/// A limit whose excess is counted, in the order of TransientGroup::exceeded.
 struct TransientLimit {
   const char* name;  ///< key of [limits]
   std::optional<double> Limits::*limit;
   float TransientRow::*value;  ///< the figure that it limits
-  const char* exceeded;        ///< behind the limit: "5 mm is exceeded on the way"
-  bool at_end = false;         ///< the others are peaks: what has been exceeded stays so
+  const char* exceeded;        ///< follows the limit: "5 mm is exceeded on the way"
+  bool at_end = false;         ///< the others are peaks, which stay exceeded
 
   const TransientFigure& figure() const { return transient_figures[figure_place(value)]; }
 };

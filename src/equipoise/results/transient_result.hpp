@@ -1,4 +1,4 @@
-// What the transients of an ensemble cost.
+// The transients of an ensemble.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@ namespace equipoise {
 /// The starts of one outcome, or all.
 struct TransientGroup {
   std::string name;       ///< "all" or the outcome's
-  std::optional<int> id;  ///< attractor, or a code of no_attractors; none: of all
+  std::optional<int> id;  ///< attractor, or a code of no_attractors; empty: all
   std::uint64_t starts = 0;
   std::optional<double> mean_speed;  ///< of driven rotors: |psi'| in the end, mean over starts
   std::uint64_t lasting = 0;         ///< of these, whose motion exceeds limits.displacement for good
   std::uint64_t never = 0;           ///< whose motion exceeds limits.settled for good
   std::array<SampleSummary, transient_figures.size()> figures{};  ///< by column
   std::array<std::optional<Share>, transient_limits.size()>
-      exceeded{};  ///< of the starts of this group; none without a limit
+      exceeded{};  ///< of the starts in this group; empty without a limit
 
-  /// Of a figure that may have no end: starts of which it has none for good.
+  /// For a figure that may have no end: starts that lack one for good.
   std::uint64_t for_good(const TransientFigure& f) const { return f.needs == &Limits::settled ? never : lasting; }
   const SampleSummary& figure(float TransientRow::*value) const { return figures[figure_place(value)]; }
-  /// Whether column `k` has figures: none of them does where it was not asked.
+  /// Whether column `k` has figures; it has none if it was not asked for.
   bool tells(std::size_t k) const { return starts == 0 || figures[k].count > 0; }
 };
 

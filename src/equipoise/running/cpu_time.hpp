@@ -1,11 +1,11 @@
-// How much this process has computed.
+// Processor time of this process.
 #pragma once
 
 #include <ctime>
 
 namespace equipoise {
 
-/// Processor time of this process on all of its threads, in seconds from some moment before its first.
+/// Over all of its threads, in seconds from some moment before the process began.
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// A thread that waits.
+// A thread that waits for the end of the time limit.
 #include "equipoise/running/deadline.hpp"
 
 #include <string_view>
@@ -33,7 +33,7 @@ Deadline::Deadline(StopFlag& stop, double seconds) : stop_(stop), begin_(Clock::
   clock_ = std::thread([this, end] {
     std::unique_lock lock(mutex_);
     if (changed_.wait_until(lock, end, [this] { return cancelled_; })) return;
-    // Before the flag, whose reader may ask at once why it is set.
+    // Before the flag: its reader may ask at once why it is set.
     over_ = !is_set(&stop_);
     stop_ = true;
   });

@@ -15,7 +15,7 @@ namespace equipoise {
 /// "90", "60s", "10 min", "1.5h" in seconds. Throws InputError, naming `option`, for anything else.
 double read_time_limit(const std::string& option, const std::string& text);
 
-/// Sets the flag once so many seconds have passed, unless it is destroyed before.
+/// Sets the flag after `seconds`, unless it is destroyed before.
 class Deadline {
  public:
   Deadline(StopFlag& stop, double seconds);
@@ -23,9 +23,9 @@ class Deadline {
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
 
-  /// The time was over before anything else had set the flag.
+  /// The time ended before anything else set the flag.
   bool over() const { return over_; }
-  /// For the first of two works that only count together.
+  /// For the first of two pieces of work that only count together.
   bool half_over() const;
 
  private:

@@ -1,4 +1,4 @@
-// Work done side by side: the one face of threads that the library's rooms see.
+// Parallel work: the only interface to threads for the library's rooms.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,13 @@
 
 namespace equipoise {
 
-/// Cores that work may use: 1 where a build has no threads.
+/// Cores available for work; 1 in a build without threads.
 int core_count();
-/// Threads as asked for; all cores for 0.
+/// The number asked for; all cores for 0.
 inline int thread_count(int asked) { return asked > 0 ? asked : core_count(); }
 
-/// body(i) for every i in [0, count), each once, on at most `threads` threads and in no particular order; returns when
-/// all are done. What a body throws ends the work, and the call throws it. May be called from within itself.
+/// Calls body(i) once for every i in [0, count), on at most `threads` threads in no particular order, and returns when
+/// all are done. An exception in a body ends the work and leaves this call. Calls may be nested.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& body);
 
 }  // namespace equipoise

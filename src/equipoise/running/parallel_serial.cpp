@@ -1,4 +1,4 @@
-// No threads: one after another.
+// Builds without threads: one call after another.
 #include "equipoise/running/parallel.hpp"
 
 namespace equipoise {

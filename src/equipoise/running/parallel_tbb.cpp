@@ -1,4 +1,4 @@
-// Threads of oneTBB.
+// Threads by oneTBB.
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,8 +17,8 @@ namespace {
 
 using Arena = std::unique_ptr<tbb::task_arena>;
 
-// By their number of threads. oneTBB 2021.8 leaks kilobytes of every destroyed arena (its issue 967), so arenas are
-// used again. Never destroyed, since threads may still work while the process ends.
+// Idle arenas by number of threads. oneTBB 2021.8 leaks kilobytes with every destroyed arena (its issue 967), so arenas
+// are reused. This object is never destroyed, since threads may still work while the process ends.
 class IdleArenas {
  public:
   static IdleArenas& all() {
@@ -49,7 +49,7 @@ class IdleArenas {
 int core_count() { return tbb::info::default_concurrency(); }
 
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& body) {
-  Arena arena = IdleArenas::all().take(threads);  // of what throws it is given up
+  Arena arena = IdleArenas::all().take(threads);  // an exception abandons it
   arena->execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
   IdleArenas::all().give_back(threads, std::move(arena));
 }

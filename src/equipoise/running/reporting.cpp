@@ -1,4 +1,4 @@
-// Two threads that hand a report and its answer to each other.
+// Two threads that hand each other a report and its answer.
 #include "equipoise/running/reporting.hpp"
 
 #include <chrono>
@@ -8,11 +8,11 @@
 namespace equipoise {
 
 namespace {
-// Between two looks at whether to stop.
+// Interval between checks of the stop request.
 constexpr std::chrono::milliseconds patience{50};
 }  // namespace
 
-// What a callback throws ends the work; the callbacks are not called again.
+// An exception from a callback ends the work; callbacks are not called again.
 template <class Call>
 void Reporting::guarded(const Call& call) {
   if (refusal_) return;

@@ -1,4 +1,4 @@
-// Work on a thread of its own, its reports on the thread that asked for it.
+// Work on its own thread, with reports on the thread that asked for it.
 #pragma once
 
 #include <condition_variable>
@@ -17,13 +17,12 @@ class Reporting {
  public:
   explicit Reporting(const RunOptions& asked) : asked_(asked) {}
 
-  /// Runs `work` on another thread and answers it on this one until it is done. Throws what a callback or the work
-  /// threw.
+  /// Runs `work` on another thread and serves its reports on this one until it is done. Rethrows exceptions of both.
   void run(const std::function<void()>& work);
 
   // For the work, from any of its threads.
   const StopFlag* stop() const { return &stop_; }
-  void tell(const Progress& progress);  ///< returns once the callback has
+  void tell(const Progress& progress);  ///< returns when the callback has
 
  private:
   void work_along(const std::function<void()>& work);
@@ -41,8 +40,8 @@ class Reporting {
   std::exception_ptr failure_, refusal_;  // of the work; of a callback
 };
 
-/// work(options), with callbacks that are called on this thread. `Options`: RunOptions or what derives from it; the
-/// work gets a copy whose callbacks may be called from any thread, one at a time.
+/// Runs work(options) with its callbacks called on this thread. `Options` is RunOptions or derives from it. The work
+/// gets a copy whose callbacks may be called from any thread, one at a time.
 template <class Options, class Work>
 auto reported(const Options& options, const Work& work) {
   if (!options.progress && !options.stop_asked) return work(options);

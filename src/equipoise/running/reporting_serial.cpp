@@ -1,4 +1,4 @@
-// Without threads work and callbacks take turns on the one there is: who wishes to stop is asked with every report.
+// Without threads, work and callbacks share the only one: every report also asks whether to stop.
 #include "equipoise/running/reporting.hpp"
 
 namespace equipoise {

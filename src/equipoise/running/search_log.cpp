@@ -1,4 +1,4 @@
-// Pages and questions by number.
+// Pages and answers of the search log, by number.
 #include "equipoise/running/search_log.hpp"
 
 #include <exception>
@@ -10,7 +10,7 @@ NotePage::NotePage(SearchLog* notes, const std::string& subject) : notes_(notes)
 NotePage::~NotePage() {
   try {
     hand_on();
-  } catch (const std::exception&) {  // a full disk: what is lost is time alone
+  } catch (const std::exception&) {  // a full disk costs only time
   }
 }
 
@@ -25,8 +25,7 @@ void NotePage::hand_on() {
   waiting_.clear();
 }
 
-// FNV-1a (Fowler, Noll, Vo): the same on every machine. Two of a run's hundred pages have one number by chance once in
-// 10^15 runs.
+// FNV-1a (Fowler, Noll, Vo): the same on every machine. Two of a run's hundred pages share a number once in 10^15 runs.
 std::uint64_t NotePage::number_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;

@@ -1,4 +1,4 @@
-// Intermediate results of long work, so that it can go on where it was stopped.
+// The search log: intermediate results with which interrupted work continues.
 #pragma once
 
 #include <chrono>
@@ -16,18 +16,18 @@
 
 namespace equipoise {
 
-/// Answers of earlier runs, by page and number; new ones are handed on to be kept. The work must ask the same questions
-/// in the same order every time.
+/// Answers of earlier runs, by page and number. New answers are passed on to be kept. The work must ask the same
+/// questions in the same order every time.
 class SearchLog {
  public:
-  /// Called from any thread, never from two at once. What it throws comes out of the work.
+  /// Called from any thread, but never from two at once. Its exceptions leave the work.
   using Keep = std::function<void(std::uint64_t page, std::uint64_t number, const std::vector<char>& answer)>;
 
   SearchLog() = default;
-  /// A page's answers are kept once its work has taken `worth` seconds, or when it is given up.
+  /// A page's answers are kept once its work has taken `worth` seconds, or when it is abandoned.
   explicit SearchLog(Keep keep, double worth = 0.0) : keep_(std::move(keep)), worth_(worth) {}
 
-  /// Of an earlier run. To be called before the work begins.
+  /// Adds an answer of an earlier run, before the work begins.
   void know(std::uint64_t page, std::uint64_t number, std::vector<char> answer) {
     known_.insert_or_assign({page, number}, std::move(answer));
   }
@@ -50,25 +50,25 @@ class SearchLog {
   std::mutex keeping_;
 };
 
-/// The notes of one piece of work, which is given up if the page goes before finish().
+/// The answers of one piece of work. Destroying the page before finish() abandons the work.
 class NotePage {
  public:
-  /// `subject`: all that the work depends on. Without `notes` every answer is worked out.
+  /// `subject`: everything that the work depends on. Without `notes` every answer is computed.
   NotePage(SearchLog* notes, const std::string& subject);
   ~NotePage();
   NotePage(const NotePage&) = delete;
   NotePage& operator=(const NotePage&) = delete;
 
-  /// The work is done: answers not kept by now are dropped.
+  /// The work is done: answers not kept so far are dropped.
   void finish() { waiting_.clear(); }
 
-  /// The noted answer to `question`, or what `work` gives, which is noted unless `stop` is set by then.
+  /// The known answer to `question`, else the result of `work`. That is noted unless `stop` is set by then.
   template <class Work>
   auto answer(const char* question, const StopFlag* stop, const Work& work) {
     return answer_at(reserve(1), question, stop, work);
   }
 
-  /// The first of `count` numbers for answers asked for in parallel.
+  /// The first of `count` numbers for answers computed in parallel.
   std::uint64_t reserve(std::size_t count) { return std::exchange(next_, next_ + count); }
   template <class Work>
   auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) {
@@ -101,7 +101,7 @@ class NotePage {
   std::mutex writing_;
 };
 
-/// `page` may be null: no notes are taken.
+/// `page` may be null: nothing is noted.
 template <class Work>
 auto noted(NotePage* page, const char* question, const StopFlag* stop, const Work& work) {
   return page ? page->answer(question, stop, work) : work();

@@ -1,4 +1,4 @@
-// Progress of the stages of a preparation, reported in order from any thread.
+// Progress through the stages of a preparation, reported in order from any thread.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace equipoise {
 
 class StageProgress {
  public:
-  /// `work`: what all stages belong to. `tell` may be empty.
+  /// `work`: what the stages belong to. `tell` may be empty.
   StageProgress(std::string work, std::function<void(const Progress&)> tell)
       : work_(std::move(work)), tell_(std::move(tell)) {}
 
-  /// A stage that counts up to `total`, 0 if unknown. A stage of the same name goes on counting.
+  /// Begins a stage that counts up to `total` (0: unknown). A stage with the same name continues its count.
   void begin(const std::string& stage, std::uint64_t total = 0) {
     if (!tell_) return;
     const std::lock_guard lock(mutex_);

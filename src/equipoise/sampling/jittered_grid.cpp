@@ -1,4 +1,4 @@
-// Cells by rank, in shuffled order; jitter within.
+// A jittered grid: cells by rank in shuffled order, and jitter within a cell.
 #include "equipoise/sampling/jittered_grid.hpp"
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace equipoise {
 
 namespace {
 
-// Ways to choose k of n; any number above `limit` once it exceeds that, so that nothing overflows.
+// Ways to choose k of n. Above `limit` any larger number is returned, so that nothing overflows.
 std::uint64_t choose(std::uint64_t n, int k, std::uint64_t limit) {
   if (n < static_cast<std::uint64_t>(k)) return 0;
   const std::uint64_t fewer = std::min(static_cast<std::uint64_t>(k), n - static_cast<std::uint64_t>(k));
   std::uint64_t ways = 1;
-  for (std::uint64_t j = 1; j <= fewer && ways <= limit; ++j)  // up to n/2 the ways grow with j
-    ways = ways * (n - j + 1) / j;                             // exact: j numbers in a row are a multiple of j!
+  for (std::uint64_t j = 1; j <= fewer && ways <= limit; ++j)  // up to n/2 the count grows with j
+    ways = ways * (n - j + 1) / j;                             // exact: j! divides the product of j consecutive numbers
   return ways;
 }
 
@@ -33,8 +33,8 @@ std::uint64_t count_cells(std::uint64_t side, int balls, bool exchange, std::uin
   return cells;
 }
 
-// Where `place` < count comes in an order that depends on the seed: a Feistel network over the next power of four,
-// walked until it falls below `count` (M. Luby, C. Rackoff, SIAM J. Comput. 17 (1988) 373, need four rounds).
+// Where `place` < count stands in an order that depends on the seed: a Feistel network over the next power of four,
+// repeated until its output is below `count` (M. Luby, C. Rackoff, SIAM J. Comput. 17 (1988) 373, require four rounds).
 std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t count) {
   const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);
   const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
@@ -51,10 +51,10 @@ std::uint64_t shuffled(std::uint64_t seed, std::uint64_t place, std::uint64_t co
   return place;
 }
 
-// The last number from `begin` - 1 to `end` - 1 of which `holds`, which it does of the first ones.
+// The last number from `begin` - 1 to `end` - 1 for which `holds`; it holds for the first ones.
 template <class Holds>
 std::uint64_t last_of(std::uint64_t begin, std::uint64_t end, const Holds& holds) {
-  while (begin < end) {  // by hand, for the browser's library has no std::ranges yet
+  while (begin < end) {  // by hand: the browser's library lacks std::ranges
     const std::uint64_t middle = begin + (end - begin) / 2;
     if (holds(middle))
       begin = middle + 1;
@@ -77,8 +77,8 @@ JitteredGrid::JitteredGrid(int balls, bool exchange, std::uint64_t starts) : bal
 
 double JitteredGrid::all_cells() const { return std::pow(static_cast<double>(side_), balls_); }
 
-// Without exchange coordinates are the digits of a rank; with it, d_k = c_k + k increase strictly and the rank is the
-// sum of C(d_k, k + 1): the combinatorial number system.
+// Without exchange the coordinates are the digits of the rank. With exchange d_k = c_k + k increases strictly, and the
+// rank is the sum of C(d_k, k + 1): the combinatorial number system.
 void JitteredGrid::cell(std::uint64_t seed, std::uint64_t index, std::uint64_t* coordinates) const {
   std::uint64_t rank = shuffled(seed, index / 2, cells_);
   if (!exchange_) {
@@ -103,7 +103,7 @@ double JitteredGrid::weight(std::uint64_t seed, std::uint64_t index) const {
   if (!exchange_) return 1.0;
   std::uint64_t c[model::max_balls];
   cell(seed, index, c);
-  double orders = 1.0;  // n! over the product of the factorials of how often each coordinate occurs
+  double orders = 1.0;  // n! over the product of the factorials of each coordinate's multiplicity
   for (int i = 0, same = 1; i < balls_; ++i) {
     same = i > 0 && c[i] == c[i - 1] ? same + 1 : 1;
     orders *= static_cast<double>(i + 1) / static_cast<double>(same);

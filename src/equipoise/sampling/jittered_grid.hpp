@@ -5,13 +5,13 @@
 
 namespace equipoise {
 
-/// Stratified sampling of ball angles: m^n equal cells, m to a turn, with two independent uniform starts each, whose
-/// differences give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388). With `exchange` (balls whose
-/// exchange changes no outcome's probability) only cells c_1 <= ... <= c_n are evaluated, each for all its mirror
-/// images. The seed shuffles the cells, so that a prefix of the starts is a fair sample too.
+/// Stratified sampling of ball angles: m^n equal cells, m per turn, with two independent uniform starts each, whose
+/// differences give the variance without bias (S. Haber, Math. Comp. 21 (1967) 388). With `exchange` (exchanging balls
+/// changes no outcome's probability) only cells c_1 <= ... <= c_n are evaluated, each for all its mirror images. The
+/// seed shuffles the cells, so that the first starts are a fair sample too.
 class JitteredGrid {
  public:
-  /// The largest grid that `starts` starts can fill. starts >= 2.
+  /// The largest grid that fits into `starts` >= 2 starts.
   JitteredGrid(int balls, bool exchange, std::uint64_t starts);
 
   std::uint64_t side() const { return side_; }         ///< m
@@ -20,9 +20,9 @@ class JitteredGrid {
   double all_cells() const;                            ///< m^n
   bool exchange() const { return exchange_; }
 
-  /// Writes the ball angles of start `index` < starts(): starts 2 k and 2 k + 1 share a cell.
+  /// Writes the ball angles of start `index` < starts(); starts 2 k and 2 k + 1 share a cell.
   void angles(std::uint64_t seed, std::uint64_t index, double* phi) const;
-  /// How many cells of the whole grid the cell of start `index` stands for: 1 to n!.
+  /// How many cells of the whole grid the start's cell stands for: 1 to n!.
   double weight(std::uint64_t seed, std::uint64_t index) const;
 
  private:

@@ -1,4 +1,4 @@
-// One way to the starts of three methods.
+// One interface to the three sampling methods.
 #include "equipoise/sampling/sampling.hpp"
 
 #include "equipoise/base/angles.hpp"
@@ -8,7 +8,7 @@
 
 namespace equipoise {
 
-// The most that [sampling.box] can ask for: angles, x, y, x_dot, y_dot and the balls' rates.
+// [sampling.box] can ask for at most this: angles, x, y, x_dot, y_dot and the balls' rates.
 static_assert(4 + 2 * model::max_balls <= most_sobol_dimensions);
 
 Sampler::Sampler(SamplingMethod method, int balls, std::uint64_t starts, bool exchange)

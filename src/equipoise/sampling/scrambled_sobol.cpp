@@ -1,4 +1,4 @@
-// Sobol's points from direction numbers; nested uniform scrambling by a counter-based generator.
+// Sobol points from direction numbers, with nested uniform scrambling by a counter-based generator.
 #include "equipoise/sampling/scrambled_sobol.hpp"
 
 #include <array>
@@ -15,8 +15,7 @@ namespace {
 constexpr int index_bits = 48;
 using Directions = std::array<std::array<std::uint64_t, index_bits>, most_sobol_dimensions>;
 
-// Boost's engine runs in the order of Gray's code without point 0: its output number 2^(j+1) - 2 has the code 2^j, so
-// it is direction j.
+// Boost's engine follows the Gray code, without point 0: its output 2^(j+1) - 2 has the code 2^j and is direction j.
 Directions direction_numbers() {
   Directions result;
   boost::random::sobol engine(most_sobol_dimensions);
@@ -35,8 +34,8 @@ std::uint64_t sobol_point(std::uint64_t number, int dimension) {
   return point;
 }
 
-// Eight bits at a time: their random bits form a tree of 255 nodes, numbered as a heap, for which one call of the
-// generator suffices. 53 bits of the result are used.
+// Scrambles eight bits at a time. Their random bits form a tree of 255 nodes, numbered as a heap, which one call of the
+// generator provides. The result uses 53 bits.
 std::uint64_t scrambled(std::uint64_t seed, std::uint64_t replicate, int dimension, std::uint64_t point) {
   const std::uint64_t tree = replicate << 32 | static_cast<std::uint64_t>(dimension);
   std::uint64_t flips = 0;

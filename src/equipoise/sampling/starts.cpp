@@ -17,7 +17,7 @@ void fractions_of(std::uint64_t seed, std::uint64_t index, StartNumbers group, i
   }
 }
 
-// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): the few keys that a study may have all get different numbers.
+// FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo) gives different numbers to the few keys that a study may have.
 std::uint64_t number_of(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

@@ -1,4 +1,4 @@
-// Random starts addressed by (seed, index): any one is replayable alone.
+// Random starts addressed by (seed, index): each can be repeated alone.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ namespace equipoise {
 /// Writes the ball angles of start `index`: independent, uniform on [0, 2 pi).
 void start_angles(std::uint64_t seed, std::uint64_t index, int balls, double* phi);
 
-/// Writes `count` further numbers of start `index`, independent of its angles and of each other, uniform on [0, 1).
+/// Writes `count` further numbers of start `index`, uniform on [0, 1), independent of its angles and of each other.
 void start_fractions(std::uint64_t seed, std::uint64_t index, int count, double* fractions);
 
-/// A number of start `index` for `name`, uniform on [0, 1), independent of what else is drawn.
+/// A number of start `index` for `name`, uniform on [0, 1), independent of everything else drawn.
 double start_fraction(std::uint64_t seed, std::uint64_t index, std::string_view name);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// An ensemble, its motions, the distribution of its peaks and two of its runs, side by side.
+// Computes an ensemble, its motions, the distribution of its peaks and two of its runs.
 #include "equipoise/shown/machine_page.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t most_starts_drawn = 1'000'000;
 constexpr std::size_t most_motions_drawn = 6;
-constexpr double least_drift = 1e-4;  // a ball slower than that rests, for whoever looks at a drawing
+constexpr double least_drift = 1e-4;  // a slower ball looks at rest in a drawing
 
 std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, double duration) {
   std::vector<BallOnMotion> balls;
@@ -27,7 +27,7 @@ std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, 
     const std::vector<double>& phi = path.phi[i];
     const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
     BallOnMotion ball{phi.front(), *low, *high, drift ? drift[i] : (phi.back() - phi.front()) / duration};
-    // Of the end of a run drift is what comes to more than half a turn; a motion knows its own.
+    // Where no drift is known, a ball drifts if it moved by half a turn or more.
     const bool back = drift ? std::fabs(ball.drift) < least_drift : std::fabs(phi.back() - phi.front()) < 0.5 * two_pi;
     if (back && *high - *low < two_pi) ball.drift = 0.0;
     balls.push_back(ball);
@@ -35,7 +35,7 @@ std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, 
   return balls;
 }
 
-// Balls are looked at for all of their way, the centre for so many turns of the rotor as do not fill the drawing.
+// Balls are followed along their whole way, the centre only for as many turns as keep the drawing clear.
 void draw_path(const model::System& system, const Motion& motion, DrawnMotion& drawn) {
   constexpr double most_turns = 24.0;
   constexpr int looks = 2000, looks_a_turn = 48;
@@ -89,7 +89,7 @@ class PageMaker {
     static_cast<GivenMachine&>(page_) = std::move(given);
     BasinOptions run = options;
     run.keep_starts = true;
-    const bool grid = study.sampling.method == SamplingMethod::grid;  // its first starts are no fair sample
+    const bool grid = study.sampling.method == SamplingMethod::grid;  // a grid's first starts are no fair sample
     if (!grid) run.keep_at_most = most_starts_drawn;
     run.transients = true;
     page_.basin = basin(study, run, &catalogue_);
@@ -140,7 +140,7 @@ class PageMaker {
 
   void draw(DrawnMotion& one) {
     const Attractor* a = one.id > 0 ? catalogue_.find(one.id) : nullptr;
-    // With uncertain values each start has a motion of its own rotor.
+    // With uncertain values, each start's motion belongs to its own rotor.
     const bool common = page_.basin.study.uncertain.empty();
     if (a && common && a->motion.kind != MotionKind::measured && a->motion.state.size() > 0)
       return draw_motion(*a, page_.basin.study, one);
@@ -169,7 +169,7 @@ class PageMaker {
       some = true;
     }
     if (!some) return;
-    constexpr double near_enough = 2.5;  // to be shown with what it limits
+    constexpr double near_enough = 2.5;  // to be shown together with the limit
     if (limit && *limit < near_enough * d.high) d.high = std::max(d.high, 1.05 * *limit);
     if (limit && *limit > 0.4 * d.low) d.low = std::min(d.low, 0.95 * *limit);
     if (d.high - d.low < 1e-3 * d.high) d.low = 0.0;  // all alike

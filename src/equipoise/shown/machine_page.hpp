@@ -1,4 +1,4 @@
-// Everything that the page for one machine shows, computed.
+// Computes everything that the page for one machine shows.
 #pragma once
 
 #include "equipoise/ensembles/basin.hpp"
@@ -6,9 +6,9 @@
 
 namespace equipoise {
 
-/// Runs the ensemble and follows what is to be shown of it. Throws as basin() does. Stopped, it holds what was done.
-/// `options` are those of basin(), but that transients are gathered, and starts kept (the first million: of all of a
-/// grid), whatever is said of them. `given`: of the study (html/given_machine.hpp).
+/// Runs the ensemble and follows what is to be shown of it. Throws as basin() does. If stopped, the page holds what was
+/// done. `options`: as of basin(), except that transients are always gathered and starts always kept (the first
+/// million; on a grid all). `given`: what the study states (html/given_machine.hpp).
 MachinePage machine_page(const Study& study, GivenMachine given, const BasinOptions& options = {});
 
 }  // namespace equipoise

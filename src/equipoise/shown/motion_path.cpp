@@ -1,4 +1,4 @@
-// Any system's motion is followed as a machine's, events or none: a drawing needs few of them.
+// Follows any system's motion as a machine's, with or without events: a drawing needs few of them.
 #include "equipoise/shown/motion_path.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ MotionPath followed_path(const model::System& system, const Motion& motion, doub
   const double step = duration / count;
   double psi = 0.0, speed = 0.0;
   int next = 0;
-  // Of a motor whose supports are alike all round, the rotor's angle is no part of the state: it is summed up.
+  // With a motor and isotropic supports the rotor's angle is not part of the state: integrate it here.
   const auto turn_on = [&] {
     const double now = system.prescribed() ? system.speed() : y[static_cast<std::size_t>(system.layout().speed)];
     if (system.layout().psi >= 0)

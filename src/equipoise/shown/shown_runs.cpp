@@ -1,4 +1,4 @@
-// Two starts chosen, followed, and reduced to as many stretches of time as a picture has pixels.
+// Chooses two starts, follows them, and reduces each run to as many time stretches as a picture has pixels.
 #include "equipoise/shown/shown_runs.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double run_tolerance = 1e-10;
 constexpr std::size_t stretches = 360;
-constexpr double longest_run = 20000.0;  // undecided starts have no end of their own
+constexpr double longest_run = 20000.0;  // undecided starts have no end
 constexpr double most_looks = 60000.0;
 
 double weight_of(const StartArrays& starts, std::size_t i) { return starts.weight.empty() ? 1.0 : starts.weight[i]; }
@@ -27,21 +27,21 @@ double last_branch(const Study& study) {
   return std::max(drive.pieces.back().begin, release);
 }
 
-// Sixteen looks at a turn at the final speed show the largest displacement to 2 %.
+// Sixteen samples per turn at the final speed show the largest displacement to 2 %.
 double look_step(const Study& study, double until) {
   const double pace = std::max(1.0, std::fabs(study.system().pace()));
   return std::max(two_pi / (16.0 * pace), until / most_looks);
 }
 
-// When a figure has come, for good, below `level`.
+// Time from which a figure stays below `level`.
 double below_from(const std::vector<double>& t, const std::vector<double>& figure, double level) {
   std::size_t k = t.size() - 1;
   while (k > 0 && figure[k - 1] <= level) --k;
   return t[k];
 }
 
-// When the displacement has come within a fiftieth of the way from its peak to what it does in the last tenth of the
-// run, and the speed within a twentieth of its last.
+// Time from which the run is steady. The displacement has come within a fiftieth of the way from its peak to its range
+// in the last tenth of the run, and the speed within a twentieth of its final value.
 double steady_from(const Trajectory& run) {
   const std::size_t n = run.t.size();
   if (n < 2) return 0.0;

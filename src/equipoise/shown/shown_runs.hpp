@@ -1,4 +1,4 @@
-// Starts of an ensemble followed again, to be shown over time.
+// Follows starts of an ensemble again, to show them over time.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace equipoise {
 
-/// Of the starts that were not lost: the one whose peak displacement is the median, and the one with the largest, in
-/// that order; one if they are the same, none without starts. Needs the columns of transients.
+/// Of the starts that were not lost: the one with the median peak displacement, then the one with the largest. One
+/// entry if they are the same, none without starts. Needs the columns of transients.
 std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts);
 
 /// Start `index` at times `step` apart until `until`.
 Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop);
 
-/// These starts over one stretch of time: until the last of them has come to its steady motion, as far as it was
-/// followed. Outcomes are left unnamed. Without those that `stop` cut short.
+/// These starts over one stretch of time, until the last of them has come to its steady motion, as far as it was
+/// followed. Outcomes are left unnamed; runs that `stop` cut short are left out.
 std::vector<ShownRun> shown_runs(const Study& study, const StartArrays& starts,
                                  const std::vector<std::uint64_t>& indices, const StopFlag* stop);
 

@@ -1,4 +1,4 @@
-// Two samples compared: a computed share with a printed one, and one design with another on common starts.
+// Compares two samples: a computed share with a printed one, or one design with another on common starts.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ struct PublishedShare {
   std::uint64_t starts = 0;
 };
 
-/// Probability of a difference at least this large between two samples of one probability: normal approximation with
-/// pooled variance where both expect ten or more of each kind, else the exact test given the sum of both counts. Of the
-/// values that round to the printed one, the nearest to ours counts.
+/// Probability of a difference at least this large between two samples of one probability. Normal approximation with
+/// pooled variance where both samples expect ten or more of each kind, else the exact test given the sum of the counts.
+/// Of all values that round to the printed one, the nearest to ours is used.
 double agreement_p_value(std::uint64_t count, std::uint64_t starts, const PublishedShare& published);
 
 /// A difference of two shares, second minus first, with its interval.
@@ -29,12 +29,12 @@ struct ShareDifference {
 /// Med. 17 (1998) 873, method 10).
 ShareDifference independent_difference(const Share& first, const Share& second, double confidence = 0.95);
 
-/// Which of the same starts ended as asked in two designs.
+/// How often common starts ended as asked in one design, in both or in neither.
 struct CommonStarts {
   std::uint64_t both = 0, first_only = 0, second_only = 0, neither = 0;
   std::uint64_t total() const { return both + first_only + second_only + neither; }
 };
-/// Compares start by start, as far as both go.
+/// Compares start by start, up to the end of the shorter list.
 CommonStarts compare_starts(const std::vector<bool>& first, const std::vector<bool>& second);
 
 /// Difference between two designs on common starts: the adjusted Wald interval for paired shares (D. G. Bonett, R. M.

@@ -1,4 +1,4 @@
-// All that is asked of Boost.Math, compiled once.
+// The only file that compiles Boost.Math.
 #include "equipoise/statistics/distributions.hpp"
 
 #include <boost/math/distributions/binomial.hpp>

@@ -11,7 +11,7 @@ namespace equipoise {
 
 namespace {
 
-// An estimate of variance from so many terms is good to about 1/sqrt(10) = 32 %, which Student's t allows for.
+// A variance estimated from ten terms is good to about 1/sqrt(10) = 32 %, which Student's t allows for.
 constexpr std::uint64_t fewest_split = 10;
 
 Share with_spread(Share result, IntervalBy by, double half, double standard_error) {
@@ -49,7 +49,7 @@ Share stratified_share(const PairedCounts& counts, bool complete, double confide
       wilson_share(counts.count, counts.total, counts.counted, counts.weight, counts.weight_squared, confidence);
   const bool rare = std::min(counts.count, counts.total - counts.count) < fewest_for_spread;
   if (!complete || rare || counts.split < fewest_split) return result;
-  // The sum of weights over starts is twice that over cells.
+  // The sum of weights over starts is twice the sum over cells.
   const double error = std::sqrt(counts.split_squared) / counts.weight;
   const double half = error * students_t_half_width(static_cast<double>(counts.split), confidence);
   return with_spread(result, IntervalBy::pairs, half, error);

@@ -11,7 +11,7 @@ namespace equipoise {
 
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Bins of no width: zero, and what has no end.
+// Bins without width: for zero, and for figures without an end.
 constexpr int zero_bin = std::numeric_limits<int>::min(), open_bin = std::numeric_limits<int>::max();
 
 double middle_of(int bin) {
@@ -137,14 +137,14 @@ SampleSummary Distribution::summary(double confidence) const {
     const double half = error * students_t_half_width(finite - 1.0, confidence);
     result.mean_low = std::max(0.0, mean_ - half);
     result.mean_high = mean_ + half;
-  } else {  // one start says nothing of how others differ
+  } else {  // one start does not show how others differ
     result.mean_low = 0.0;
     result.mean_high = infinity;
   }
   const std::vector<Weighed> sorted = in_order();
   const double effective = std::floor(weight_ * weight_ / weight_squared_ * (1.0 + 1e-12));
   const auto value_at = [&](double share) {
-    const double wanted = share * weight_ * (1.0 - 1e-12);  // so that rounding does not ask for the next one
+    const double wanted = share * weight_ * (1.0 - 1e-12);  // so that rounding does not select the next value
     double sum = 0.0;
     for (const Weighed& w : sorted)
       if ((sum += w.weight) >= wanted) return w.value;

@@ -10,7 +10,7 @@ namespace equipoise {
 
 namespace {
 
-// `n` starts, not a whole number if they have weights.
+// `n`: number of starts; fractional if they have weights.
 void put_interval(Share& result, double n, double confidence) {
   const double z = normal_half_width(confidence), p = result.share;
   const double centre = (p + 0.5 * z * z / n) / (1.0 + z * z / n);

@@ -1,4 +1,4 @@
-// Sums over rows, and over rows drawn again.
+// Sobol indices from sums over rows, with bootstrap intervals.
 #include "equipoise/statistics/sobol_indices.hpp"
 
 #include <algorithm>
@@ -10,12 +10,12 @@ namespace equipoise {
 
 namespace {
 
-// Ends of a 95 % interval are then the 25th and the 975th of them, give or take five.
+// The ends of a 95 % interval are then the 25th and the 975th sample, give or take five.
 constexpr std::size_t bootstrap_samples = 1000;
 
 struct Sums {
   double weight = 0.0, all = 0.0, all_squared = 0.0;  // of a and b
-  // By input, of b and of what shares that input alone with it; of a and of what differs from it in that input alone.
+  // By input. sum, squares, products: of b and the mixed row (that input from b). differences: a and the mixed row.
   std::vector<double> sum, squares, products, differences;
 
   explicit Sums(std::size_t inputs) : sum(inputs), squares(inputs), products(inputs), differences(inputs) {}
@@ -61,7 +61,7 @@ std::vector<SobolIndices> sobol_indices(const PickFreezeRows& rows, std::uint64_
   const std::size_t count = rows.rows();
   Sums sums(rows.inputs);
   for (std::size_t row = 0; row < count; ++row) sums.add(rows, row, 1.0);
-  // Equal outcomes leave a variance of rounding.
+  // Equal outcomes leave a variance of rounding errors.
   const double rounding = 1e-14 * sums.all_squared / std::max(sums.weight, 1.0);
   if (count == 0 || !(sums.variance() > rounding)) return {};
   std::vector<SobolIndices> indices(rows.inputs);

@@ -1,4 +1,4 @@
-// Which of several independent inputs an outcome depends on: Sobol's indices from a pick-freeze design.
+// How much an outcome depends on each of several independent inputs: Sobol's indices from a pick-freeze design.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,7 @@
 
 namespace equipoise {
 
-/// Outcomes in rows of `inputs` + 2: of one draw of all inputs, a; of another, b; and of a with one input after the
-/// other taken from b.
+/// Outcomes in rows of `inputs` + 2: for a draw a of all inputs, a draw b, and a with one input at a time from b.
 struct PickFreezeRows {
   std::size_t inputs = 0;
   std::vector<double> outcomes;
@@ -24,15 +23,15 @@ struct IndexEstimate {
   double value = 0.0, low = 0.0, high = 0.0;
 };
 
-/// The part of the outcome's variance that goes away on average if one input is known, and the part left if all others
-/// are.
+/// first: the part of the outcome's variance that knowing one input removes on average. total: the part that is left
+/// when all others are known.
 struct SobolIndices {
   IndexEstimate first, total;
 };
 
 /// First order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob. Stat. 18 (2014) 342), total by
-/// M. J. W. Jansen (Comput. Phys. Commun. 117 (1999) 35). Intervals: quantiles over bootstrap samples of the rows,
-/// drawn by `seed`. Empty where the outcome does not vary. An index near 0 may come out below it.
+/// M. J. W. Jansen (Comput. Phys. Commun. 117 (1999) 35). Intervals are quantiles over bootstrap samples of the rows,
+/// drawn with `seed`. Empty if the outcome does not vary. An index near 0 may come out negative.
 std::vector<SobolIndices> sobol_indices(const PickFreezeRows& rows, std::uint64_t seed = 1);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// What a physical study says of its balls beyond the dimensionless numbers.
+// What a study in physical units says of its balls beyond the dimensionless numbers.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace equipoise {
 
-/// In SI units; empty where the study does not say.
+/// In SI units; empty where the study says nothing.
 struct BallDetails {
-  std::vector<double> diameter;         ///< one a ball
+  std::vector<double> diameter;         ///< one per ball
   std::optional<double> oil_viscosity;  ///< dynamic, Pa s
   std::optional<double> oil_density;    ///< kg/m^3
 };
 
-/// Reads them from the text of a study that parse_study() accepts.
+/// Reads them from a study text that parse_study() accepts.
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
 /// The same from a tree that study_from() accepts.

@@ -1,4 +1,4 @@
-// The resolved study as a tree and as TOML: what a result remembers of the question it answers.
+// The resolved study as a tree and as TOML, as results keep it.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -55,7 +55,7 @@ StudyValue tree_with_medians(const Study& study) {
   return tree;
 }
 
-// What may have changed since the study was read: how it is sampled and followed.
+// Updates what may have changed since the study was read: sampling and numerical settings.
 void update_written(const Study& study, StudyValue& tree) {
   for (const char* table : {"sampling", "numerics"})
     if (!tree.find(table)) tree.set(table, {});
@@ -69,7 +69,7 @@ void update_written(const Study& study, StudyValue& tree) {
     numerics.set("horizon", quantity_text(*horizon * study.scales->time(), Dimension::time));
 }
 
-// As a reader has the keys: what is written does not depend on the order in which it came.
+// Keys in a reader's order, so that the text does not depend on their order in the source.
 StudyValue sorted(const StudyValue& value) {
   const StudyValue::Table* members = value.table();
   if (!members) return value;
@@ -86,7 +86,7 @@ void put_distributions(const Study& study, StudyValue& tree) {
     const std::size_t dot = value.key.rfind('.');
     if (StudyValue* table = tree.find_path(std::string_view(value.key).substr(0, dot)))
       table->set(value.key.substr(dot + 1), value.written());
-    // Stiction that is not stated is drawn with it.
+    // Stiction that is not stated follows the draw.
     if (value.key == "balancer.rolling" && study.parameters.stiction == study.parameters.rolling)
       tree.find("balancer")->erase("stiction");
   }

@@ -1,4 +1,4 @@
-// Which unit a value beside a study is given in.
+// Units of values given beside a study.
 #include "equipoise/study/given_value.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A key's value on its way from a study's text into its member, and back.
+// Moves a key's value from a study's text into its member, and back.
 #include <algorithm>
 #include <limits>
 #include <type_traits>
@@ -39,7 +39,7 @@ struct KeyReading {
   }
   template <std::integral T>
   void operator()(T* v) const {
-    constexpr auto largest = std::numeric_limits<std::int64_t>::max();  // of a TOML integer
+    constexpr auto largest = std::numeric_limits<std::int64_t>::max();  // the largest TOML integer
     const std::int64_t high = key.range.high < 0x1p63 ? static_cast<std::int64_t>(key.range.high) : largest;
     *v = static_cast<T>(reader.integer(key.name, static_cast<std::int64_t>(key.range.low), high));
   }
@@ -71,7 +71,7 @@ struct KeyEcho {
   Value operator()(std::monostate) const { return {}; }
   Value operator()(const std::vector<std::string>*) const { return {}; }  // of [sweep], which is not echoed
   Value operator()(const std::array<double, 2>* v) const { return std::vector<double>(v->begin(), v->end()); }
-  // As long as a study may have balls, whatever it says.
+  // One number per ball, whatever number of balls code has set.
   Value operator()(const std::array<double, model::max_balls>* v) const {
     return std::vector<double>(v->begin(), v->begin() + std::clamp(balls, 0, model::max_balls));
   }
@@ -81,10 +81,10 @@ struct KeyEcho {
   Value operator()(const std::optional<double>* v) const { return *v ? Value(**v) : Value(); }
   template <Enumeration T>
   Value operator()(const std::optional<T>* v) const {
-    const T value = v->value_or(T{});  // what the unset one means
+    const T value = v->value_or(T{});  // what an unset value means
     return operator()(&value);
   }
-  // Of a value that code made up, its number, which no reader takes.
+  // A value that code made up has no name: its number, which no reader accepts.
   template <Enumeration T>
   Value operator()(const T* v) const {
     const auto index = static_cast<std::size_t>(*v);

@@ -46,7 +46,7 @@ constexpr Range ratio{0.0, 1e30}, si_size{1e-30, 1e30};  // products of three su
 constexpr Range any = any_number;
 constexpr std::nullopt_t bare = std::nullopt;  // no quantity
 
-// Of race and balls only what is on is echoed: a rotor without them reads as it always did.
+// Of race and balls only features in use are echoed: a rotor without them reads as it always did.
 bool has_inertia(const Study& study) { return study.parameters.inertia != 0.0; }
 bool off_centre(const Study& study) { return !study.parameters.race_is_centred(); }
 bool resisted(const Study& study) {
@@ -62,7 +62,7 @@ bool rebounds(const Study& study) { return touches(study) || study.parameters.re
 
 std::vector<Key> all_keys() {
   return {
-      // Supports and rotor, dimensionless and in physical units.
+      // Supports and rotor, in dimensionless and physical studies.
       {"rotor.eccentricity", at<par, &P::eccentricity>, not_negative, D::length, required | plain, "lambda = eps/R"},
       {"rotor.damping", at<par, &P::damping>, not_negative, D::damping, required | plain, "zeta = c/sqrt(k M)"},
       {"rotor.stiffness", at<par, &P::stiffness>, positive, D::stiffness, plain, "kappa, in k"},
@@ -108,8 +108,8 @@ std::vector<Key> all_keys() {
        "of a ball that rolls, over R; plays a part only while the speed changes", nullptr, rolls},
       {"balancer.contact_angle", at<par, &P::contact_angle>, below_turn, D::angle, none,
        "between touching balls, below 2 pi/n; 0: balls pass each other", nullptr, touches},
-      {"balancer.restitution", at<par, &P::restitution>, up_to_one, bare, none, "of ball on ball", nullptr,
-       rebounds},  // The variants of [speed] are its profiles, those of speed.torque the laws of motors.
+      {"balancer.restitution", at<par, &P::restitution>, up_to_one, bare, none, "of ball on ball", nullptr, rebounds},
+      // The variants of [speed] are its profiles, those of speed.torque the laws of motors.
       {"speed.profile", at<speed, &R::profile>, any, bare, required, "names the ramp function Omega(t)"},
       {"speed.law", at<speed, &S::law>, any, bare, none, "how the rotor follows it"},
       {"speed.speed", at<speed, &R::speed>, any, D::speed, required | constant, "Omega"},
@@ -197,12 +197,12 @@ std::vector<KeyTable> make_tables() {
     key.name += dot + 1;
     home.keys.push_back(key);
   }
-  // A motor's target is a ramp function as [speed] has it.
+  // A motor's target is a ramp function, as in [speed].
   std::vector<Key> target = table("speed").keys;
   std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law"; });
   for (Key& key : target) {
     key.label = nullptr;
-    if (key.variants() == driven) key.dimension = {};  // which no target has
+    if (key.variants() == driven) key.dimension = {};  // no target has them
   }
   const auto after = std::find_if(tables.begin(), tables.end(), [](const KeyTable& t) { return t.name == "release"; });
   tables.insert(after, {"speed.torque.target", std::move(target)});
@@ -264,7 +264,7 @@ unsigned variant_of(Profile profile) {
 
 unsigned variants_of(const TorqueSetting& motor) {
   using Kind = model::MotorLaw::Kind;
-  // A motor that says it is of two kinds gets the keys of both, which no reader takes.
+  // A motor of two kinds at once gets the keys of both, which no reader accepts.
   unsigned variants = motor.by_stall ? stall : 0u;
   if (motor.kind == Kind::table) return variants | curve;
   if (motor.kind == Kind::control) return variants | control;

@@ -1,5 +1,5 @@
-// Every key of a study, described once: the reader, its messages and suggestions, the echo, units, forms and the
-// guide's reference follow from it. A new key is a line in keys.cpp.
+// Every key of a study, described once. The reader, its messages and suggestions, the echo, units, forms and the
+// guide's reference all follow from it. To add a key, add a line in keys.cpp.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace equipoise::study {
 
-/// Where a study keeps a value. The type says how it is read and written: one number, one a direction, one a ball.
-/// Nothing: a table, or what only a physical study has (physical.cpp reads that).
+/// Where a study keeps a value. The type says how it is read and written: one number, one per direction, one per ball.
+/// Empty for tables, and for keys that only studies in physical units have (physical.cpp reads those).
 using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
                             std::array<double, model::max_balls>*, std::vector<double>*, std::vector<std::string>*,
                             std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
@@ -30,14 +30,14 @@ inline std::span<const char* const> names_of(SamplingMethod) { return sampling_m
 inline std::span<const char* const> names_of(ClassificationMode) { return classification_mode_names; }
 
 struct Key {
-  /// From the ninth bit on: the variants of its table that have the key, none of them if all do. Of [speed] and a
-  /// motor's target by profile, of speed.torque by law.
+  /// From the ninth bit on: the variants of the table that have the key; no bit set means all. The variants of [speed]
+  /// and of a motor's target are profiles, those of speed.torque laws.
   enum Trait : unsigned {
     none = 0,
     required = 1,
-    pair = 2,      ///< [x, y], never one for both
-    plain = 4,     ///< of dimensionless studies alone
-    physical = 8,  ///< of studies in physical units alone
+    pair = 2,      ///< [x, y], never one number for both
+    plain = 4,     ///< only in dimensionless studies
+    physical = 8,  ///< only in studies in physical units
     constant = 1 << 8,
     ramp = 1 << 9,
     trapezoid = 1 << 10,
@@ -51,12 +51,12 @@ struct Key {
 
   const char* name;
   Member (*member)(Study&);
-  Range range;                         ///< of the dimensionless value; of what is physical alone in SI units
-  std::optional<Dimension> dimension;  ///< of what is a quantity in a physical study
+  Range range;                         ///< of the dimensionless value; in SI units for purely physical keys
+  std::optional<Dimension> dimension;  ///< of a key that is a quantity in a physical study
   unsigned traits;
   const char* sentence;                    ///< for the guide
-  const char* label = nullptr;             ///< in a form, below the name of its table; null: the key in words
-  bool (*echoed)(const Study&) = nullptr;  ///< null: always, if it is set
+  const char* label = nullptr;             ///< in a form, below its table's name; null: the key in words
+  bool (*echoed)(const Study&) = nullptr;  ///< null: always, if set
 
   bool has(Trait trait) const { return traits & trait; }
   unsigned variants() const { return traits & ~0xffu; }
@@ -69,7 +69,7 @@ struct KeyTable {
 
   bool drawn() const;  ///< whether its numbers may be distributions
   const Key* find(std::string_view key, bool physical) const;
-  /// In the order in which they are read and named: those that every variant has, then variant by variant.
+  /// In the order of reading and naming: keys of every variant, then variant by variant.
   std::vector<Key> of(unsigned variants, bool physical) const;
   bool is_inner() const { return name.find('.') != name.npos; }
 };
@@ -77,22 +77,22 @@ inline constexpr unsigned all_variants = ~0xffu;
 
 /// In the order of the echo.
 const std::vector<KeyTable>& key_tables();
-const KeyTable* find_keys(std::string_view table);  ///< null: no table of a study has this dotted name
+const KeyTable* find_keys(std::string_view table);  ///< null if no table of a study has this dotted name
 inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
 
 /// The key in this table that is a quantity in physical studies but a plain number here, or null.
 const Key* find_quantity(std::string_view table, std::string_view key);
-/// Of a quantity still in its unit: what holds in every unit, its sign.
+/// The range of a quantity before conversion: only its sign.
 Range quantity_range(const Key& key);
-/// Whether physical.cpp reads the table's quantities, not replace_quantities().
+/// Whether physical.cpp, not replace_quantities(), reads the table's quantities.
 inline bool is_machine(std::string_view table) { return table == "rotor" || table == "balancer"; }
 
 unsigned variant_of(Profile profile);
 unsigned variants_of(const TorqueSetting& torque);
 
-/// Reads what stands in the table into the key's member, which otherwise keeps its value.
+/// Reads the key from the table into its member, which otherwise keeps its value.
 void read_key(TableReader& reader, const Key& key, Study& study);
-/// The member as it is written; nothing if it is not set.
+/// The member as written in a study; empty if it is not set.
 std::optional<StudyValue> value_of(const Key& key, const Study& study);
 
 /// The table with this dotted name, or null.

@@ -1,4 +1,4 @@
-// Keys that nobody has, and the nearest names.
+// Unknown keys, and the nearest known names.
 #include "equipoise/study/known_keys.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A misspelling is this close to what was meant.
+// A misspelling is at most this many edits away.
 constexpr std::size_t nearest_distance = 2;
 
 Names names_in(const std::vector<Key>& keys) {
@@ -26,7 +26,7 @@ Names names_in(const std::vector<Key>& keys) {
   return names;
 }
 
-// What the table may hold; with a profile that there is none of, or that is not said, the keys of all of them.
+// Keys that the table may hold. Without a valid profile: the keys of all profiles.
 Names names_in(const Document& document, const KeyTable& table, bool physical) {
   const StudyValue* profile = table.find("profile", false) ? document.root.find_path(table.name + ".profile") : nullptr;
   const auto at = std::find(profile_names.begin(), profile_names.end(),
@@ -35,7 +35,7 @@ Names names_in(const Document& document, const KeyTable& table, bool physical) {
   return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
 }
 
-// What people call things that have another name here.
+// Common names for things that have another name here.
 constexpr std::string_view other_names =
     "ball_count balls, number_of_balls balls, n_balls balls, count balls, ball_mass mass, ball_drag drag, "
     "damping_coefficient drag, viscosity oil_viscosity, radius race_radius, diameter ball_diameter, "
@@ -50,7 +50,7 @@ bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The longer name has the shorter one at an end: "race_radius_mm", "support_stiffness".
+// The longer name begins or ends with the shorter one: "race_radius_mm", "support_stiffness".
 bool extends(std::string_view longer, std::string_view shorter) {
   return shorter.size() >= 4 && longer.size() > shorter.size() &&
          (longer.starts_with(shorter) || longer.ends_with(shorter));
@@ -70,7 +70,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// The known name that was meant, or none.
+// The known name that was probably meant, or an empty one.
 std::string meant(std::string_view key, const Names& known) {
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);

@@ -20,8 +20,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// A key of a dimensionless table: its values, the physical key that they come from, and what they measure, if they are
-// not dimensionless yet.
+// A key of a dimensionless table: its values, the physical key behind them, and their dimension, if any.
 struct Derived {
   std::string key, from;
   Values values;
@@ -44,9 +43,9 @@ Rotor read_rotor(const Document& document) {
   const std::string direction = "direction (x, y)";
   Rotor r;
   r.mass = reader.quantity("mass");
-  if (!reader.has("stiffness")) reader.quantity("stiffness");  // says what is missing
+  if (!reader.has("stiffness")) reader.quantity("stiffness");  // reports what is missing
   const Values stiffness = reader.one_or_each("stiffness", 2, direction);
-  r.mean_stiffness = stiffness[0] + 0.5 * (stiffness[1] - stiffness[0]);  // of equal ones exactly their value
+  r.mean_stiffness = stiffness[0] + 0.5 * (stiffness[1] - stiffness[0]);  // exact for equal stiffnesses
   const Values kappa = over(stiffness, r.mean_stiffness);
   r.derived.push_back({"stiffness", "stiffness", kappa});
   reader.exactly_one("damping", "a damping coefficient of 0 or more, such as \"200 N s/m\"", "damping_ratio",
@@ -75,7 +74,7 @@ struct Balancer {
   int balls = 0;
   double radius = 0.0;              // R, m
   std::vector<double> mass;         // kg
-  std::vector<double> drag_torque;  // N m s: drag torque for a rate relative to the race
+  std::vector<double> drag_torque;  // drag torque per rate relative to the race, N m s
   std::map<std::string, Values> others;
   bool rolls = false;
   std::vector<double> radius_of_balls;  // m, if they roll
@@ -165,7 +164,7 @@ class BalancerReader {
     return drag_torque;
   }
 
-  // Balls whose size is given roll, unless the study says that they do not.
+  // Balls of known size roll, unless the study says otherwise.
   void read_rolls() {
     b_.rolls = reader_.flag("rolls", !diameter_.empty());
     if (!b_.rolls) {
@@ -188,7 +187,7 @@ class BalancerReader {
     return std::all_of(diameter_.begin(), diameter_.end(), [&](double d) { return d == diameter_.front(); });
   }
 
-  // Balls whose size is known touch; those of several sizes cannot yet.
+  // Balls of known size touch; different sizes are not supported yet.
   void read_contact() {
     if (reader_.has("contact_angle")) {
       if (reader_.has("contact"))
@@ -216,7 +215,7 @@ class BalancerReader {
   std::vector<double> diameter_;
 };
 
-// Puts numbers in the place of one physical key's value.
+// Replaces one physical key's value by numbers.
 void put(Document& document, StudyValue& table, const std::string& prefix, const Derived& d, bool as_array) {
   if (const StudyValue* source = table.find(d.from)) {
     const std::string from = prefix + "." + d.from;
@@ -234,7 +233,7 @@ bool physical_alone(const KeyTable& table, const Key& key) {
   return key.has(Key::physical) && !table.find(key.name, false);
 }
 
-// Puts the `derived` keys, over their scales, into a table and takes out those of physical studies alone.
+// Puts the `derived` keys, divided by their scales, into a table, and removes purely physical keys.
 void replace(Document& document, const std::string& name, std::vector<Derived> derived, const model::Scales& s) {
   StudyValue& table = *document.root.find(name);
   for (Derived& d : derived) {
@@ -290,7 +289,7 @@ void replace_quantities(Document& document, const KeyTable& keys, const model::S
   }
 }
 
-// The first key that only a study in physical units has; empty if there is none.
+// The first purely physical key; empty if there is none.
 std::string physical_key(const Document& document) {
   for (const KeyTable& table : key_tables())
     for (const Key& key : table.keys)
@@ -300,7 +299,7 @@ std::string physical_key(const Document& document) {
   return "";
 }
 
-// Without it nothing has a scale; who meant a dimensionless study is told what makes it another.
+// Without a mass nothing has a scale. The message names the key that makes the study physical: it may be a mistake.
 void require_mass(const Document& document) {
   const std::string key = physical_key(document);
   if (key == "rotor.mass") return;

@@ -1,5 +1,4 @@
-// Studies in physical units: every quantity a string with its unit, turned into the dimensionless keys that the study
-// reader takes.
+// Studies in physical units: every quantity, a string with its unit, becomes a dimensionless key of the study reader.
 #pragma once
 
 #include "equipoise/study/ball_details.hpp"
@@ -7,16 +6,15 @@
 
 namespace equipoise::study {
 
-/// Whether the study states a rotor in physical units. What only such a study has tells: rotor.mass,
-/// balancer.race_radius and their like.
+/// Whether the study is in physical units, by keys that no other study has, such as rotor.mass.
 bool is_physical(const Document& document);
 
-/// Replaces the physical keys of a physical study by dimensionless ones, in place, and sets document.scales; what was
-/// written is kept for messages. A dimensionless study stays as it is.
-/// Throws InputError for what is missing, given twice, of the wrong dimension, out of range, or a plain number.
+/// Replaces the physical keys of a physical study by dimensionless ones, in place, and sets document.scales. The
+/// original values are kept for messages. A dimensionless study stays unchanged. Throws InputError for values that are
+/// missing, given twice, of the wrong dimension, out of range, or plain numbers.
 void make_dimensionless(Document& document);
 
-/// What a physical study says of its balls, before it is made dimensionless.
+/// What a physical study says of its balls; call before it is made dimensionless.
 BallDetails ball_details(const Document& document);
 
 }  // namespace equipoise::study

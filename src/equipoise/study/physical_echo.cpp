@@ -13,7 +13,7 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-// Replaces the numbers of one key by quantities; `scale` has the scale of each entry, the last one for all that follow.
+// Replaces the numbers of one key by quantities. `scale`: of each entry; the last one holds for all further entries.
 void multiply(StudyValue& table, const std::string& key, Dimension dimension, const std::vector<double>& scale) {
   StudyValue* value = table.find(key);
   if (!value) return;

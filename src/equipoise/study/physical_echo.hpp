@@ -1,4 +1,4 @@
-// A study in physical units again.
+// A dimensionless study written in physical units.
 #pragma once
 
 #include <string>
@@ -7,13 +7,12 @@
 
 namespace equipoise {
 
-/// The study with the release that it leaves to its default written down: without units that is another than with them.
-/// Of a driven rotor it is the same.
+/// The study with its default release stated: the default differs with units, except for a driven rotor.
 Study stating_release(Study study);
 
-/// The resolved study as TOML in physical units, from its scales; read_study() takes it back to the same machine, and,
-/// if the mean of the stiffnesses is 1 (as in every study that came in physical units), to the same dimensionless
-/// numbers but for rounding. Throws InputError if the study has no scales.
+/// The resolved study as TOML in physical units, from its scales. read_study() takes it back to the same machine. If
+/// the mean stiffness is 1 (as in every study read in physical units), it takes it back to the same dimensionless
+/// numbers, up to rounding. Throws InputError if the study has no scales.
 std::string to_physical_toml(const Study& study);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Quantities with their dimension and range.
+// Reads quantities with their dimension and range.
 #include "equipoise/study/quantity_reader.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Measured measure_value(const StudyValue& value, const std::vector<Dimension>& di
   return result;
 }
 
-// A plain number may be what the key's alternative takes.
+// A plain number may be meant for the key's alternative.
 std::function<void(const std::string&)> QuantityReader::refusal(const std::string& key, const StudyValue& value) const {
   const auto other = alternatives_.find(key);
   const std::string more = value.is_number() && other != alternatives_.end() ? other->second : "";

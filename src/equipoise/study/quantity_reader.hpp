@@ -1,4 +1,4 @@
-// Reading the quantities of a physical study: TableReader's checks for strings with units.
+// Reads the quantities of a study in physical units: TableReader's checks for strings with units.
 #pragma once
 
 #include <functional>
@@ -11,39 +11,37 @@
 
 namespace equipoise::study {
 
-/// Everything a machine measures in SI units lies well within: what is computed from such values stays a finite number
-/// that is not 0.
+/// Every SI value of a machine lies well within these bounds: results computed from them stay finite and nonzero.
 inline constexpr double largest_si = 1e30, smallest_si = 1e-30;
 
-/// One table of a physical study, whose keys say what they measure. Values are in SI units; a plain number is an error.
+/// One table of a physical study; each key has a dimension. Values are in SI units; a plain number is an error.
 class QuantityReader : public TableReader {
  public:
   using TableReader::TableReader;
 
   double quantity(const std::string& key);
   std::optional<double> optional_quantity(const std::string& key);
-  /// One quantity, or an array with one an `each`: always `count` values, or none if the key is absent. All measure
-  /// the key's dimension or all the `other` one; which, `measured` returns.
+  /// One quantity, or an array with one per `each`: always `count` values, or none if the key is absent. All have the
+  /// key's dimension, or all have `other`; `measured` returns which.
   std::vector<double> one_or_each(const std::string& key, int count, const std::string& each,
                                   std::optional<Dimension> other = std::nullopt, Dimension* measured = nullptr);
   using TableReader::one_or_each;
-  /// The quantities that no call has asked for, and which are read alike; plain numbers stay as they are.
+  /// The quantities not asked for so far that are all read alike; plain numbers stay unread.
   std::map<std::string, std::vector<double>> others(int balls);
-  /// Throws unless exactly one of the two keys is there, saying what each would be.
+  /// Throws unless exactly one of the two keys is there; the message says what each would be.
   void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
 
  private:
   const Key& line(const std::string& key) const;
   std::function<void(const std::string&)> refusal(const std::string& key, const StudyValue& value) const;
 
-  std::map<std::string, std::string> alternatives_;  // by key: what may be given in its place
+  std::map<std::string, std::string> alternatives_;  // by key: what may be given instead
 };
 
 /// "a length of 0 or more, such as "0.2 mm"".
 std::string wanted_quantity(const std::vector<Dimension>& dimensions, const Range& range);
 
-/// The SI value of one value (a string, or an array's entry) with its checks; `reject` throws. Angles may be plain
-/// numbers.
+/// The SI value of a value (a string or an array's entry), checked; `reject` throws. Angles may be plain numbers.
 Measured measure_value(const StudyValue& value, const std::vector<Dimension>& dimensions, const Range& range,
                        const std::function<void(const std::string&)>& reject);
 

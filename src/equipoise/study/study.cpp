@@ -1,4 +1,4 @@
-// What follows from a study's settings: its ramp function, its motor, its release, its system.
+// What follows from a study's settings: ramp function, motor, release, system.
 #include "equipoise/study/study.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ model::SpeedProfile profile_of(const RampSetting& speed) {
   return profile;
 }
 
-// From where supports isolate, or nearly what the motor aims at.
+// The speed above which supports isolate, or nearly the speed that the motor aims at, if that is lower.
 double usual_stall_speed(const Study& study) {
   const auto aim = study.motor().final_speed();
   return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);

@@ -1,4 +1,4 @@
-// Studies from files.
+// Reads studies from files.
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -16,7 +16,7 @@
 namespace equipoise {
 
 namespace {
-// The longest study that anybody wrote is a thousandth of this. What never ends, as /dev/zero, ends here.
+// The longest study written so far is a thousandth of this. An endless file such as /dev/zero stops here.
 constexpr std::size_t longest_study = std::size_t{16} << 20;
 }  // namespace
 

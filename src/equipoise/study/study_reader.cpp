@@ -1,4 +1,4 @@
-// From TOML to a checked study: what keys.cpp cannot say of its keys, and the order of reading.
+// From TOML to a checked study: rules that keys.cpp cannot express, and the order of reading.
 #include "equipoise/drives/never_reached.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-// The keys that a table has in these variants.
+// Reads the keys that a table has in these variants.
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
   for (const Key& key : key_table(table).of(variants, false)) read_key(reader, key, study);
 }
@@ -53,7 +53,7 @@ void read_balancer(const Document& document, Study& study) {
   reader.finish();
 }
 
-// Increasing times and a value for each.
+// Times must increase, and each needs a value.
 void check_times(TableReader& reader, const std::vector<double>& times, const char* values_key,
                  const std::vector<double>& values) {
   for (std::size_t i = 1; i < times.size(); ++i)
@@ -89,7 +89,7 @@ void read_target(const Document& document, RampSetting& target) {
   target = study.speed;
 }
 
-// The keys that are there say which law it is.
+// The keys present determine the law.
 void read_torque(const Document& document, Study& study) {
   using Kind = model::MotorLaw::Kind;
   TableReader reader(document, "speed.torque");
@@ -173,7 +173,7 @@ void read_sampling(const Document& document, Study& study) {
   reader.finish();
 }
 
-// What a dimensionless study may say of its units, so that results can be shown in physical ones.
+// Optional units of a dimensionless study, so that results can be shown in physical ones.
 void read_units(const Document& document, Study& study) {
   study.scales = document.scales;
   if (document.scales || !document.root.find("units")) return;
@@ -181,14 +181,14 @@ void read_units(const Document& document, Study& study) {
   read_table(document, "units", study);
 }
 
-// Whether the study puts the rotor nowhere.
+// Whether the study does not say where the rotor starts.
 bool states_no_place(const Document& document, const SamplingBox& box) {
   TableReader initial(document, "initial");
   const bool stated = initial.has("x") || initial.has("y") || initial.has("x_dot") || initial.has("y_dot");
   return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
 }
 
-// Such a rotor rests under its weight at first, not on slack springs.
+// Such a rotor starts at rest under its weight, not on unloaded springs.
 void rest_under_gravity(const Document& document, Study& study) {
   if (study.parameters.gravity == 0.0 || !states_no_place(document, study.sampling.box)) return;
   const model::Drive drive = study.drive();
@@ -202,11 +202,11 @@ void rest_under_gravity(const Document& document, Study& study) {
   s.y_dot = velocity[1];
 }
 
-enum class Source { asked, kept };  // kept: the study of a result
+enum class Source { asked, kept };  // kept: a study stored in a result
 
 Study read(Document document, Source source = Source::asked);
 
-// Each value alone at either end: what lies between makes a study if both ends do.
+// Checks each value alone at either end: if both ends make a valid study, so does everything between.
 void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
   for (const UncertainValue& value : values)
     for (const double end : value.ends()) {
@@ -220,8 +220,8 @@ void check_ends(const Document& document, const StudyValue& medians, const std::
     }
 }
 
-// A real race has no latch: in the units of a machine nothing holds the balls unless the study says so, and results say
-// that it does not. A dimensionless study keeps the paper's way. With a motor balls are free in any case.
+// A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
+// A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
 void free_balls_of_machine(Document& document) {
   if (!is_physical(document)) return;
   const StudyValue* profile = document.root.find_path("speed.profile");
@@ -278,7 +278,7 @@ Study study_from(const StudyValue& tree, const std::string& name, const std::vec
 
 namespace {
 BallDetails ball_details_of(Document document) {
-  check_keys(document, is_physical(document));  // whichever is asked first speaks of typing errors first
+  check_keys(document, is_physical(document));  // misspellings are reported first, whichever function is called first
   take_uncertain(document);
   return ball_details(document);
 }
@@ -306,7 +306,7 @@ Study drawn_study(const Study& study, std::span<const double> values) {
 }
 
 namespace {
-// What a study in physical units with uncertain values states as it was written, in dimensionless terms.
+// What a physical study with uncertain values states, as written, in dimensionless terms.
 std::string text_of_written(const Study& study) {
   StudyValue tree = to_tree(with_medians(study));
   for (const char* table : {"sampling", "numerics"}) tree.erase(table);
@@ -314,7 +314,7 @@ std::string text_of_written(const Study& study) {
 }
 }  // namespace
 
-// One set of rules, whether a study comes from a file, a tree or code.
+// The same rules for studies from files, trees and code.
 void check(const Study& study) {
   const std::string name = study.name.empty() ? "study" : study.name;
   const Study again = read(document_of(to_tree(study), name, {}));

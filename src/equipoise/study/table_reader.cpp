@@ -22,10 +22,10 @@ namespace equipoise::study {
 
 namespace {
 
-// Of a table that an override made.
+// The line number of a table made by an override.
 constexpr int line_of_override = -1;
 
-// A value much as it was written, on one line; no longer than `longest_shown` by more than its last part.
+// A value much as it was written, on one line; at most its last part exceeds `longest_shown`.
 void append_shown(std::string& text, const StudyValue& value) {
   if (text.size() > longest_shown) return;
   const char* separator = "";
@@ -76,7 +76,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-// The value of an override: TOML, or a bare word or a quantity ("published", "12 kg") as a string.
+// The value of an override: TOML, or a bare word or quantity ("published", "12 kg") as a string.
 StudyValue parse_value(const std::string& key, const std::string& value) {
   try {
     const StudyValue parsed = parse_toml("value = " + value);
@@ -88,7 +88,7 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
   throw InputError(overrides_name, printable(key), printable(value), "must be a single TOML value");
 }
 
-// The final speed has one name whatever the profile.
+// speed.final names the final speed whatever the profile.
 std::string key_here(const StudyValue& root, const std::string& key) {
   const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
   return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;

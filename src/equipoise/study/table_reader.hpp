@@ -1,4 +1,4 @@
-// Reading values with errors that name file, line, key, value and allowed range, and that catch unknown keys.
+// Reads values with errors that name file, line, key, value and allowed range, and rejects unknown keys.
 #pragma once
 
 #include <cstddef>
@@ -17,27 +17,27 @@
 
 namespace equipoise::study {
 
-/// What a number may be.
+/// The allowed range of a number.
 struct Range {
   double low, high;
   bool low_open = false, high_open = false;
 
-  bool contains(double v) const;  ///< false for not-a-number and infinity
+  bool contains(double v) const;  ///< false for NaN and infinity
   std::string text() const;       ///< "a finite number greater than 0"
 };
 
-/// Far beyond any use, and small enough that a difference of two numbers stays finite.
+/// Far beyond any use, yet small enough that the difference of two numbers stays finite.
 inline constexpr double unbounded = 1e300;
 inline constexpr Range any_number{-unbounded, unbounded};
 inline constexpr Range not_negative{0.0, unbounded};
 inline constexpr Range positive{0.0, unbounded, true};
 
-/// A study's tree with its overrides applied, and the knowledge of where each value came from.
+/// A study's tree with its overrides applied, and the origin of each value.
 struct Document {
   StudyValue root;  ///< a table
   std::string name;
   std::set<std::string> overridden;  ///< dotted keys given by --set
-  /// Where a value has been converted (physical.hpp): what was written, and where; by dotted key.
+  /// A converted value (physical.hpp), by dotted key: its original text and place.
   struct Written {
     std::string value;
     Place where;
@@ -46,20 +46,20 @@ struct Document {
   std::optional<model::Scales> scales;  ///< of a physical study, for messages in its units
 
   Place where(const std::string& dotted_key, const StudyValue* value) const;
-  /// The value as it was written, shortened, for a message.
+  /// The value as it was written, shortened for a message.
   std::string value_text(const std::string& dotted_key, const StudyValue& value) const;
 };
 
-/// Parses TOML text and applies overrides "dotted.key=value". The value is TOML; what is not TOML and does not begin
-/// like an array, table or string counts as a string: --set speed.law=published.
+/// Parses TOML text and applies overrides "dotted.key=value". The value is TOML. Other text that does not begin like an
+/// array, table or string counts as a string: --set speed.law=published.
 Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
-/// The same of a tree that came another way.
+/// The same from a tree.
 Document document_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
 
 /// One table of the document. Every read marks its key as known; finish() rejects the others.
 class TableReader {
  public:
-  /// `prefix` is the table's dotted name; an absent table reads as empty.
+  /// `prefix`: the table's dotted name; an absent table reads as empty.
   TableReader(const Document& document, std::string prefix);
 
   bool has(const std::string& key);
@@ -67,7 +67,7 @@ class TableReader {
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
-  /// A value of an enumeration by its name; `names` are those of its first values, in their order.
+  /// A value of an enumeration by its name; `names` are those of its first values, in order.
   template <class Enumeration>
   Enumeration choice(const std::string& key, std::span<const char* const> names,
                      std::optional<Enumeration> fallback = std::nullopt) {
@@ -75,11 +75,11 @@ class TableReader {
   }
   bool flag(const std::string& key, bool fallback);
   std::vector<double> numbers(const std::string& key, const Range& range);
-  /// An array of strings; empty if it is not there.
+  /// An array of strings; empty if absent.
   std::vector<std::string> texts(const std::string& key);
   /// `count` numbers from an array of that length, or one number repeated.
   std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each);
-  /// Throws for the first key that no read asked for.
+  /// Throws for the first key that was not read.
   void finish() const;
 
   /// Throws an InputError about `key`.
@@ -96,7 +96,7 @@ class TableReader {
   double as_number(const std::string& key, const StudyValue& value, const Range& range,
                    std::optional<std::size_t> entry = std::nullopt) const;
   std::string dotted(const std::string& key) const;
-  /// "a number", "a string": what a value is, for a message.
+  /// The type of a value for a message: "a number", "a string".
   static std::string kind(const StudyValue& value);
 
   const std::string prefix_;

@@ -1,4 +1,4 @@
-// Quantiles of distributions; their text.
+// Quantiles of distributions, and their text.
 #include "equipoise/study/uncertain.hpp"
 
 #include <algorithm>
@@ -15,12 +15,12 @@ namespace equipoise {
 
 namespace {
 
-// A fraction of 0 counts as half the least one that is drawn else; 1 is never drawn.
+// A fraction of 0 counts as half the smallest other fraction drawn; 1 is never drawn.
 constexpr double least_fraction = 0x1p-54, most_probability = 1.0 - 0x1p-53;
 constexpr double normal_reach = 5.0;
 
 double weighted(double low, double high, double fraction) {
-  // A weighted mean: between the ends also where their difference rounds.
+  // A weighted mean stays between the ends even where their difference rounds.
   return std::clamp((1.0 - fraction) * low + fraction * high, low, high);
 }
 
@@ -29,7 +29,7 @@ double normal_at(const UncertainValue& v, double fraction) {
   if (deviation == 0.0) return mean;
   if (!v.between) return mean + deviation * normal_quantile(std::max(fraction, least_fraction));
   const auto [low, high] = *v.between;
-  // In the tail where it is small, a probability is known to all its digits.
+  // A probability is accurate in the tail where it is small.
   const bool upper = low > mean;
   const double sign = upper ? -1.0 : 1.0;
   const double from = normal_up_to(sign * (low - mean) / deviation),

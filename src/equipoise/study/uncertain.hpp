@@ -1,4 +1,4 @@
-// Uncertain values: a number of a study that every start draws from a distribution.
+// Uncertain values: numbers of a study that every start draws from a distribution.
 #pragma once
 
 #include <array>
@@ -11,25 +11,25 @@
 
 namespace equipoise {
 
-/// Uniform: [low, high]. Normal: [mean, standard deviation], cut to `between` if that is given. Log-uniform: [low,
-/// high], both greater than 0. Values: a list, each entry equally likely.
+/// uniform: [low, high]. normal: [mean, standard deviation], cut to `between` if that is given. loguniform: [low,
+/// high], both greater than 0. values: a list, each entry equally likely.
 enum class DistributionKind { uniform, normal, loguniform, values };
 inline constexpr std::array<const char*, 4> distribution_names{"uniform", "normal", "loguniform", "values"};
 
-/// A key of rotor, balancer, speed or release with its distribution, in the unit in which it is written.
+/// A key of rotor, balancer, speed or release with its distribution, in the unit as written.
 struct UncertainValue {
   std::string key;  ///< dotted
   DistributionKind kind = DistributionKind::uniform;
   std::vector<double> numbers;
   std::optional<std::array<double, 2>> between;  ///< normal only
-  std::string unit;                              ///< of all these numbers, as "g mm"; empty: plain ones
+  std::string unit;                              ///< of all these numbers, such as "g mm"; empty: plain numbers
 
-  /// The quantile of a fraction from 0 to below 1: evenly drawn fractions give draws of the distribution.
+  /// The quantile of a fraction in [0, 1): uniform fractions give draws of the distribution.
   double at(double fraction) const;
-  /// Stands for the distribution where no start is drawn.
+  /// The value used where no start is drawn.
   double median() const;
-  /// The least and the largest value, between which a study must hold; of a normal one that is not cut, five standard
-  /// deviations away: farther out lies one draw of two million.
+  /// The least and the largest value; the study must be valid between them. For a normal distribution without cut, five
+  /// standard deviations away: one draw in two million lies beyond.
   std::array<double, 2> ends() const;
 
   StudyValue written(double number) const;  ///< a value of the key: a number, or a quantity
@@ -37,14 +37,14 @@ struct UncertainValue {
   std::string text(double number) const;    ///< "0.012", "300 g mm"
 };
 
-/// All that is uncertain in a study; nothing if `values` is empty. The study's own members hold the medians.
+/// Everything uncertain in a study; nothing if `values` is empty. The study's own members hold the medians.
 struct Uncertainty {
   std::vector<UncertainValue> values;  ///< by key
-  /// Of a study in physical units: all that it says, as it was written, since what a quantity changes (a ball's mass
-  /// its drag over its mass) is known there alone.
+  /// For a study in physical units: the whole study as written. Only there is it known what else a quantity changes,
+  /// such as a ball's mass its drag over its mass.
   std::optional<StudyValue> physical;
-  std::optional<double> horizon;  ///< that `physical` states, dimensionless
-  bool rests = false;             ///< [initial] states no place: each draw rests under its own weight at first
+  std::optional<double> horizon;  ///< stated in `physical`, dimensionless
+  bool rests = false;             ///< [initial] states no position: each draw starts at rest under its own weight
 
   bool empty() const { return values.empty(); }
 };

@@ -24,7 +24,7 @@ bool names_distribution(const StudyValue& table) {
                      [&](const char* name) { return table.find(name); });
 }
 
-// One distribution, entry by entry.
+// Reads one distribution, entry by entry.
 class DistributionReader {
  public:
   DistributionReader(const Document& document, std::string key, const StudyValue& table)
@@ -66,7 +66,7 @@ class DistributionReader {
     return numbers;
   }
 
-  // A plain number, or the number of a quantity; all have one unit.
+  // A plain number, or the number of a quantity; all entries share one unit.
   double number(const std::string& name, const StudyValue& entry, std::size_t place) {
     double result = entry.number();
     std::string unit;
@@ -117,7 +117,7 @@ class DistributionReader {
     value_.between = {bounds[0], bounds[1]};
   }
 
-  // What is left of a normal distribution farther out has no probability to speak of, 10^-89.
+  // Beyond this, a normal distribution has a negligible probability of 10^-89.
   static constexpr double farthest = 20.0;
 
   const Document& document_;
@@ -141,7 +141,7 @@ std::vector<UncertainValue> take_uncertain(Document& document) {
     if (!table) continue;
     for (const auto& [key, value] : *table->table()) {
       const std::string dotted = name + "." + key;
-      // A key in quotes may hold dots of its own; the reader knows none such.
+      // A key in quotes may contain dots; the reader knows no such key.
       if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
         continue;
       values.push_back(DistributionReader(document, dotted, value).read());

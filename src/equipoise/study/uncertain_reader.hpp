@@ -1,4 +1,4 @@
-// Distributions taken out of a study's tree before its numbers are read.
+// Takes distributions out of a study's tree before its numbers are read.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ inline constexpr std::string_view distribution_forms =
 /// Whether numbers in the table with this dotted name may be distributions.
 bool takes_distributions(const std::string& dotted);
 
-/// Puts medians in the place of all distributions in rotor, balancer, speed and release; what was written is kept for
-/// messages, and tables that name none are left to the reader. Throws InputError for numbers that make no distribution.
+/// Replaces all distributions in rotor, balancer, speed and release by their medians. Original values are kept for
+/// messages; tables that name no distribution are left to the reader. Throws InputError for numbers that make none.
 std::vector<UncertainValue> take_uncertain(Document& document);
 
-/// Puts `number` of the value's own unit where its key stands in a study's tree.
+/// Puts `number`, in the value's own unit, at its key in a study's tree.
 void put_value(StudyValue& root, const UncertainValue& value, double number);
 
-/// Throws an InputError about the distribution: at the end `number` the study is refused for what `refusal` says.
+/// Throws an InputError about the distribution: at its end `number` the study is refused for the reason `refusal`.
 [[noreturn]] void fail_at_end(const Document& document, const UncertainValue& value, double number,
                               const InputError& refusal);
 

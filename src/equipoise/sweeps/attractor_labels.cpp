@@ -1,4 +1,4 @@
-// Matching of attractors, cell by cell in their order.
+// Matches attractors across cells, in the cells' order.
 #include "equipoise/sweeps/attractor_labels.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace equipoise {
 
 namespace {
 
-// How different two motions may be that are the same one at neighbouring parameters.
+// Largest difference between two motions that count as the same at neighbouring parameters.
 constexpr double farthest = 1.0 / 3.0;
 
-// Without the number that tells it from others of its name.
+// The name without the number that distinguishes it from others of its name.
 std::string plain_name(const std::string& name) { return name.substr(0, name.rfind(" (")); }
 
 double relative(double a, double b) {
@@ -39,7 +39,7 @@ double drift_difference(std::vector<double> a, std::vector<double> b) {
 
 double distance(const SweepOutcome& a, const SweepOutcome& b) {
   if (a.kind != b.kind || plain_name(a.name) != plain_name(b.name)) return std::numeric_limits<double>::infinity();
-  if (!a.r_max || !b.r_max) return 0.0;  // told by name alone
+  if (!a.r_max || !b.r_max) return 0.0;  // matched by name alone
   return std::max({relative(*a.r_mean, *b.r_mean), relative(*a.r_max, *b.r_max), drift_difference(a.drift, b.drift)});
 }
 
@@ -71,7 +71,7 @@ class Labels {
     return found;
   }
 
-  // The nearest pairs first; who finds a partner leaves `open`.
+  // The nearest pairs first; whatever finds a partner leaves `open`.
   void match(std::vector<SweepOutcome*>& open, const std::vector<const SweepCell*>& neighbours, std::set<int>& used) {
     for (;;) {
       double least = farthest;

@@ -8,10 +8,9 @@
 
 namespace equipoise {
 
-/// Motions with an identifier of their own have it in every cell. The others are matched with those of the neighbouring
-/// cells before, along every axis: one of the same kind and kind of name that shakes and drifts most nearly as much,
-/// if no more than a third less or more. What matches nothing gets the next free identifier, numbered behind its name
-/// if that is taken.
+/// Motions with a fixed identifier keep it in every cell. The others are matched with those of the preceding neighbours
+/// along every axis: the most similar in vibration and drift of the same kind and kind of name, if they differ by at
+/// most a third. An unmatched motion gets the next free identifier, and a number if its name is taken.
 void label_attractors(const std::vector<SweepAxis>& axes, SweepCells& cells);
 
 }  // namespace equipoise

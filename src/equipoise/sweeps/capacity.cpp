@@ -36,7 +36,7 @@ namespace {
 
 constexpr int scan = 8;  // values of the range tried first
 
-// Values are set with few digits, so that they read back to what is told.
+// Values have few digits, so that they read back as shown.
 double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
 std::string setting(const CapacityOptions& options, double value) {
@@ -52,7 +52,7 @@ class Boundary {
            const BlockWorkers* workers)
       : plan_(plan), options_(options), cell_(cell), known_(std::move(known)), workers_(workers) {}
 
-  // Of one stopped.
+  // For a stopped search.
   OpenCapacity open() const {
     OpenCapacity known;
     known.trials = trials_.size();
@@ -65,7 +65,7 @@ class Boundary {
     return known;
   }
 
-  // None if stopped.
+  // Empty if stopped.
   std::optional<CapacityCell> find() {
     // Beyond the first value at which the share is surely too small nothing matters.
     for (int k = 0; k <= scan; ++k) {
@@ -136,7 +136,7 @@ class Boundary {
     return found;
   }
 
-  // The first value at which it falls short, and the last before it: beyond the range where there is none.
+  // The first value at which it falls short, and the last before it; beyond the range if there is none.
   template <class Short>
   std::pair<double, double> crossing(const Short& falls_short) {
     const double outside = options_.to - options_.from;
@@ -167,7 +167,7 @@ class Boundary {
   bool stopped_ = false;
 };
 
-// All that decides what stands in the results, as text.
+// Everything that determines the results, as text.
 std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
   return plan.identity() +
          fmt::format("[capacity]\nof = {}\nunit = {}\nfrom = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.key,
@@ -274,8 +274,7 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
 
 namespace {
 
-// From a fiftieth of what the balls of the cell with the least can make up for to all that those of the one with the
-// most can.
+// From a fiftieth of what the balls can cancel in the cell with the least to all of it in the cell with the most.
 std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
   const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;

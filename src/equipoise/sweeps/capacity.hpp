@@ -13,27 +13,26 @@ namespace equipoise {
 
 /// Progress is in cells.
 struct CapacityOptions : RunOptions {
-  std::string key;              ///< as --set knows it
+  std::string key;              ///< as in --set
   std::string unit;             ///< of quantities; empty for plain numbers
-  double from = 0.0, to = 0.0;  ///< where it is looked for, in that unit; from < to
+  double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
   double at_least = 0.95;       ///< share of starts that end balanced, in (0, 1)
-  double precision = 0.005;     ///< of the boundary and its ends, as a part of to - from
+  double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
   std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
   SurveyHelpers helpers;
 };
 
-/// What is to be as large as possible, as people name it; empty: rotor.unbalance where the study states it, else
-/// rotor.eccentricity. `option` names it in errors. Throws InputError for the one of the two that the study does not
-/// state.
+/// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
+/// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
 std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option);
 
 struct CapacityRange {
   double from = 0.0, to = 0.0;
   std::string unit;
 };
-/// The range as people write it, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
-/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that balls can make up
-/// for, over all cells. `option` names it in errors. Throws InputError.
+/// The range as written, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
+/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can cancel,
+/// over all cells. `option` names it in errors. Throws InputError.
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option);
 

@@ -1,4 +1,4 @@
-// Places at the desk: one a cell and way of sampling.
+// Places at the desk: one per cell and sampling method.
 #include "equipoise/sweeps/cell_desk.hpp"
 
 #include <utility>

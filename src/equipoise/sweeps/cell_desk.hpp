@@ -1,4 +1,4 @@
-// Cells at work in this process, so that others may decide some of their starts: idle threads, other processes.
+// The cells that this process works on; idle threads and other processes can decide some of their starts.
 #pragma once
 
 #include <condition_variable>
@@ -17,7 +17,7 @@
 
 namespace equipoise {
 
-/// Where a cell's search begins: with what its neighbour has.
+/// Where a cell's search begins: with its neighbour's results.
 struct CellStart {
   std::vector<std::vector<double>> warm_start_states;
   bool warm_start = false;
@@ -25,7 +25,7 @@ struct CellStart {
   bool operator==(const CellStart&) const = default;
 };
 
-/// What who decides starts of a cell elsewhere must know to give them the same bits.
+/// What another process needs to know to decide starts of a cell with the same bits.
 struct CellAtWork {
   std::size_t cell = 0;
   std::vector<std::string> more = {};  ///< set on top of the cell's study
@@ -34,15 +34,14 @@ struct CellAtWork {
   bool operator==(const CellAtWork&) const = default;
 };
 
-/// All from any thread.
+/// Callable from any thread.
 class CellDesk {
  public:
   CellDesk() = default;
   CellDesk(const CellDesk&) = delete;
   CellDesk& operator=(const CellDesk&) = delete;
 
-  /// Where a cell at work stands, so that others get ready; it brings an ensemble's chunks to the desk, which it must
-  /// not outlive.
+  /// A cell at work, so that others can prepare. Brings an ensemble's chunks to the desk, which must outlive it.
   class Place final : public ChunkHelp {
    public:
     Place(CellDesk& desk, CellAtWork at);
@@ -62,25 +61,25 @@ class CellDesk {
     const CellAtWork at_;
     std::uint64_t number_;
     ChunkQueue* queue_ = nullptr;  // while it is open
-    int inside_ = 0;               // others at one of its chunks
+    int inside_ = 0;               // others at work on its chunks
   };
 
-  /// Decides a chunk of some cell's starts. False if there is none to be had now.
+  /// Decides a chunk of some cell's starts. False if none is available now.
   bool help();
 
   struct Task {
     std::uint64_t number = 0;
     CellAtWork at;
   };
-  /// Of the place taken last.
+  /// For the place taken last.
   std::optional<Task> newest();
-  /// A chunk that goes elsewhere.
+  /// A chunk given to another process.
   struct Loan {
     std::uint64_t number = 0, first = 0;
     std::size_t count = 0;
   };
   std::optional<Loan> lend(std::uint64_t task);
-  /// What was made of it: decided, or given up (no fates). That of a cell which is not at work any more is left alone.
+  /// Takes back a loan: decided, or given up (no fates). Ignored if the cell is no longer at work.
   void give_back(std::uint64_t loan, Chunk made);
 
  private:
@@ -92,7 +91,7 @@ class CellDesk {
   std::mutex mutex_;
   std::condition_variable left_;
   std::vector<Place*> places_;
-  std::size_t turn_ = 0;  // they are helped one after the other
+  std::size_t turn_ = 0;  // places are helped in turn
   std::map<std::uint64_t, Lent> lent_;
   std::uint64_t last_number_ = 0;  // of tasks and loans
 };

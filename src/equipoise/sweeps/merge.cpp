@@ -1,4 +1,4 @@
-// What a file's identity says of the sweep that it is of; cells of several files in one.
+// Reads a sweep's settings from a file's identity; puts the cells of several files into one.
 #include "equipoise/sweeps/merge.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Files of sweeps read back: what was asked, what is there, and several put together.
+// Reads files of sweeps back, and merges several.
 #pragma once
 
 #include <string>
@@ -8,12 +8,11 @@
 
 namespace equipoise {
 
-/// A file that sweep() wrote, or its unfinished part (.part), as a result. Throws InputError if it is neither or
-/// damaged.
+/// Reads a sweep's file, or its unfinished part (.part), as a result. Throws InputError for other or damaged files.
 SweepResult stored_sweep(const std::string& path);
 
-/// Puts the files of shards, or of any runs of one sweep, together into `output`. Throws InputError if they are not of
-/// one sweep, or damaged.
+/// Merges the files of shards, or of any runs of one sweep, into `output`. Throws InputError if they do not belong to
+/// one sweep, or are damaged.
 SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output);
 
 }  // namespace equipoise

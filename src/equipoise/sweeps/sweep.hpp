@@ -15,14 +15,14 @@ namespace equipoise {
 /// Progress is in cells.
 struct SweepOptions : RunOptions {
   std::string output;  ///< NetCDF file; an unfinished one of the same sweep is resumed, a finished one read
-  /// Only every `shards`-th block, from number `shard` on: other processes have the rest (sweeps/merge.hpp).
+  /// Only every `shards`-th block, starting with number `shard`; other processes have the rest (sweeps/merge.hpp).
   std::size_t shard = 0, shards = 1;
-  /// Told of every cell that is done, with its place; never from two threads at once.
+  /// Called with every finished cell and its index, never from two threads at once.
   std::function<void(std::size_t, const SweepCell&)> cell;
   SurveyHelpers helpers;
 };
 
-/// Runs the ensembles. The result depends on the plan alone. Throws InputError for unusable output files, RunError if
+/// Runs the ensembles. The result depends only on the plan. Throws InputError for unusable output files, RunError if
 /// the output fails later.
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Reading of KEY=FROM:TO:STEP and KEY=A,B,C.
+// Reads KEY=FROM:TO:STEP and KEY=A,B,C.
 #include "equipoise/sweeps/sweep_axis.hpp"
 
 #include <algorithm>

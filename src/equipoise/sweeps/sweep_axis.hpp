@@ -1,4 +1,4 @@
-// The parameters of a sweep as people write them.
+// Reads the parameters of a sweep as people write them.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ inline constexpr std::size_t most_sweep_axes = 3, most_sweep_cells = 100'000;
 /// ("rotor.unbalance=100 g mm:400 g mm:50 g mm"). `option` names it in errors. Throws InputError.
 SweepParameter sweep_parameter(const std::string& text, const std::string& option);
 
-/// One axis a text; zipped: one axis of all, which must have as many values each, the first different ones, by which
-/// cells are told apart. Throws InputError for none, for too many, and for keys that are named twice.
+/// One axis per text. Zipped: one axis of all texts, which must have equally many values; those of the first must
+/// differ, because they identify the cells. Throws InputError for no axis, for too many, and for repeated keys.
 std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zip, const std::string& option);
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// From a study and its neighbour's attractors to a cell.
+// Computes a cell from its study and its neighbour's attractors.
 #include "equipoise/sweeps/sweep_cell.hpp"
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace equipoise {
 
 namespace {
 
-// Options of a cell's ensemble, the same for all that work on it. They refer to `start`.
+// Options of a cell's ensemble, the same for everybody who works on it. They refer to `start`.
 BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   BasinOptions options;
   options.half_width = plan.request().half_width;
@@ -57,10 +57,10 @@ SweepCell cell_of(const BasinResult& result, const Catalogue& catalogue) {
   return cell;
 }
 
-// Where a cell's search begins: where the one before it began, if both search the same.
+// Where a cell's search begins: where the previous one began, if both search the same.
 class Chain {
  public:
-  // Before a cell's run, whether or not it is known already.
+  // Call it before every cell, even one that is already known.
   void step(const Study& study, const SweepCell* before) {
     const std::string subject = attractor_search_subject(study);
     if (before && subject != subject_) {

@@ -68,7 +68,7 @@ std::string SweepPlan::title_of(std::size_t cell) const { return cell_title(axes
 std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
   const std::size_t line = block / blocks_in_line_, first = block % blocks_in_line_ * block_length;
   const std::size_t length = chain_length();
-  std::size_t stride = 1;  // between cells that are neighbours along the chain
+  std::size_t stride = 1;  // between neighbours along the chain
   for (std::size_t a = chain_ + 1; a < axes_.size(); ++a) stride *= axes_[a].size();
   const std::size_t begin = line / stride * stride * length + line % stride;
   std::vector<std::size_t> cells;

@@ -1,4 +1,4 @@
-// The cells of a sweep: which study each is, and in which order they are computed.
+// The cells of a sweep: the study of each, and the order in which they are computed.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +16,26 @@ struct StudySource {
   std::vector<std::string> overrides;
 
   Study with(const std::vector<std::string>& more = {}) const;
-  /// Whether it gives this key ("rotor.unbalance") a value.
+  /// Whether it states this key ("rotor.unbalance").
   bool states(const std::string& key) const;
   /// Whether its values are quantities in physical units.
   bool physical() const;
 };
 
-/// What is asked of every cell.
+/// What is wanted of every cell.
 struct CellRequest {
   double half_width = 0.0;   ///< BasinOptions::half_width
   bool limit_given = false;  ///< BasinOptions::limit_given
   std::optional<bool> transients;
 };
 
-/// Cells come in blocks along the axis with the most values. What is found in one cell is where the search in the next
-/// one of its block begins, so a block is one piece of work; blocks know nothing of each other, and no result depends
-/// on who computes which when.
+/// Cells form blocks along the axis with the most values. A search begins with what was found in the previous cell of
+/// its block, so a block is one piece of work. Blocks are independent of each other and of their order.
 class SweepPlan {
  public:
   static constexpr std::size_t block_length = 8;
 
-  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is none or cannot be decided.
+  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is invalid or cannot be decided.
   SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
 
   const Study& study() const { return study_; }
@@ -48,15 +47,15 @@ class SweepPlan {
 
   std::size_t cells() const { return cells_; }
   Study study_of(std::size_t cell) const { return study_of(cell, {}); }
-  /// With more set on top of it.
+  /// With further overrides.
   Study study_of(std::size_t cell, const std::vector<std::string>& more) const;
   std::size_t blocks() const { return lines_ * blocks_in_line_; }
-  /// In the order in which they are computed.
+  /// In the order of computation.
   std::vector<std::size_t> cells_of(std::size_t block) const;
   /// "speed.final = 2.4, balancer.drag = 0.05".
   std::string title_of(std::size_t cell) const;
 
-  /// All that decides what stands in the results, as text.
+  /// Everything that determines the results, as text.
   std::string identity() const;
 
  private:

@@ -1,4 +1,4 @@
-// Parameters of sweeps and their like in tables.
+// Parameters of sweeps and similar results in tables.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace equipoise {
 
-/// "rotor.unbalance, g mm": the title of a terminal's column, and how wide that is.
+/// "rotor.unbalance, g mm": the title of a column in a terminal, and its width.
 std::string column_title(const std::string& key, const std::string& unit);
 std::size_t column_width(const SweepParameter& parameter);
-/// The columns of all parameters: their titles, and their values in a cell.
+/// The columns of all parameters: titles, and values in a cell.
 std::string column_titles(const std::vector<SweepAxis>& axes);
 std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 

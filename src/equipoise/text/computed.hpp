@@ -1,4 +1,4 @@
-// How a result was computed: what all JSON of results ends with.
+// How a result was computed: the last part of every result's JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What tables as CSV share.
+// Pieces that all CSV tables share.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace equipoise {
 
-/// Shortest text that reads back to the same number; nothing for what is not finite.
+/// The shortest text that reads back to the same number; empty if it is not finite.
 std::string csv_number(double value);
-/// In quotes where it needs them, its own quotes doubled (RFC 4180).
+/// Quoted where necessary, with inner quotes doubled (RFC 4180).
 std::string csv_text(const std::string& text);
-/// The study as comments, a line each.
+/// The study as comments, line by line.
 std::string csv_study(const Study& study);
 
 }  // namespace equipoise

@@ -13,7 +13,7 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-// What engineers read a dimension in, smallest first.
+// Units that engineers use for a dimension, smallest first.
 std::vector<EngineeringUnit> units_for(Dimension d) {
   switch (d) {
     case Dimension::mass:

@@ -1,4 +1,4 @@
-// Quantities in the units that engineers read them in.
+// Quantities in the units that engineers use.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace equipoise {
 
-/// A unit as it is written, and what one of it is worth in SI units.
+/// A unit as written, and its value in SI units.
 struct EngineeringUnit {
   const char* name;
   double si;
 };
 
-/// The largest unit that leaves at least one whole of `si`; speeds of rotation in rpm.
+/// The largest unit in which `si` is at least 1; speeds of rotation in rpm.
 EngineeringUnit engineering_unit(double si, study::Dimension dimension);
 
 /// "0.2 mm": five digits, in that unit.

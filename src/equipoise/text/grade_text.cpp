@@ -1,4 +1,4 @@
-// The figure itself, and the grade of the standard that it stays within.
+// The figure itself, and the standard's grade that it meets.
 #include "equipoise/text/grade_text.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace equipoise {
 
 std::string grade_text(double grade_mm_s) {
-  constexpr double nothing = 1e-3;  // mm/s: a micrometre a second, a four hundredth of the best grade
+  constexpr double nothing = 1e-3;  // mm/s: a micrometre per second, a four hundredth of the best grade
   if (grade_mm_s < nothing) return "G 0";
   const auto met = model::standard_grade_met(grade_mm_s);
   return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)

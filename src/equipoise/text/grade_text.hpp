@@ -7,9 +7,9 @@
 
 namespace equipoise {
 
-/// "G 147 (within grade G 250)" of a balance quality in mm/s; "G 0" of what has less than anybody measures.
+/// "G 147 (within grade G 250)" for a balance quality in mm/s; "G 0" below anything measurable.
 std::string grade_text(double grade_mm_s);
-/// The figure, and the grade of the standard that it stays within; null beyond all.
+/// The figure, and the standard's grade that it meets; null beyond all grades.
 nlohmann::ordered_json grade_json(double grade_mm_s);
 
 }  // namespace equipoise

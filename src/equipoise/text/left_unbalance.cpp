@@ -1,4 +1,4 @@
-// Quantiles of what is left, and their balance quality grades.
+// Quantiles of the unbalance left, and their balance quality grades.
 #include "equipoise/text/left_unbalance.hpp"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What unbalance balls leave that dry friction holds, as text and as JSON.
+// The unbalance that balls held by dry friction leave, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace equipoise {
 
-/// A line for every attractor that is a continuum which friction leaves; empty without any.
+/// One line for every attractor that is a continuum caused by friction; empty without any.
 std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, const Study& study);
-/// Null if the attractor is none.
+/// Null if the attractor is no such continuum.
 nlohmann::ordered_json left_unbalance_json(const OutcomeShare& attractor, const Study& study);
 
 }  // namespace equipoise

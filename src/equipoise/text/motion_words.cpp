@@ -1,4 +1,4 @@
-// What a motion is, how fast it is come to, how far it shakes.
+// What a motion is, how fast trajectories come to it, how large its vibration is.
 #include "equipoise/text/motion_words.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Json events_json(const Motion& m) {
   return events;
 }
 
-// Of a continuum each member has its own stability.
+// In a continuum each member has its own stability.
 std::string continuum_text(const ContinuumPart& part, const TableUnits& units) {
   if (part.slowest_rate == 0.0)
     return fmt::format("UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}",

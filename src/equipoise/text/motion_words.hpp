@@ -1,4 +1,4 @@
-// One motion as JSON and in words: what lists of attractors say of each.
+// One motion as JSON and in words, for lists of attractors.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace equipoise {
 
-/// What tables of motions are in: mm, s, rpm and 1/s, or dimensionless.
+/// Units of tables of motions: mm, s, rpm and 1/s, or dimensionless.
 struct TableUnits {
   double length = 1.0, time = 1.0, speed = 1.0, torque = 1.0, power = 1.0;
-  std::string r, period, drift, moment, watts, rate;  // behind the headings, and behind a rate
+  std::string r, period, drift, moment, watts, rate;  // after the headings, and after a rate
 
   explicit TableUnits(const std::optional<model::Scales>& scales);
 };
 
-/// The slowest way in which a deviation dies out, shifts in time left out: "stable, slowest rate -0.02510".
+/// The slowest decay of a deviation, without shifts in time: "stable, slowest rate -0.02510".
 std::string stability_text(const Attractor& a, const TableUnits& units);
 
 /// The keys of `equipoise attractors --json`, without shares and state.

@@ -1,4 +1,4 @@
-// Sampling explained to the reader of a table.
+// Explains the sampling to the reader of a table.
 #include "equipoise/text/sampling_text.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 SamplingMethod method_of(const BasinResult& r) { return r.study.sampling.method.value_or(SamplingMethod::random); }
 
-// Digits in groups of three, from five on.
+// Digits in groups of three, for numbers of five digits or more.
 std::string grouped(double value) {
   std::string text = fmt::format("{:.0f}", value);
   if (text.size() < 5) return text;
@@ -24,7 +24,7 @@ std::string grouped(double value) {
   return text;
 }
 
-// To `digits` significant digits.
+// Rounded to `digits` significant digits.
 std::string rounded(double value, int digits) {
   if (!(value >= 1.0)) return grouped(value);
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) + 1.0 - digits));

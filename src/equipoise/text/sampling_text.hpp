@@ -9,13 +9,13 @@
 
 namespace equipoise {
 
-/// Sentences for the terminal, each on a line of its own; empty for random starts that nobody chose.
+/// Sentences for the terminal, one per line; empty for random starts that nobody chose.
 std::string sampling_text(const BasinResult& result);
-/// "as good as" so many random starts, in two digits: "850 000".
+/// Equivalent number of random starts, for "as good as", with two digits: "850 000".
 std::string as_good_as(const Share& share);
-/// Method, replicates, points per replicate; a grid's cells; what was chosen and why.
+/// Method, replicates, points per replicate; a grid's cells; what was chosen, and why.
 nlohmann::ordered_json sampling_json(const BasinResult& result);
-/// Where an interval is from, its standard error, and how many random starts would have done.
+/// Origin of an interval, its standard error, and the equivalent number of random starts.
 nlohmann::ordered_json precision_json(const Share& share);
 
 }  // namespace equipoise

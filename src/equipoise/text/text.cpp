@@ -19,7 +19,7 @@ namespace {
 
 using study::Dimension;
 
-// A number of the study, in physical units where it has them.
+// A number of the study, in physical units if the study has them.
 class Shown {
  public:
   explicit Shown(const Study& study) : scales_(study.scales) {}
@@ -27,7 +27,7 @@ class Shown {
   std::string operator()(double value, Dimension d) const {
     return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
   }
-  // One for all, or one a ball; `factor` (in physical units only) times each value.
+  // One value for all balls, or one per ball; `factor` (only in physical units) multiplies each.
   std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
     const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
     if (same) return entry(0);
@@ -62,7 +62,7 @@ std::string motor_text(const Study& study) {
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
 
-// What goes beyond the isotropic, horizontal rotor with balls that meet nothing but drag; empty if nothing does.
+// Features beyond an isotropic, horizontal rotor with balls subject only to drag; empty if there are none.
 std::string more_text(const Study& study) {
   const model::Parameters& p = study.parameters;
   const Shown shown(study);

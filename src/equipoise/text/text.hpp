@@ -1,4 +1,4 @@
-// Pieces that the reports share.
+// Pieces that reports share.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ std::string percent(double share, int digits);
 int digits_for(const Share& s);
 /// "60.22 to 60.57 %", "below 0.0013 %".
 std::string interval(const Share& s);
-/// The same of the bounds that hold whatever open starts come to.
+/// The same for the bounds that hold whatever open starts come to.
 std::string bounds_text(const Share& s);
 /// A rotor speed: in rpm if the study has scales, else dimensionless.
 std::string rotor_speed_text(const Study& study, double speed);
-/// Name, balls, rotor, speed, how long balls are held: what every report begins with; ends with an empty line.
+/// Name, balls, rotor, speed, how long balls are held: the start of every report, with an empty line after it.
 std::string study_heading(const Study& study);
 /// "published" or "kinematic".
 const char* name_of(model::SpeedLaw law);

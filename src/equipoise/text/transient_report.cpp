@@ -33,7 +33,7 @@ std::string number(double value, double size, const char* open) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
 }
 
-// Fewest starts whose least and largest figure hold the median between them with 95 % confidence: 2^(1 - n) < .05.
+// With this many starts, the least and the largest figure enclose the median with 95 % confidence: 2^(1 - n) < .05.
 constexpr std::uint64_t fewest_for_figures = 6;
 
 std::string figure_line(const TransientFigure& f, const SampleSummary& s, const Unit& unit, const char* open_word) {
@@ -44,11 +44,11 @@ std::string figure_line(const TransientFigure& f, const SampleSummary& s, const 
                        number(high, unit.size, open));
   };
   const std::size_t unit_width = std::max<std::size_t>(15, std::string_view(unit.name).size() + 1);
-  constexpr std::string_view above = "peak displacement ";  // in the line before
+  constexpr std::string_view above = "peak displacement ";  // in the previous line
   std::string title = f.title;
   if (title.starts_with(above)) title.replace(0, above.size(), "  ");
   std::string line = fmt::format("  {:<{}}{:<{}}", title, 45 - unit_width, unit.name, unit_width);
-  if (s.open == 0 && s.mean_low == s.mean_high)  // of one motion
+  if (s.open == 0 && s.mean_low == s.mean_high)  // one motion
     return line + fmt::format("{}, the same for all starts\n", number(s.mean, unit.size, open));
   line += fmt::format("{:<36}", s.open == s.count ? open : with_interval(s.mean, s.mean_low, s.mean_high));
   for (const QuantileEstimate& q : s.quantiles) line += fmt::format("{:<36}", with_interval(q.value, q.low, q.high));
@@ -132,7 +132,7 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   std::string text = fmt::format("  {:<45}{:<36}{:<36}{:<36}{}\n", "transients (95 % intervals)", "mean", "median",
                                  "90 % of starts below", "99 % of starts below");
   for (const TransientGroup& group : r.groups)
-    // A single outcome says all.
+    // A single outcome says everything.
     if (group.starts > 0 && !(!group.id && r.groups.size() == 2)) text += group_text(group, r, study);
   if (r.settings.watches_settling())
     text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);

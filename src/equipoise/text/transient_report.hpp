@@ -1,4 +1,4 @@
-// What the transients of an ensemble cost, for people and for machines.
+// The transients of an ensemble as text and as JSON.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace equipoise {
 /// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
 std::string transient_text(const TransientResult& result, const Study& study);
 
-/// e omega of the mean residual unbalance at the end, in mm/s, at the speed that the starts of `group` came to. None of
-/// a dimensionless study, and where a driven rotor's speed was never measured.
+/// e omega in mm/s of the mean residual unbalance at the end, at the speed that the starts of `group` came to. Empty
+/// for a dimensionless study, and if a driven rotor's speed was never measured.
 std::optional<double> left_grade(const TransientGroup& group, const Study& study);
 
 /// The object "transients" of basin_json(), in the same units, which it names.

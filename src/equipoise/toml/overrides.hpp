@@ -1,10 +1,10 @@
-// What errors call values that an override gave.
+// The name that errors give to overridden values.
 #pragma once
 
 namespace equipoise {
 
-/// Of a study's values that came as "key=value" beside its text: the name of their place in an InputError. Whoever took
-/// them from elsewhere (an option, a field of a form) may say from where.
+/// Place in an InputError of a value given as "key=value" beside a study's text. A caller that knows the origin (an
+/// option, a field of a form) may replace it.
 inline constexpr const char* overrides_name = "overridden value";
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Text from outside, on one line and no longer than wanted.
+// Text from outside, shortened to one line.
 #include "equipoise/toml/printable.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Text from outside as part of a one-line message.
+// Makes text from outside fit into a one-line message.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace equipoise::study {
 
 inline constexpr std::size_t longest_shown = 60;
 
-/// Control characters escaped, cut at a whole UTF-8 character.
+/// Escapes control characters; cuts at a whole UTF-8 character.
 std::string printable(std::string_view text, std::size_t longest = longest_shown);
 
 }  // namespace equipoise::study

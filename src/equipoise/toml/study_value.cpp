@@ -1,4 +1,4 @@
-// Members found, set and taken out.
+// Finds, sets and removes members.
 #include "equipoise/toml/study_value.hpp"
 
 #include <algorithm>

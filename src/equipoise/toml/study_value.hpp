@@ -1,4 +1,4 @@
-// A tree of plain values: what a study is written in, whether the text was TOML, JSON or a dictionary of some language.
+// A study as a tree of plain values, read from TOML, JSON or a language's dictionary.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@
 
 namespace equipoise {
 
-/// A truth value, a whole number, a number, a string, an array or a table; a table's members keep their order, and no
-/// two have the same key.
+/// A boolean, an integer, a real number, a string, an array or a table. A table keeps the order of its members; no two
+/// have the same key.
 ///
 ///     StudyValue tree{{"rotor", {{"eccentricity", 0.01}, {"damping", 0.5}}}};
 ///     tree.find("rotor")->set("gravity", 0.001);
@@ -23,7 +23,7 @@ class StudyValue {
   struct Member;
   using Array = std::vector<StudyValue>;
   using Table = std::vector<Member>;
-  /// What no study holds but a message has to show: a date of TOML ("a date or time"), JSON's null, and their like.
+  /// Values that no study holds but messages must show, such as TOML's dates ("a date or time") or JSON's null.
   struct Other {
     std::string kind, text;
   };
@@ -38,7 +38,7 @@ class StudyValue {
   StudyValue(Array entries);
   StudyValue(const std::vector<double>& entries);
   StudyValue(Other other) : value_(std::move(other)) {}
-  StudyValue(std::initializer_list<Member> members);  ///< a table; of equal keys the last one holds
+  StudyValue(std::initializer_list<Member> members);  ///< a table; of equal keys the last one counts
 
   const bool* boolean() const { return std::get_if<bool>(&value_); }
   const std::int64_t* integer() const { return std::get_if<std::int64_t>(&value_); }
@@ -48,20 +48,19 @@ class StudyValue {
   const Table* table() const { return std::get_if<Table>(&value_); }
   const Other* other() const { return std::get_if<Other>(&value_); }
   bool is_number() const { return integer() || real(); }
-  double number() const;  ///< of a whole one the nearest double; 0 for what is no number
+  double number() const;  ///< an integer as its nearest double; 0 if this is no number
 
-  /// A table's member; null if there is none, or this is no table.
+  /// A table's member; null if absent, or if this is no table.
   const StudyValue* find(std::string_view key) const;
   StudyValue* find(std::string_view key);
-  /// The member of a member and so on, "speed.torque.target"; null if there is none.
+  /// A nested member by its dotted path, "speed.torque.target"; null if absent.
   const StudyValue* find_path(std::string_view dotted) const;
   StudyValue* find_path(std::string_view dotted);
-  /// Gives a table's member another value, in its place, or adds it at the end, and returns it. Throws std::logic_error
-  /// if this is no table.
+  /// Replaces a table's member in place, or appends it, and returns it. Throws std::logic_error if this is no table.
   StudyValue& set(std::string key, StudyValue value);
   void erase(std::string_view key);
 
-  /// Where the value stands in the text that it came from, from 1; 0: it came from none.
+  /// Line of the value in its source text, from 1; 0: it has no source text.
   int line() const { return line_; }
   void set_line(int line) { line_ = line; }
 

@@ -1,5 +1,5 @@
-// What text must not hold when it reaches the TOML parser: the few faults that toml++ meets with undefined behaviour or
-// an exhausted stack instead of an error (3.3; github.com/marzer/tomlplusplus, issues 190 and 295).
+// Rejects text that toml++ 3.3 meets with undefined behaviour or an exhausted stack instead of an error
+// (github.com/marzer/tomlplusplus, issues 190 and 295).
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,21 @@
 
 namespace equipoise::study {
 
-/// Why text cannot be read, and where; line and column (in bytes) count from 1.
+/// Why a text cannot be read, and where; line and column (in bytes) count from 1.
 struct TextFault {
   std::size_t line, column;
   std::string problem;
 };
 
-/// A study needs four parts at most; the parser and its trees recurse once a part, on a stack that ends.
+/// A study needs at most four parts. The parser and its trees recurse once per part on a limited stack.
 inline constexpr int most_key_parts = 16;
 
-/// Follows TOML's strings and comments, and nothing else of its grammar. Up to the first error that the parser itself
-/// would report, both see the text alike.
+/// Follows only TOML's strings and comments. Up to the parser's first error both see the text alike.
 class TextGuard {
  public:
   explicit TextGuard(std::string_view text) : text_(text) {}
 
-  /// Empty where the parser may have the text.
+  /// Empty if the text is safe to parse.
   std::optional<TextFault> first_fault() {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
@@ -53,13 +52,13 @@ class TextGuard {
       fail("a character that is not ASCII, outside of comments and values in quotes; no study needs one");
   }
 
-  // Where a quote stands elsewhere, the parser does not take what follows for a string.
+  // A quote elsewhere does not begin a string for the parser.
   bool begins_value() const {
     const std::size_t before = text_.substr(0, at_).find_last_not_of(" \t");
     return before != std::string_view::npos && std::string_view("=,[").find(text_[before]) != std::string_view::npos;
   }
 
-  // Leaves at_ on the last character of the string, or before the end of line that breaks it off.
+  // Leaves at_ on the last character of the string, or before the line end that cuts it off.
   void skip_string(char quote) {
     const bool many_lines = text_.substr(at_).starts_with(std::string(3, quote));
     const std::string_view end = text_.substr(at_, many_lines ? 3 : 1);

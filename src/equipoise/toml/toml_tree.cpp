@@ -1,4 +1,4 @@
-// toml++ is known here alone.
+// TOML text to trees and back; the only file that uses toml++.
 #include "equipoise/toml/toml_tree.hpp"
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-// toml++ (3.3) asserts some things that malformed text can break, and reports each of them as an error right after: a
-// debug build that has it as headers must get there too.
+// Malformed text can break some assertions of toml++ (3.3), which reports each as an error right after. A debug build
+// with the header-only library must reach those errors too.
 #ifndef TOML_ASSERT
 #define TOML_ASSERT(condition) static_assert(true)
 #endif
@@ -49,7 +49,7 @@ StudyValue tree_of(const toml::node& node) {
   return result;
 }
 
-// In ASCII, as the reader wants it: what else there is by its code points (of UTF-8, which TOML is).
+// A TOML string in ASCII, as the reader requires; other characters become escaped code points.
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -79,7 +79,7 @@ std::string value_text(const StudyValue& value) {
   return "[" + entries + "]";
 }
 
-// A table's own keys, then the tables in it, with a blank line between.
+// A table's own keys, then its tables, separated by a blank line.
 void append_table(std::string& text, const std::string& name, const StudyValue::Table& members) {
   text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", name);
   for (const auto& [key, value] : members)

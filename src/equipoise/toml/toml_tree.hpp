@@ -1,4 +1,4 @@
-// Trees of values from TOML text and back.
+// Trees of values from TOML text, and back.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace equipoise::study {
 
-/// Every value knows its line; a table's members stand in the order of their keys. Throws TextFault (text_guard.hpp)
-/// for what is not TOML.
+/// Every value knows its line; members are sorted by key. Throws TextFault (text_guard.hpp) if the text is not TOML.
 StudyValue parse_toml(std::string_view text);
 
-/// Shortest text that reads back to the same number, always as a TOML float.
+/// The shortest text that reads back to the same number, always as a TOML float.
 std::string number_text(double v);
 
-/// A table of tables of a study, in the order of its members; keys are written as they are.
+/// Text of a study's tables, in the order of its members; keys are written verbatim.
 std::string toml_text(const StudyValue& tables);
 
 }  // namespace equipoise::study

@@ -1,4 +1,4 @@
-// Every study runs as a machine, from event to event.
+// Runs any study as a machine, from event to event.
 #include "equipoise/trajectory/followed_run.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// One trajectory, advanced on demand: for players that draw it as it goes.
+// One trajectory, advanced on demand, for players that draw it as it goes.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// The motion that simulate() samples. Each advance() ends a step of the integrator, so their number moves the motion
-/// within the tolerance.
+/// The motion that simulate() samples. Each advance() ends an integration step, so the number of calls changes the
+/// motion within the tolerance.
 class FollowedRun {
  public:
   /// From [initial] or from `start`. Throws InputError for invalid studies and for balls that overlap.
@@ -21,7 +21,7 @@ class FollowedRun {
   FollowedRun& operator=(const FollowedRun&) = delete;
 
   double time() const;
-  /// Stays where it is if `until` is past.
+  /// Does nothing if `until` is past.
   IntegrationStatus advance(double until);
   /// Appends the present state.
   void record(Trajectory& out) const;

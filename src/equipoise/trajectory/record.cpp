@@ -1,4 +1,4 @@
-// A trajectory's quantities computed from a state.
+// A trajectory's quantities, computed from a state.
 #include "equipoise/trajectory/record.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// One trajectory: clamped spin-up by superposition, then the free equations segment by segment.
+// One trajectory: clamped spin-up by superposition, then the free equations piece by piece.
 #include "equipoise/trajectory/simulate.hpp"
 
 #include <array>
@@ -42,7 +42,7 @@ void record(Trajectory& out, const model::Parameters& p, const model::Segment& s
   record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
 }
 
-// Reports seldom, for rows take microseconds.
+// Reports rarely: a row takes microseconds.
 class RowCount {
  public:
   RowCount(const RunOptions& options, std::size_t total) : options_(options), total_(total) {}

@@ -9,9 +9,9 @@
 
 namespace equipoise {
 
-/// Samples `study` by dense output at `times` (increasing, >= 0). Tolerance: study.numerics.tolerance, else
-/// default_simulate_tolerance, per step, relative to each variable's size. Progress is in rows. One thread does all; no
-/// CPU target is chosen. Throws InputError for times out of order or an invalid study.
+/// Samples `study` by dense output at `times` (increasing, >= 0). The tolerance is study.numerics.tolerance, else
+/// default_simulate_tolerance, per step, relative to each variable's size. Progress is in rows. One thread does
+/// everything; no CPU target is chosen. Throws InputError for times out of order or an invalid study.
 Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options = {});
 
 }  // namespace equipoise

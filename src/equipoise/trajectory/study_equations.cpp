@@ -74,7 +74,7 @@ struct StudyEquations::State {
 
   int balls() const { return study.parameters.balls; }
 
-  // Throws if no speed decides when the balls are let go.
+  // Throws if no speed triggers the release.
   double deciding_speed() const {
     if (drive.release_speed) return *drive.release_speed;
     throw InputError(study.name, "release.speed", "", "is not what lets the balls go; must be that of a driven rotor");
@@ -87,7 +87,7 @@ struct StudyEquations::State {
     return {study.parameters, drive_at(piece), &m};
   }
 
-  // The state laid out as `machine`.
+  // The state in the full layout of `machine`.
   template <class T>
   void whole(std::size_t piece, double t, const T* y, T* z) const {
     const model::DrivePiece& p = drive_at(piece);
@@ -103,13 +103,13 @@ struct StudyEquations::State {
   model::StateLayout machine, own;
   std::vector<model::StateVariable> variables;
   std::vector<Piece> pieces;
-  std::vector<std::size_t> drive_of;  // pieces
+  std::vector<std::size_t> drive_of;  // drive piece of each entry in `pieces`
   model::BallMode clamped;
   kernels::ModeTable<double, model::any_count> free, held;
-  std::vector<Flow> flows;  // over the pieces
+  std::vector<Flow> flows;  // one per entry of `pieces`
 
  private:
-  // The drive's pieces, cut where the balls are let go.
+  // Cuts the drive's pieces where the balls are let go.
   void cut() {
     const double release = drive.release_time;
     for (std::size_t k = 0; k < drive.pieces.size(); ++k) {

@@ -1,4 +1,4 @@
-// Whoever reads units: UDUNITS-2, or where a build has none of it the table of usual units.
+// The interface to a library of units: UDUNITS-2, or the table of usual units in builds without it.
 #pragma once
 
 #include <memory>
@@ -6,8 +6,7 @@
 
 namespace equipoise::study {
 
-/// A library of units may keep its state for the whole process and not be made for threads: whoever has to do with Unit
-/// holds one of these meanwhile.
+/// A library of units may have global state and lack thread safety. Hold one of these while using Unit.
 class UnitLibraryUse {
  public:
   UnitLibraryUse();
@@ -22,19 +21,19 @@ class UnitLibraryUse {
 
 class Unit {
  public:
-  /// `text`: a name, or a product as UnitText has it. Throws RunError if the library cannot be used.
+  /// `text`: a name, or a product as defined by UnitText. Throws RunError if the library cannot be used.
   explicit Unit(const std::string& text);
   ~Unit();
   Unit(const Unit&) = delete;
   Unit& operator=(const Unit&) = delete;
 
   bool is_known() const { return parts_ != nullptr; }
-  /// What one is worth in the other; 0 if that measures something else, or is not in proportion. Both are known.
+  /// One of this unit in the other; 0 if that measures something else or is not proportional. Both must be known.
   double worth_in(const Unit& other) const;
-  /// Whether it counts radians, to the first power: speeds of rotation do, frequencies do not.
+  /// Whether the unit contains radians to the first power: speeds of rotation do, frequencies do not.
   bool counts_radians() const;
 
-  /// Who reads them, for messages.
+  /// Name of the library, for messages.
   static const char* reader();
 
  private:

@@ -1,4 +1,4 @@
-// Units from the table, where there is no UDUNITS-2.
+// Units from the table, for builds without UDUNITS-2.
 #include <cmath>
 
 #include "equipoise/units/unit_library.hpp"
@@ -6,7 +6,7 @@
 
 namespace equipoise::study {
 
-struct UnitLibraryUse::State {};  // a table is read by as many as like
+struct UnitLibraryUse::State {};  // the table is constant: any number may read it
 UnitLibraryUse::UnitLibraryUse() = default;
 UnitLibraryUse::~UnitLibraryUse() = default;
 

@@ -1,4 +1,4 @@
-// The one place that knows UDUNITS-2.
+// Units by UDUNITS-2; the only file that uses it.
 #include <array>
 #include <cmath>
 #include <mutex>
@@ -29,8 +29,8 @@ ut_system* unit_system() {
 
 }  // namespace
 
-// It would print what it cannot read, which status and null pointers say as well; the handler of messages and the
-// status that the process has set are put back.
+// UDUNITS prints what it cannot read, which the status and null pointers report as well. Its messages are silenced
+// here; the process's own handler and status are restored afterwards.
 struct UnitLibraryUse::State {
   const std::lock_guard<std::mutex> lock{library_mutex()};
   const ut_status status = ut_get_status();
@@ -59,12 +59,11 @@ double Unit::worth_in(const Unit& other) const {
   const ConverterPointer converter(ut_get_converter(parts_->unit.get(), other.parts_->unit.get()), &cv_free);
   if (!converter) return 0.0;
   const double one = cv_convert_double(converter.get(), 1.0);
-  // Reciprocal units (s for 1/s), offsets and logarithms convert too, but not in proportion.
+  // Reciprocal units (s for 1/s), offsets and logarithms also convert, but not proportionally.
   return cv_convert_double(converter.get(), 0.0) != 0.0 || !(one > 0.0) || !std::isfinite(one) ? 0.0 : one;
 }
 
-// UDUNITS takes angles for pure numbers: that a unit has radians is seen in its definition, such as
-// "0.104719755 s-1.rad".
+// UDUNITS treats angles as pure numbers. Only a unit's definition, such as "0.104719755 s-1.rad", shows radians.
 bool Unit::counts_radians() const {
   std::array<char, 256> text{};
   const int length = ut_format(parts_->unit.get(), text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);

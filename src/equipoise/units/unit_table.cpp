@@ -1,4 +1,4 @@
-// The table, and products of its units. Numbers are multiplied in the order in which UDUNITS-2 does.
+// The table, and products of its units. Numbers are multiplied in the same order as in UDUNITS-2.
 #include "equipoise/units/unit_table.hpp"
 
 #include <array>
@@ -15,7 +15,12 @@ namespace {
 struct NamedUnit {
   std::string_view name;
   TableUnit unit;
-  enum class Form { symbol, word, alone } form;  // takes k and m before it; kilo, and s behind it; neither
+  enum class Form {
+    symbol,
+    word,
+    alone
+  } form;  // symbol: takes the prefixes k and m; word: takes kilo, and a plural
+           // s; alone: neither
 };
 using Form = NamedUnit::Form;
 
@@ -130,7 +135,7 @@ TableUnit power(const TableUnit& a, int n) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The text is known to follow the grammar of UnitText.
+// The text must follow the grammar of UnitText.
 class ProductReader {
  public:
   explicit ProductReader(std::string_view text) : text_(text) {}

@@ -1,4 +1,4 @@
-// Usual units, for builds without UDUNITS-2: the same names, to the bit the same values.
+// Usual units for builds without UDUNITS-2: the same names, bit-identical values.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct TableUnit {
   }
 };
 
-/// Reads a name, or a product as UnitText has it; none where a name is not in the table.
+/// Reads a name, or a product as defined by UnitText; empty if a name is not in the table.
 std::optional<TableUnit> table_unit(const std::string& text);
 
 }  // namespace equipoise::study

@@ -1,4 +1,4 @@
-// The grammar of units, and the ways of writing it that typography has.
+// The grammar of units, and its typographic spellings.
 #include "equipoise/units/unit_text.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"⁰", '0'}
                                                                     {"⁸", '8'},
                                                                     {"⁹", '9'},
                                                                     {"⁻", '-'}}};
-// The middle dot and the operator; the spaces that do not break, wide and narrow, and the thin one.
+// The middle dot and the dot operator; no-break, narrow no-break and thin spaces.
 constexpr std::array<std::pair<std::string_view, char>, 5> signs{
     {{"\u00B7", '.'}, {"\u22C5", '.'}, {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '}}};
 
@@ -107,7 +107,7 @@ class UnitGrammar {
   }
 
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  // Bytes of the letter here, 0 if there is none. All beyond ASCII are letters: UDUNITS knows some of them (µ, °, Ω).
+  // Bytes of the letter here; 0 if there is none. Everything beyond ASCII counts as a letter: UDUNITS knows µ, ° and Ω.
   std::size_t letter() const {
     const std::size_t length = at_ < text_.size() ? character_length(text_, at_) : 0;
     const char c = length == 1 ? text_[at_] : 'a';

@@ -1,4 +1,4 @@
-// What of a unit's text reaches the parser of UDUNITS.
+// The texts of units that may reach the parser of UDUNITS.
 #pragma once
 
 #include <string>
@@ -7,10 +7,9 @@
 
 namespace equipoise::study {
 
-/// A product of units: names with a one-digit power at most, numbers, one level of brackets. That is all a study needs,
-/// and nothing else reaches UDUNITS, which knows dates, offsets and logarithms as well and loses memory over what it
-/// cannot read. Raised digits, raised dots and typographic spaces count as what they stand for: "N·m·s⁻²" is
-/// "N.m.s^-2".
+/// A product of units: names with a one-digit power at most, numbers, one level of brackets. A study needs no more.
+/// UDUNITS also knows dates, offsets and logarithms, and leaks memory on text that it cannot read; none of that reaches
+/// it. Superscript digits, raised dots and typographic spaces are replaced: "N·m·s⁻²" becomes "N.m.s^-2".
 struct UnitText {
   explicit UnitText(std::string_view given);
 

@@ -1,4 +1,4 @@
-// What each quantity must measure, and what its numbers are worth.
+// The dimension of each quantity, and conversion of its numbers.
 #include "equipoise/units/units.hpp"
 
 #include <algorithm>
@@ -44,14 +44,14 @@ bool names_hertz(std::string_view unit) {
   return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
 }
 
-// What one of `unit` is worth in the dimension's SI unit; 0 if it measures something else. Angles count as pure numbers
-// among units, which would let a frequency pass for a speed.
+// One `unit` in the dimension's SI unit; 0 if it measures something else. The library treats angles as pure numbers, so
+// a frequency would otherwise pass for a speed.
 double factor(const Unit& unit, std::string_view unit_text, Dimension wanted) {
   const double one = unit.worth_in(Unit(words(wanted).si));
   if (one == 0.0) return 0.0;
   if (wanted == Dimension::angle && !unit.counts_radians()) return 0.0;
   if (wanted == Dimension::speed && !unit.counts_radians()) return names_hertz(unit_text) ? 2.0 * pi * one : 0.0;
-  if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // of turns or of radians?
+  if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // turns or radians?
   return one;
 }
 
@@ -125,7 +125,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const std::string quantity = trimmed(text);
   const std::string must_be = "must be " + wanted_text(wanted);
   Measured result;
-  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // read_number() takes none
+  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // read_number() accepts none
   const char* end = quantity.data() + quantity.size();
   const auto [after, error] = read_number(quantity.data() + sign, end, result.value);
   if (error == std::errc::invalid_argument) {

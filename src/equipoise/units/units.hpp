@@ -1,4 +1,4 @@
-// Values with units, as text: "48 kN/m". A library of units reads them; this file says what each quantity must measure.
+// Values with units, such as "48 kN/m". A library reads the units; this file says what each quantity must measure.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace equipoise::study {
 
-/// What a value measures. Speeds are of rotation; gain is torque for a speed (also the drag of a ball).
+/// What a value measures. Speeds are of rotation; gain is torque per speed (also the drag of a ball).
 enum class Dimension {
   mass,
   length,
@@ -31,10 +31,10 @@ enum class Dimension {
   angle,
 };
 
-/// How a dimension is called, measured and shown.
+/// A dimension's name, unit and display.
 struct DimensionWords {
-  const char* name;     ///< with its article: "a mass"
-  const char* si;       ///< the unit of every number inside: "kg"
+  const char* name;     ///< with article: "a mass"
+  const char* si;       ///< the internal unit: "kg"
   const char* example;  ///< "12 kg"
   const char* shown;    ///< the unit of an echo: "mm"
   /// The unit of numbers that have none: "R omega_c". Of what figures and columns measure.
@@ -53,19 +53,19 @@ ShownUnit shown_unit(Dimension dimension, const std::optional<model::Scales>& sc
 /// others throw std::logic_error.
 double scale_of(Dimension dimension, const model::Scales& scales);
 
-/// A value read, in SI units; or what is wrong with its text.
+/// A value in SI units, or what is wrong with its text.
 struct Measured {
   double value = 0.0;
   Dimension dimension{};
-  std::string problem;  ///< empty: the value holds
+  std::string problem;  ///< empty if the value is valid
 };
 
-/// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, and Hz for turns
-/// a second (UDUNITS would read 1 rad/s); a bare 1/s is refused. Any finite number passes; ranges are the caller's.
+/// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, and Hz as turns
+/// per second (UDUNITS would read 1 rad/s); a bare 1/s is refused. Any finite number passes: callers check ranges.
 /// Throws RunError if the library of units cannot be used.
 Measured measure(const std::string& text, const std::vector<Dimension>& wanted);
 
-/// The value in the unit that is shown, with all its digits: "0.2 mm" from 0.0002 m.
+/// The value in the dimension's display unit, with all its digits: "0.2 mm" from 0.0002 m.
 std::string quantity_text(double si, Dimension dimension);
 
 }  // namespace equipoise::study
