@@ -14,7 +14,7 @@ foreach(header
     equipoise.hpp paper.hpp
     base/error.hpp base/stop_flag.hpp
     running/run_options.hpp
-    drives/full_state.hpp drives/motor.hpp drives/speed.hpp
+    drives/full_state.hpp drives/motor.hpp drives/speed.hpp drives/spin_up_shape.hpp
     model/ball_mode.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
     types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
       types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp
@@ -29,13 +29,12 @@ foreach(header
     periodic_orbits/orbit.hpp
     attractors/catalogue.hpp attractors/motion.hpp
     proof/certificate.hpp proof/member_certificate.hpp
-    results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp
-      results/branch.hpp results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp
-      results/column.hpp results/comparison_result.hpp results/design_result.hpp results/explanation.hpp
-      results/inspection.hpp results/machine_page.hpp results/motion_table.hpp results/outcome_share.hpp
-      results/sensitivity_result.hpp results/slice_figures.hpp
-      results/start_arrays.hpp results/sweep_result.hpp results/trajectory.hpp results/transient_figures.hpp
-      results/transient_result.hpp
+    columns/column.hpp columns/slice_figures.hpp columns/transient_figures.hpp
+    results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp results/branch.hpp
+      results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp results/comparison_result.hpp
+      results/design_result.hpp results/explanation.hpp results/inspection.hpp results/machine_page.hpp
+      results/motion_table.hpp results/outcome_share.hpp results/sensitivity_result.hpp results/start_arrays.hpp
+      results/sweep_result.hpp results/trajectory.hpp results/transient_result.hpp
     result_files/basin_file.hpp result_files/basin_outcomes.hpp result_files/branches_file.hpp
       result_files/inspection.hpp result_files/slice_file.hpp result_files/start_columns.hpp
       result_files/trajectory_file.hpp
@@ -45,8 +44,8 @@ foreach(header
       analyses/observation.hpp analyses/sensitivity.hpp
     continuation/continuation.hpp continuation/parameter_line.hpp
     basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
-    sweeps/capacity.hpp sweeps/merge.hpp sweeps/survey.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp sweeps/sweep_cell.hpp
-      sweeps/sweep_plan.hpp
+    sweeps/capacity.hpp sweeps/merge.hpp sweeps/survey.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp
+      sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
     design/design.hpp design/figures.hpp design/problem.hpp
     trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
     shown/machine_page.hpp shown/motion_path.hpp

@@ -38,9 +38,10 @@ ROOMS = {
     "trapping_regions":
         "running math drives model types mechanics batch classification kernels periodic_orbits attractors "
         "balanced_regions",
-    "results": "model types mechanics statistics sampling units toml study proof",
+    "columns": "types units study",
+    "results": "drives model types mechanics statistics sampling units toml study proof columns",
     "io": "running",
-    "result_files": "running model types statistics sampling study results io",
+    "result_files": "running model types statistics sampling study columns results io",
     "cell_files": "running results io result_files",
     "spin_up":
         "drives model types mechanics integrate sampling study batch transients classification kernels "
@@ -51,25 +52,26 @@ ROOMS = {
         "attractors proof balanced_regions trapping_regions spin_up rotor_family",
     "start_runs":
         "model types mechanics statistics sampling study batch transients classification kernels "
-        "periodic_orbits attractors results spin_up rotor_family attractor_search",
+        "periodic_orbits attractors columns results spin_up rotor_family attractor_search",
     "ensembles":
         "running model types statistics sampling study kernels attractors results result_files spin_up "
         "rotor_family attractor_search start_runs",
     "analyses":
         "running drives types mechanics sampling study batch kernels periodic_orbits attractors proof "
-        "balanced_regions results result_files spin_up rotor_family attractor_search start_runs ensembles",
+        "balanced_regions columns results result_files spin_up rotor_family attractor_search start_runs "
+        "ensembles",
     "continuation":
         "running model types mechanics toml study kernels periodic_orbits attractors results start_runs "
         "analyses",
     "basin_slices":
-        "running math types mechanics statistics study kernels periodic_orbits attractors results io "
+        "running math types mechanics statistics study kernels periodic_orbits attractors columns results io "
         "result_files spin_up rotor_family start_runs ensembles continuation",
     "sweeps":
         "running types study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",
     "design":
-        "running types statistics units toml study kernels attractors balanced_regions results result_files "
-        "cell_files attractor_search start_runs ensembles sweeps",
+        "running drives types statistics units toml study kernels attractors balanced_regions columns results "
+        "result_files cell_files attractor_search start_runs ensembles sweeps",
     "trajectory": "running math drives model types mechanics integrate study results spin_up",
     "shown":
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
@@ -80,7 +82,7 @@ ROOMS = {
     "explain":
         "math model mechanics study periodic_orbits attractors results spin_up rotor_family attractor_search "
         "start_runs text",
-    "html": "types mechanics statistics sampling toml study results drawing text reports plots explain",
+    "html": "types mechanics sampling toml study results drawing text reports plots explain",
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "

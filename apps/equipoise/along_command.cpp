@@ -29,7 +29,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const ContinuationResult result = follow_attractors(study, line, options);
+  const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));

@@ -9,7 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include "equipoise/results/column.hpp"
+#include "equipoise/columns/column.hpp"
 #include "equipoise/toml/study_value.hpp"
 
 namespace equipoise::python {

@@ -59,7 +59,7 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
   return result;
 }
 
-using Branches = Kept<ContinuationResult>;
+using Branches = Kept<BranchesResult>;
 
 Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts,
                 const std::optional<py::array>& states, const py::dict& settings) {
@@ -70,7 +70,7 @@ Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts
   call.set(options);
   options.starts = starts;
   options.warm_start_states = seeds_from(study, states);
-  ContinuationResult result = Call::run([&] { return follow_attractors(study, line, options); });
+  BranchesResult result = Call::run([&] { return follow_attractors(study, line, options); });
   return {std::move(result), call.interrupted()};
 }
 
@@ -91,7 +91,7 @@ void bind_motions(py::module_& module) {
              py::arg("settings"));
   module.def("motion_path", &path_of, py::arg("study"), py::arg("state"), py::arg("duration"), py::arg("count"),
              py::arg("settings"));
-  bind_kept<ContinuationResult>(module, "Branches", &branches_text, &branches_json)
+  bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
       .def("csv", [](const Branches& b) { return branches_csv(b.result); })
       .def("save", [](const Branches& b, const std::string& path) { write_branches_file(path, b.result); });
   module.def("follow", &follow, py::arg("study"), py::arg("along"), py::arg("starts"), py::arg("states"),

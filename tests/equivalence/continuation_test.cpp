@@ -25,8 +25,8 @@ using namespace equipoise;
 
 Study study() { return read_study(EQUIPOISE_SOURCE_DIR "/studies/paper/table-2-omega-2.4.toml"); }
 
-ContinuationResult along(const std::string& text, std::vector<std::vector<double>> warm_start_states = {},
-                         int threads = 2) {
+BranchesResult along(const std::string& text, std::vector<std::vector<double>> warm_start_states = {},
+                     int threads = 2) {
   const Study s = study();
   ContinuationOptions options;
   options.threads = threads;
@@ -34,7 +34,7 @@ ContinuationResult along(const std::string& text, std::vector<std::vector<double
   return follow_attractors(s, ParameterLine(s, text), options);
 }
 
-const Branch* branch(const ContinuationResult& result, int id) {
+const Branch* branch(const BranchesResult& result, int id) {
   const auto at =
       std::find_if(result.branches.begin(), result.branches.end(), [&](const Branch& b) { return b.id == id; });
   return at == result.branches.end() ? nullptr : &*at;
@@ -63,7 +63,7 @@ std::vector<double> coincident_at_4_4() {
 }
 
 TEST(Branches, OneCapturedIsBornInAFoldAt29043) {
-  const ContinuationResult result = along("speed.final=2.85:2.95:0.05");
+  const BranchesResult result = along("speed.final=2.85:2.95:0.05");
   const Branch* b = branch(result, 4);
   ASSERT_TRUE(b);
   EXPECT_EQ(b->alias, "V3");
@@ -90,7 +90,7 @@ TEST(Branches, OneCapturedIsBornInAFoldAt29043) {
 }
 
 TEST(Branches, LoseStabilityWhereTheyDidBefore) {
-  const ContinuationResult result =
+  const BranchesResult result =
       along("speed.final=4.4:4.45:0.05", {coincident_at_4_4(), {0, 0, 0, 0, 1.17174, 1.00534, 0, 0}});
   const Branch* coincident = branch(result, 2);
   ASSERT_TRUE(coincident);
@@ -115,7 +115,7 @@ TEST(Branches, LoseStabilityWhereTheyDidBefore) {
 
 // A torus at 2.45, chaotic at 2.5, locked at 2.52, a torus again at 2.53, gone at 2.6: one motion with one identifier.
 TEST(Branches, TorusThatTurnsChaoticAndLocksKeepsItsIdentifier) {
-  const ContinuationResult result = along("speed.final=2.45:2.55:0.05");
+  const BranchesResult result = along("speed.final=2.45:2.55:0.05");
   const Branch* b = branch(result, 3);
   ASSERT_TRUE(b);
   EXPECT_EQ(b->alias, "V2");
@@ -145,7 +145,7 @@ TEST(Branches, ThinBasinOfATorusIsFollowedThrough) {
   s.parameters.drag.fill(0.01);
   ContinuationOptions options;
   options.threads = 2;
-  const ContinuationResult result = follow_attractors(s, ParameterLine(s, "speed.final=2:2.05:0.05"), options);
+  const BranchesResult result = follow_attractors(s, ParameterLine(s, "speed.final=2:2.05:0.05"), options);
   const Branch* b = branch(result, 3);
   ASSERT_TRUE(b);
   EXPECT_EQ(b->points.front().value, 2.0);
@@ -163,14 +163,14 @@ TEST(Branches, ThinBasinOfATorusIsFollowedThrough) {
 
 // Pair drift attracts a little around 1.81 (0.9 % of 3000 starts there, none at 1.8 and 1.82).
 TEST(Branches, MotionThatLivesBetweenTwoValuesIsFoundHalfWay) {
-  const ContinuationResult result = along("speed.final=1.805:1.815:0.01");
+  const BranchesResult result = along("speed.final=1.805:1.815:0.01");
   EXPECT_TRUE(std::any_of(result.branches.begin(), result.branches.end(),
                           [](const Branch& b) { return b.name.starts_with("pair drift"); }));
 }
 
 // An end without a cause is no death.
 TEST(Branches, RangeThatWasNotFollowedToItsEndSaysSo) {
-  ContinuationResult result;
+  BranchesResult result;
   result.study = study();
   result.key = "speed.final";
   result.values = {2.0, 2.05, 2.1};
@@ -250,7 +250,7 @@ TEST(Branches, TorusNamedOtherwiseAtOneValueIsStillTheSame) {
 
 // Pair drift is a torus at 1.812, periodic from 1.8145 on, and ends in a fold before the line's next value.
 TEST(Branches, TorusThatBecomesPeriodicIsFollowedToItsFold) {
-  const ContinuationResult result = along("speed.final=1.812:1.832:0.02");
+  const BranchesResult result = along("speed.final=1.812:1.832:0.02");
   const Branch* b = branch(result, 6);
   ASSERT_TRUE(b);
   const BranchEvent *kind = event(*b, BranchChange::kind), *death = event(*b, BranchChange::death);
@@ -262,14 +262,13 @@ TEST(Branches, TorusThatBecomesPeriodicIsFollowedToItsFold) {
 }
 
 TEST(Branches, DoNotDependOnThreads) {
-  const ContinuationResult one = along("speed.final=2.9:2.95:0.05", {}, 1),
-                           two = along("speed.final=2.9:2.95:0.05", {}, 2);
+  const BranchesResult one = along("speed.final=2.9:2.95:0.05", {}, 1), two = along("speed.final=2.9:2.95:0.05", {}, 2);
   EXPECT_EQ(branches_csv(one), branches_csv(two));
 }
 
 // No motion is on two branches; events of a branch are in order.
 TEST(Branches, AreDisjointAndOrdered) {
-  const ContinuationResult result = along("balancer.drag=0.05:0.1:0.05");
+  const BranchesResult result = along("balancer.drag=0.05:0.1:0.05");
   ASSERT_GE(result.values.size(), 2u);  // and 0.075, if something exists only there
   EXPECT_EQ(result.values.front(), 0.05);
   EXPECT_EQ(result.values.back(), 0.1);

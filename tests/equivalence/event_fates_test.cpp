@@ -120,7 +120,7 @@ TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   const Study study = parse_study(heavy + two + sticks + constant, "along");
   ContinuationOptions options;
   options.threads = 1;
-  const ContinuationResult result =
+  const BranchesResult result =
       follow_attractors(study, ParameterLine(study, "balancer.stiction=0.002:0.003:0.0005"), options);
   ASSERT_FALSE(result.branches.empty());
   bool stuck = false;

@@ -49,7 +49,7 @@ TEST(MotorBranches, TheHangUpAtResonanceEndsWhereTheMotorsLineLeavesTheResonance
   const Study study = heavy_rotor();
   ContinuationOptions options;
   options.threads = 2;
-  const ContinuationResult result =
+  const BranchesResult result =
       follow_attractors(study, ParameterLine(study, "speed.torque.stall=0.02:0.036:0.004"), options);
   const auto named = [&](const std::string& name) {
     const auto at =

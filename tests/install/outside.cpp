@@ -133,7 +133,7 @@ void motions(const equipoise::Study& study) {
   equipoise::ContinuationOptions following;
   int reports = 0;
   following.progress = [&](const equipoise::Progress&) { ++reports; };
-  const equipoise::ContinuationResult branches = equipoise::follow_attractors(study, line, following);
+  const equipoise::BranchesResult branches = equipoise::follow_attractors(study, line, following);
   expect(reports >= 2 && branches.branches.size() >= 2 && branches.branches.front().points.size() == 2,
          "attractors are followed along a parameter");
   std::printf("%s", equipoise::branches_text(branches).c_str());

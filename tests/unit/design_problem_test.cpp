@@ -10,8 +10,8 @@
 #include "equipoise/base/random.hpp"
 #include "equipoise/design/problem.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/design/spin_up_shape.hpp"
 #include "equipoise/design/standing.hpp"
+#include "equipoise/drives/spin_up_shape.hpp"
 
 namespace equipoise {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/results/transient_figures.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/running/run_options.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/study/study.hpp"

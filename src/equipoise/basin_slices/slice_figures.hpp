@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "equipoise/columns/slice_figures.hpp"
 #include "equipoise/results/basin_slice.hpp"
-#include "equipoise/results/slice_figures.hpp"
 
 namespace equipoise {
 

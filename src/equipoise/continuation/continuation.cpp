@@ -72,7 +72,7 @@ class Continuation {
     named_.resize(values_.size());
   }
 
-  ContinuationResult run() {
+  BranchesResult run() {
     const auto begin = std::chrono::steady_clock::now();
     for (const double value : values_) systems_.push_back(line_.system_at(value));
     search();
@@ -332,15 +332,14 @@ class Continuation {
   std::vector<std::vector<Motion>> named_;  // by value: motions that have the identifier of their name there
   std::vector<model::System> systems_;      // by value
   std::vector<Track> tracks_;
-  ContinuationResult result_;
+  BranchesResult result_;
   std::mutex mutex_;
   std::uint64_t done_ = 0;
 };
 
 }  // namespace
 
-ContinuationResult follow_attractors(const Study& study, const ParameterLine& line,
-                                     const ContinuationOptions& options) {
+BranchesResult follow_attractors(const Study& study, const ParameterLine& line, const ContinuationOptions& options) {
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const ContinuationOptions& o) { return Continuation(study, line, o).run(); });
 }

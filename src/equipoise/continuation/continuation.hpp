@@ -26,7 +26,7 @@ struct ContinuationOptions : RunOptions {
 /// An end is a birth or a death only if its cause is known; otherwise the branch is first or last seen there. The
 /// result has the values of the line, and those half-way at which a branch exists that has no others. A stopped search
 /// returns what it has, marked partial. Deterministic.
-ContinuationResult follow_attractors(const Study& study, const ParameterLine& line,
-                                     const ContinuationOptions& options = {});
+BranchesResult follow_attractors(const Study& study, const ParameterLine& line,
+                                 const ContinuationOptions& options = {});
 
 }  // namespace equipoise

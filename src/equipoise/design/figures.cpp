@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "equipoise/design/problem.hpp"
 #include "equipoise/design/settings.hpp"
-#include "equipoise/design/spin_up_shape.hpp"
+#include "equipoise/drives/spin_up_shape.hpp"
 #include "equipoise/toml/printable.hpp"
 #include "equipoise/units/units.hpp"
 

@@ -42,13 +42,13 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
   return stretches;
 }
 
-std::string subtitle(const ContinuationResult& r) {
+std::string subtitle(const BranchesResult& r) {
   return parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
 }
 
 }  // namespace
 
-std::string branch_plot_script(const ContinuationResult& r, const std::string& path) {
+std::string branch_plot_script(const BranchesResult& r, const std::string& path) {
   std::string script = canvas(path, 1600, 1000);
   double highest = 0.0;
   std::string bands, edges, keys;

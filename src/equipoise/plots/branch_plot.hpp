@@ -9,6 +9,6 @@ namespace equipoise {
 
 /// Draws r_min to r_max of every branch against the parameter into `path` (.png or .svg): a band where the motion
 /// attracts, dashed lines where it is unstable. An identifier has the same colour in all pictures.
-std::string branch_plot_script(const ContinuationResult& result, const std::string& path);
+std::string branch_plot_script(const BranchesResult& result, const std::string& path);
 
 }  // namespace equipoise

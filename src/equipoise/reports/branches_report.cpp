@@ -76,16 +76,16 @@ bool has_event(const Branch& branch, BranchChange change) {
 }
 
 // Whether the branch begins, or ends, for a known reason or at the line's end.
-bool begin_is_known(const ContinuationResult& r, const Branch& branch) {
+bool begin_is_known(const BranchesResult& r, const Branch& branch) {
   return has_event(branch, BranchChange::birth) ||
          (branch.points.front().value == r.values.front() && !has_event(branch, BranchChange::first_seen));
 }
-bool end_is_known(const ContinuationResult& r, const Branch& branch) {
+bool end_is_known(const BranchesResult& r, const Branch& branch) {
   return has_event(branch, BranchChange::death) ||
          (branch.points.back().value == r.values.back() && !has_event(branch, BranchChange::last_seen));
 }
 
-std::string existence_text(const ContinuationResult& r, const Branch& branch) {
+std::string existence_text(const BranchesResult& r, const Branch& branch) {
   const auto ranges = ranges_of(branch);
   const ValueRange whole{ranges.front().begin, ranges.back().end, true};
   const bool begin = begin_is_known(r, branch), end = end_is_known(r, branch);
@@ -123,7 +123,7 @@ Json point_json(const BranchPoint& point, int balls) {
 
 }  // namespace
 
-std::string branches_text(const ContinuationResult& r) {
+std::string branches_text(const BranchesResult& r) {
   std::string text = study_heading(r.study);
   text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
                       r.values.front(), r.values.back(), r.values.size());
@@ -154,7 +154,7 @@ std::string branches_text(const ContinuationResult& r) {
   return text;
 }
 
-std::string branches_json(const ContinuationResult& r) {
+std::string branches_json(const BranchesResult& r) {
   const int balls = r.study.parameters.balls;
   Json json = {{"parameter", r.key}, {"values", r.values}};
   json["branches"] = Json::array();
@@ -185,7 +185,7 @@ std::string branches_json(const ContinuationResult& r) {
   return json.dump(2) + "\n";
 }
 
-std::string branches_csv(const ContinuationResult& r) {
+std::string branches_csv(const BranchesResult& r) {
   const int balls = r.study.parameters.balls;
   std::string text = fmt::format("# equipoise {}: attractors along {}{}\n", version_string, r.key,
                                  r.partial ? ", PARTIAL: stopped early" : "");

@@ -8,12 +8,12 @@
 namespace equipoise {
 
 /// Tables of branches and events for the terminal.
-std::string branches_text(const ContinuationResult& result);
+std::string branches_text(const BranchesResult& result);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
-std::string branches_json(const ContinuationResult& result);
+std::string branches_json(const BranchesResult& result);
 
 /// One line per value and branch, after comment lines with the study and the version.
-std::string branches_csv(const ContinuationResult& result);
+std::string branches_csv(const BranchesResult& result);
 
 }  // namespace equipoise

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/results/outcome_share.hpp"
-#include "equipoise/results/transient_figures.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/types/fate.hpp"
 

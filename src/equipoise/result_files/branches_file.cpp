@@ -18,7 +18,7 @@ namespace {
 
 class BranchesWriter {
  public:
-  BranchesWriter(io::NetcdfFile& file, const ContinuationResult& result)
+  BranchesWriter(io::NetcdfFile& file, const BranchesResult& result)
       : result_(result), file_(file), balls_(static_cast<std::size_t>(result.study.parameters.balls)) {
     for (const Branch& branch : result.branches) {
       names_.push_back(branch.name);
@@ -133,7 +133,7 @@ class BranchesWriter {
     put(event_high_, at, e.high);
   }
 
-  const ContinuationResult& result_;
+  const BranchesResult& result_;
   io::NetcdfFile& file_;
   std::size_t balls_;
   std::vector<std::string> names_, aliases_, changes_, types_;
@@ -144,7 +144,7 @@ class BranchesWriter {
 
 }  // namespace
 
-void write_branches_file(const std::string& path, const ContinuationResult& result) {
+void write_branches_file(const std::string& path, const BranchesResult& result) {
   io::write_netcdf_file(path, [&](io::NetcdfFile& file) { BranchesWriter(file, result).write(); });
 }
 

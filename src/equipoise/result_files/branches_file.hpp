@@ -12,6 +12,6 @@ namespace equipoise {
 /// there; id, name, alias(attractor); event_*(event). Without attractors or events those dimensions and their variables
 /// are left out. Every variable has units and long_name; readable by xarray, ncdump, ncview. Throws RunError if the
 /// file cannot be written.
-void write_branches_file(const std::string& path, const ContinuationResult& result);
+void write_branches_file(const std::string& path, const BranchesResult& result);
 
 }  // namespace equipoise

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/results/transient_figures.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/results/column.hpp"
+#include "equipoise/columns/column.hpp"
+#include "equipoise/columns/slice_figures.hpp"
 #include "equipoise/results/outcome_share.hpp"
-#include "equipoise/results/slice_figures.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {

@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-struct ContinuationResult {
+struct BranchesResult {
   Study study;                 ///< as given; its own value of the parameter plays no part
   std::string key;             ///< of the parameter
   std::vector<double> values;  ///< rising

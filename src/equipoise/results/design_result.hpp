@@ -8,24 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/drives/spin_up_shape.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/toml/study_value.hpp"
 
 namespace equipoise {
-
-/// A spin-up free between two speeds, piecewise linear over `points` points, then constant; in the design's units.
-struct SpinUpShape {
-  int points = 1;
-  double until = 0.0;            ///< latest time at which the final speed is reached
-  double low = 0.0, high = 0.0;  ///< of the points' speeds
-  std::optional<double> slope;   ///< largest change of speed per time
-  double initial = 0.0, final = 0.0;
-  std::string time_unit;
-  std::optional<std::string> law;  ///< speed.law, if the study states it
-
-  /// Of the shortest piece.
-  double least_duration() const { return 1e-3 * until; }
-};
 
 /// What may be chosen.
 struct DesignVariable {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "equipoise/results/transient_figures.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 
 namespace equipoise {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "equipoise/results/column.hpp"
+#include "equipoise/columns/column.hpp"
 #include "equipoise/types/status.hpp"
 
 namespace equipoise {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/results/transient_figures.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
 

@@ -1,4 +1,4 @@
-// Sums that the time loop gathers of every trajectory; figures are made of them (results/transient_figures.hpp).
+// Sums that the time loop gathers of every trajectory; figures are made of them (columns/transient_figures.hpp).
 #pragma once
 
 #include <array>

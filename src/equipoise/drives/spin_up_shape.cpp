@@ -1,5 +1,5 @@
 // Chooses speeds first, then distributes the remaining time.
-#include "equipoise/design/spin_up_shape.hpp"
+#include "equipoise/drives/spin_up_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "equipoise/results/column.hpp"
+#include "equipoise/columns/column.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/transient_table.hpp"
 

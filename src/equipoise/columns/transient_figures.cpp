@@ -1,5 +1,5 @@
 // Figures computed from sums.
-#include "equipoise/results/transient_figures.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

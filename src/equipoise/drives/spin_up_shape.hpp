@@ -2,12 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "equipoise/results/design_result.hpp"
-
 namespace equipoise {
+
+/// A spin-up free between two speeds, piecewise linear over `points` points, then constant; in the design's units.
+struct SpinUpShape {
+  int points = 1;
+  double until = 0.0;            ///< latest time at which the final speed is reached
+  double low = 0.0, high = 0.0;  ///< of the points' speeds
+  std::optional<double> slope;   ///< largest change of speed per time
+  double initial = 0.0, final = 0.0;
+  std::string time_unit;
+  std::optional<std::string> law;  ///< speed.law, if the study states it
+
+  /// Of the shortest piece.
+  double least_duration() const { return 1e-3 * until; }
+};
 
 struct SpinUpPoints {
   std::vector<double> times, speeds;  ///< from 0 and the initial speed to the final one
