@@ -1,6 +1,7 @@
 // The program's commands: each adds itself to the command line and returns what to run if it is chosen.
 #pragma once
 
+#include <exception>
 #include <functional>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,9 @@ enum ExitCode : int {
 
 /// Set by Ctrl-C and by a request to terminate.
 StopFlag& stop_flag();
+
+/// Says what was thrown; returns the exit code. In the program, overrides come from --set.
+int say_error(const std::exception_ptr& thrown);
 
 using Command = std::function<int()>;
 Command add_attractors(CLI::App& app);

@@ -110,14 +110,13 @@ int run(int given, char** arguments) {
   }
   for (auto& [sub, command] : commands) {
     if (!sub->parsed()) continue;
-    refuse_empty_values(*sub);
     if (repeats_work(*sub)) return bad_input;
+    refuse_empty_values(*sub);
     return command();
   }
   return bad_input;
 }
 
-// In the program, overrides come from --set.
 InputError from_options(const InputError& e) {
   const std::string_view name = overrides_name;
   if (!e.where().starts_with(name)) return e;
@@ -127,6 +126,16 @@ InputError from_options(const InputError& e) {
 int run_guarded(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (...) {
+    return say_error(std::current_exception());
+  }
+}
+
+}  // namespace
+
+int say_error(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
   } catch (const InputError& e) {
     say(from_options(e).what());
     return bad_input;
@@ -136,7 +145,6 @@ int run_guarded(int argc, char** argv) {
   }
 }
 
-}  // namespace
 }  // namespace equipoise::app
 
 int main(int argc, char** argv) {

@@ -2,6 +2,7 @@
 #ifdef EQUIPOISE_MPI
 #include "post.hpp"
 
+#include <exception>
 #include <utility>
 
 namespace equipoise::app {
@@ -46,9 +47,16 @@ bool Post::step(const Answer& answer) {
     return true;
   }
   lock.unlock();
-  Bytes made = answer(from, bytes);
+  Bytes made;
+  std::exception_ptr thrown;  // the other process waits for an answer all the same
+  try {
+    made = answer(from, bytes);
+  } catch (...) {
+    thrown = std::current_exception();
+  }
   lock.lock();
   send(std::move(made), from, tag + 1);
+  if (thrown) std::rethrow_exception(thrown);
   return true;
 }
 

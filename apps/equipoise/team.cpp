@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <future>
 #include <optional>
@@ -17,9 +18,9 @@
 #include "commands.hpp"
 #include "equipoise/base/bytes.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/running/parallel.hpp"
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/running/parallel.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "job.hpp"
 #include "post.hpp"
@@ -61,6 +62,10 @@ constexpr std::chrono::seconds patience{3};     // with processes that should fi
 
 // Rank 0 hands out work and known cells, and receives finished cells. A process with a cell hands out its starts.
 enum class Asked : std::uint8_t { for_work, for_cell, to_take_cell, for_starts };
+
+// A process that was stopped abandons its block: the whole job stops for the same reason, or the block would be
+// missing.
+enum class Stopped : std::uint8_t { no, asked, time_over };
 
 struct Work {
   enum class Kind : std::uint8_t { none, later, block, help } kind = Kind::none;
@@ -110,7 +115,7 @@ class Member {
   void work() {
     const std::string target = cpu_target();
     for (;;) {
-      const Work given = answer_from<Work>(post_.ask(0, bytes_of(Asked::for_work, target, is_set(stop_))));
+      const Work given = answer_from<Work>(post_.ask(0, bytes_of(Asked::for_work, target, why_stopped())));
       if (given.kind == Work::Kind::none) return;
       if (given.kind == Work::Kind::block)
         compute(given.which);
@@ -131,6 +136,10 @@ class Member {
   }
 
  private:
+  Stopped why_stopped() const {
+    return !is_set(stop_) ? Stopped::no : time_is_over() ? Stopped::time_over : Stopped::asked;
+  }
+
   void compute(std::size_t block) {
     const auto known = [this](std::size_t cell) {
       return answer_from<CellRecord>(post_.ask(0, bytes_of(Asked::for_cell, cell)));
@@ -296,8 +305,13 @@ Team::~Team() {
     post_->see_off();
     MPI_Finalize();
   } else {
-    MPI_Abort(MPI_COMM_WORLD, interrupted);
+    abort(time_is_over() ? out_of_time : interrupted);
   }
+}
+
+void Team::abort(int code) {
+  MPI_Abort(MPI_COMM_WORLD, code);
+  std::abort();  // MPI_Abort() does not return, but is not declared so
 }
 
 // Numbers are equal if the least is the greatest; the greatest is the complement of the least complement.
@@ -328,12 +342,12 @@ void Team::lead(const Survey& survey, SurveyWork& work, int threads, const StopF
     if (what == Asked::for_starts) return starts_answer(own, in);
     if (what == Asked::for_work) {
       std::string target;
-      bool stopped = false;
-      in(target, stopped);
+      Stopped why{};
+      in(target, why);
       require_whole(in);
-      // What it had at work would never come; of limited time the own end is near.
-      if (stopped && !time_is_limited()) stop_flag().store(true);
-      return bytes_of(queue.work_for(from, std::move(target), stopped));
+      if (why == Stopped::time_over) end_time();
+      if (why == Stopped::asked) stop_flag().store(true);
+      return bytes_of(queue.work_for(from, std::move(target), why != Stopped::no));
     }
     std::size_t index = 0;
     in(index);
@@ -366,11 +380,13 @@ int Team::follow(const Survey& survey, int threads, const StopFlag* stop) {
     asked_in(in);  // for starts
     return starts_answer(own, in);
   };
-  Beside beside(*post_, [&] { own.work(); });
-  while (!beside.over())
-    if (!post_->step(answer)) std::this_thread::sleep_for(rest);
-  left_ = 0;
-  return done;
+  return or_end([&] {
+    Beside beside(*post_, [&] { own.work(); });
+    while (!beside.over())
+      if (!post_->step(answer)) std::this_thread::sleep_for(rest);
+    left_ = 0;
+    return static_cast<int>(done);
+  });
 }
 
 // Everybody gets the empty answer: nothing is left.
@@ -399,6 +415,7 @@ bool Team::agree(bool good) { return good; }
 void Team::lead(const Survey&, SurveyWork&, int, const StopFlag*) {}
 int Team::follow(const Survey&, int, const StopFlag*) { return done; }
 void Team::dismiss() {}
+void Team::abort(int) { std::abort(); }
 
 #endif
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "commands.hpp"
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/sweeps/survey.hpp"
 #include "options.hpp"
@@ -47,7 +48,7 @@ class Team {
       agree(false);
       throw;
     }
-    if (agree(leads()) && !leads()) made = prepare();
+    if (agree(leads()) && !leads()) made = or_end([&] { return prepare(); });
     return made;
   }
   /// Of the first: what `compute` makes with these options of a survey. Gives blocks to the others and takes their
@@ -59,20 +60,28 @@ class Team {
       options.helpers = [this, threads = options.threads, stop = options.stop](const Survey& survey, SurveyWork& work) {
         lead(survey, work, threads, stop);
       };
-    try {
-      return compute();
-    } catch (...) {
-      dismiss();
-      throw;
-    }
+    return or_end(compute);
   }
   /// Of the others: works until the first has nothing more. Returns the exit code.
   int follow(const Survey& survey, int threads, const StopFlag* stop);
 
  private:
+  // What cannot go on here ends for all: others are sent home. If some no longer ask, the error is said before the
+  // whole job is aborted, since nothing can be said after.
+  template <class Work>
+  auto or_end(const Work& work) {
+    try {
+      return work();
+    } catch (...) {
+      if (leads()) dismiss();
+      if (left_ > 0) abort(say_error(std::current_exception()));
+      throw;
+    }
+  }
   bool agree(bool good);  // what the first found, known to all
   void lead(const Survey& survey, SurveyWork& work, int threads, const StopFlag* stop);
   void dismiss();
+  [[noreturn]] void abort(int code);
 
   int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
   bool joined_ = false;

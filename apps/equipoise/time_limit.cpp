@@ -60,6 +60,12 @@ std::function<bool()> half_of_the_time() {
   return [] { return time_given().half_used = time_given().half_used || time_given().deadline->half_over(); };
 }
 
+bool time_is_over() { return time_is_limited() && time_given().deadline->over(); }
+
+void end_time() {
+  if (time_is_limited()) time_given().deadline->end();
+}
+
 bool time_is_limited() { return time_given().deadline.has_value(); }
 
 int ended_early(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {

@@ -21,6 +21,12 @@ void begin_time(const std::optional<std::string>& within);
 /// Whether --within was given.
 bool time_is_limited();
 
+/// Whether the time ended before anything else stopped the command.
+bool time_is_over();
+
+/// Ends the time now, if it is limited.
+void end_time();
+
 /// Whether half of the time is over, for the first of two works that only count together; empty without a limit.
 std::function<bool()> half_of_the_time();
 

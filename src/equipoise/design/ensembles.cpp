@@ -34,10 +34,14 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions&
       try {
         helpers(survey_, *this);
       } catch (...) {
-        const std::lock_guard guard(taking_);
-        failure_ = std::current_exception();
+        fail(std::current_exception());
       }
     });
+}
+
+void DesignEnsembles::fail(std::exception_ptr thrown) {
+  const std::lock_guard guard(taking_);
+  if (!failure_) failure_ = std::move(thrown);
 }
 
 void DesignEnsembles::end() {
@@ -78,8 +82,13 @@ void DesignEnsembles::work_off(std::size_t missing) {
                              .known = [this](std::size_t number) { return known(number); },
                              .deliver = [this](std::size_t number, const CellRecord& made) { deliver(number, made); }};
   in_parallel(at_once, static_cast<std::size_t>(at_once), [&](std::size_t) {
-    while (const auto number = next_block())
-      if (!survey_.run_block(*number, workers)) return;
+    try {
+      while (const auto number = next_block())
+        if (!survey_.run_block(*number, workers)) return;
+    } catch (...) {
+      fail(std::current_exception());  // other processes get no further block
+      throw;
+    }
   });
   constexpr std::chrono::milliseconds until_a_look{10};
   std::unique_lock lock(taking_);

@@ -54,6 +54,7 @@ class DesignEnsembles final : public SurveyWork {
 
  private:
   void work_off(std::size_t missing);
+  void fail(std::exception_ptr thrown);
 
   const RunOptions& options_;
   DesignFile* file_;
@@ -69,7 +70,7 @@ class DesignEnsembles final : public SurveyWork {
   std::vector<WantedSample> batch_;
   std::vector<std::optional<DesignSample>> answers_;
   std::size_t next_ = 0;
-  std::exception_ptr failure_;  // of helpers
+  std::exception_ptr failure_;  // the first, of threads or of helpers
   std::atomic<bool> over_{false};
   std::future<void> helpers_;
 };

@@ -29,14 +29,18 @@ double read_time_limit(const std::string& option, const std::string& text) {
 }
 
 Deadline::Deadline(StopFlag& stop, double seconds) : stop_(stop), begin_(Clock::now()), length_(seconds) {
-  const auto end = begin_ + std::chrono::duration_cast<Clock::duration>(length_);
-  clock_ = std::thread([this, end] {
+  const auto last = begin_ + std::chrono::duration_cast<Clock::duration>(length_);
+  clock_ = std::thread([this, last] {
     std::unique_lock lock(mutex_);
-    if (changed_.wait_until(lock, end, [this] { return cancelled_; })) return;
-    // Before the flag: its reader may ask at once why it is set.
-    over_ = !is_set(&stop_);
-    stop_ = true;
+    if (changed_.wait_until(lock, last, [this] { return cancelled_; })) return;
+    end();
   });
+}
+
+void Deadline::end() {
+  // Before the flag: its reader may ask at once why it is set.
+  if (!is_set(&stop_)) over_ = true;
+  stop_ = true;
 }
 
 Deadline::~Deadline() {

@@ -23,6 +23,8 @@ class Deadline {
   Deadline(const Deadline&) = delete;
   Deadline& operator=(const Deadline&) = delete;
 
+  /// Ends the time now, unless something else has set the flag.
+  void end();
   /// The time ended before anything else set the flag.
   bool over() const { return over_; }
   /// For the first of two pieces of work that only count together.

@@ -13,8 +13,9 @@ namespace equipoise {
 SurveyRun::SurveyRun(const RunOptions& options) : threads_(thread_count(options.threads)), stop_(options.stop) {}
 
 std::optional<std::size_t> SurveyRun::next_block() {
+  if (stopped()) return std::nullopt;  // without counting a block as begun
   const std::size_t next = next_++;
-  if (next >= blocks_.size() || stopped()) return std::nullopt;
+  if (next >= blocks_.size()) return std::nullopt;
   return blocks_[next];
 }
 
