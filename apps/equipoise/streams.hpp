@@ -25,7 +25,7 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 /// Writes to standard error verbatim, with the same rule.
 void put_error(const std::string& text);
 
-/// Flushes standard output, whoever wrote to it, and closes it. Returns `code`; if anything was lost, 1 after a line
+/// Flushes and closes standard output. Returns `code`; if anything was lost, by put() or by others, 1 after a line
 /// that says so; 128 + SIGPIPE silently if the reader has gone.
 int close_output(int code);
 

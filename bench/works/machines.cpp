@@ -51,7 +51,7 @@ double here(const Machine& m, std::uint64_t starts, const Options& options, Attr
   study.sampling.starts = starts;
   BasinOptions how;
   how.threads = options.threads;
-  how.discoveries = &known;
+  how.searches = &known;
   const Stopwatch watch;
   const BasinResult found = basin(study, how);
   if (result) *result = found;

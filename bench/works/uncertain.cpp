@@ -43,7 +43,7 @@ Costs costs_of(const Study& given, std::uint64_t starts, const Options& options)
   AttractorSearchCache found;
   BasinOptions how;
   how.threads = options.threads;
-  how.discoveries = &found;
+  how.searches = &found;
   study.sampling.starts = 2;
   const Stopwatch searching;
   basin(study, how);

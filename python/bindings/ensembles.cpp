@@ -37,7 +37,7 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
   if (mapper) {
     const ChosenCpuTarget chosen(options.cpu_target);
     searched = mapped_search(*mapper, s.study, cpu_target());
-    options.discoveries = &searched;
+    options.searches = &searched;
   }
   if (initial) options.initial = starts_from(s.study, *initial, "initial");
   SensitivityOptions depends;

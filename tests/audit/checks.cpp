@@ -89,7 +89,7 @@ class StudyChecks {
   BasinOptions options() {
     BasinOptions options;
     options.threads = settings_.threads;
-    options.discoveries = &discoveries_;
+    options.searches = &searches_;
     return options;
   }
 
@@ -293,7 +293,7 @@ class StudyChecks {
 
   void check_threads() {
     BasinOptions one = options(), three = options();
-    one.discoveries = three.discoveries = nullptr;  // results of the search must not depend on threads either
+    one.searches = three.searches = nullptr;  // results of the search must not depend on threads either
     one.threads = 1;
     three.threads = 3;
     const std::uint64_t count = std::min<std::uint64_t>(starts_, 64);
@@ -347,7 +347,7 @@ class StudyChecks {
   Study study_;
   double begin_;
   std::uint64_t starts_ = 0;
-  AttractorSearchCache discoveries_;
+  AttractorSearchCache searches_;
   Ensemble base_;
   StudyAudit audit_;
 };

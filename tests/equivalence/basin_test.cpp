@@ -101,7 +101,7 @@ TEST(Basin, AReplayedStartKnowsTheRegionsThatItsEnsembleKnew) {
   BasinOptions hinted, plain;
   hinted.warm_start_levels = &warm_start_levels;
   AttractorSearchCache searched;  // one search for all that follow
-  hinted.discoveries = &searched;
+  hinted.searches = &searched;
   hinted.keep_starts = plain.keep_starts = true;
   const Study study = at_speed(2.4);
   const std::vector<double> times = basin(study, hinted).every_start->decision_time;

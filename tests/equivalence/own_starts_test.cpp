@@ -1,4 +1,4 @@
-// The caller's own starts: the same fates as drawn starts, whoever follows them and however they are cut; invalid
+// The caller's own starts: the same fates as drawn starts, on any thread and in chunks of any size; invalid
 // starts; and ensembles written from memory.
 #include <unistd.h>
 
@@ -82,11 +82,11 @@ std::vector<InitialState> drawn(const Study& study) {
 }
 
 // The attractors of one rotor are searched once.
-AttractorSearchCache discoveries;
+AttractorSearchCache searches;
 
 BasinResult with_starts(const Study& study, std::vector<InitialState> starts, int threads = 2) {
   BasinOptions options;
-  options.discoveries = &discoveries;
+  options.searches = &searches;
   options.initial = std::move(starts);
   options.keep_starts = true;
   options.threads = threads;
@@ -119,7 +119,7 @@ TEST_P(OwnStarts, HaveTheFatesOfDrawnOnesThatAreTheSame) {
   const Study study = study_of(GetParam(), few(GetParam()));
   BasinOptions options;
   options.keep_starts = true;
-  options.discoveries = &discoveries;
+  options.searches = &searches;
   const BasinResult sampled = basin(study, options), own = with_starts(study, drawn(study));
   expect_same_fates(*sampled.every_start, *own.every_start);
   ASSERT_EQ(sampled.attractors.size(), own.attractors.size());
@@ -240,7 +240,7 @@ TEST(OwnStartsInAFile, AreResumedAndToldFromOthers) {
   BasinOptions options;
   options.initial = drawn(study);
   options.output = scratch_file("own.nc");
-  options.discoveries = &discoveries;
+  options.searches = &searches;
   options.keep_starts = true;
   StopFlag stop{false};
   options.stop = &stop;
@@ -269,7 +269,7 @@ TEST(WriteBasin, MakesTheFileThatTheRunWouldHaveMade) {
   const auto expect_same_file = [](const Study& study, const BasinOptions& asked) {
     BasinOptions options = asked;
     options.keep_starts = true;
-    options.discoveries = &discoveries;
+    options.searches = &searches;
     options.output = scratch_file("direct.nc");
     const BasinResult result = basin(study, options);
     const std::string path = scratch_file("memory.nc");

@@ -259,9 +259,9 @@ Study ensemble(std::uint64_t starts) {
 }
 
 BasinOptions options(int threads, const std::string& output = {}) {
-  static AttractorSearchCache discoveries;  // all studies here end at one speed
+  static AttractorSearchCache searches;  // all studies here end at one speed
   BasinOptions o;
-  o.discoveries = &discoveries;
+  o.searches = &searches;
   o.threads = threads;
   o.transients = true;
   o.output = output;

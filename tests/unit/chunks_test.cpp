@@ -1,4 +1,4 @@
-// Chunks of an ensemble arrive in order, with each start once, whoever decides them.
+// Chunks of an ensemble arrive in order, with each start once, whichever process decides them.
 #include <gtest/gtest.h>
 
 #include <atomic>

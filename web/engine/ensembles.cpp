@@ -35,15 +35,15 @@ struct Kept {
 Ensemble& kept(const std::string& toml, const Study& study, bool transients, double* seconds = nullptr) {
   constexpr std::size_t most = 6, most_searches = 24;
   static std::list<Kept> all;
-  static AttractorSearchCache discoveries;
+  static AttractorSearchCache searches;
   const auto same = [&](const Kept& k) { return k.toml == toml && k.transients == transients; };
   auto at = std::find_if(all.begin(), all.end(), same);
   if (at == all.end()) {
-    if (discoveries.made.size() >= most_searches) discoveries.made.clear();
+    if (searches.made.size() >= most_searches) searches.made.clear();
     const auto begin = std::chrono::steady_clock::now();
     EnsembleOptions options;
     options.transients = transients;
-    options.discoveries = &discoveries;
+    options.searches = &searches;
     options.progress = tell;
     Ensemble ensemble(study, options);
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -16,8 +16,8 @@
 namespace equipoise {
 
 struct EnsembleOptions : RunOptions {
-  bool transients = false;                      ///< gather every start's transient
-  AttractorSearchCache* discoveries = nullptr;  ///< shared by consecutive ensembles with the same final speed
+  bool transients = false;                   ///< gather every start's transient
+  AttractorSearchCache* searches = nullptr;  ///< shared by consecutive ensembles with the same final speed
 };
 
 /// Decides starts by their indices, and the caller's own states, bit for bit as basin() does. For callers that show

@@ -173,9 +173,10 @@ bool SearchRegions::add_path_region(const model::System& system, const Motion& m
 
 // If the neighbour's torus has no region, none is tried here: that takes long, and windows recognise a torus too.
 void SearchRegions::add_torus(const Motion& motion, int id) {
-  const WarmStartLevel* hint = s_.settings.warm_start_levels.find(id, true);
-  auto torus =
-      hint && hint->level == 0.0 ? nullptr : torus_region(s_.system, motion, id, s_.trials, hint ? hint->level : 0.0);
+  const WarmStartLevel* known = s_.settings.warm_start_levels.find(id, true);
+  auto torus = known && known->level == 0.0
+                   ? nullptr
+                   : torus_region(s_.system, motion, id, s_.trials, known ? known->level : 0.0);
   s_.result.warm_start_levels.levels.push_back({id, true, torus ? torus->level() : 0.0});
   if (torus) windowed_.push_back(std::move(torus));
 }

@@ -106,7 +106,7 @@ class SweepWriter {
     for (const MotionColumn& c : motion_columns) {
       if (&c == &motion_columns.back()) define_left_unbalance();
       column(
-          c.name, "1", c.long_name, codes_.size(),
+          c.name, c.cf_units(), c.long_name(), codes_.size(),
           [this, &c](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
               values[std::find(codes_.begin(), codes_.end(), o.id) - codes_.begin()] = c.value(o).value_or(none);

@@ -37,7 +37,7 @@ struct TransientFigure : Column {
   float TransientRow::*value;
   const char* title;     ///< in tables and pictures
   bool on_page = false;  ///< has a line of its own on a page
-  /// The limit without which it is not asked; null: it always is, but for the drive's work (WorkSource).
+  /// The limit that it needs; null: none. The drive's work needs a WorkSource.
   std::optional<double> Limits::*needs = nullptr;
   /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
   /// that had not come below it when it was last followed.

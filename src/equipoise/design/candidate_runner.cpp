@@ -20,7 +20,7 @@ namespace equipoise {
 
 namespace {
 
-// Discoveries that a thread keeps: spin-ups to one speed share one, other candidates come back to theirs soon or never.
+// Searches that a thread keeps: spin-ups to one speed share one, other candidates come back to theirs soon or never.
 constexpr std::size_t most_attractor_searches = 16;
 
 // As if it came from no text.
@@ -53,10 +53,10 @@ CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions&
   run.stop = options_.stop;
   run.transients = false;
   Catalogue catalogue;
-  basin(study, run, &catalogue, &hints_);
+  basin(study, run, &catalogue, &warm_start_levels_);
   for (const Attractor& a : catalogue.attractors())
     if (const auto& state = a.motion.state; state.size() > 0)
-      seeds_.emplace_back(state.data(), state.data() + state.size());
+      warm_start_states_.emplace_back(state.data(), state.data() + state.size());
 }
 
 bool CandidateRunner::balances(const Study& study, Met& met) const {
@@ -93,19 +93,19 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
     if (stopped()) return std::nullopt;
     return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
   }
-  if (met.discoveries.made.size() > most_attractor_searches) met.discoveries.made.clear();
+  if (met.searches.made.size() > most_attractor_searches) met.searches.made.clear();
   if (met.balances.size() > most_attractor_searches) met.balances.clear();
   BasinOptions run;
   run.threads = threads;
   run.stop = options_.stop;
   run.transients = problem_.transients();
   run.keep_starts = true;
-  run.discoveries = &met.discoveries;
+  run.searches = &met.searches;
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
-  for (const std::vector<double>& seed : seeds_)
-    if (seed.size() == dimension) run.warm_start_states.push_back(seed);
+  for (const std::vector<double>& state : warm_start_states_)
+    if (state.size() == dimension) run.warm_start_states.push_back(state);
   run.warm_start = !run.warm_start_states.empty();
-  if (run.warm_start) run.warm_start_levels = &hints_;
+  if (run.warm_start) run.warm_start_levels = &warm_start_levels_;
   const BasinResult result = basin(*study, run);
   if (result.partial) return std::nullopt;
   return sample_of(problem_.figures(), result, *study, wanted.settings);

@@ -1,4 +1,4 @@
-// Ensembles of candidates, whoever asks for them.
+// Makes the ensembles of candidates, for this process or another.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class CandidateRunner {
  private:
   // What a thread keeps of the final speeds it has met.
   struct Met {
-    AttractorSearchCache discoveries;
+    AttractorSearchCache searches;
     std::map<std::string, bool> balances;  // by attractor_search_subject(): whether a balanced state attracts
   };
   bool stopped() const { return is_set(options_.stop); }
@@ -45,8 +45,8 @@ class CandidateRunner {
   const DesignProblem& problem_;
   const RunOptions& options_;
   // Of the study as it is: where the searches of all candidates begin.
-  std::vector<std::vector<double>> seeds_;
-  WarmStartLevels hints_;
+  std::vector<std::vector<double>> warm_start_states_;
+  WarmStartLevels warm_start_levels_;
   std::mutex taking_;
   std::vector<std::unique_ptr<Met>> free_;
 };

@@ -48,7 +48,7 @@ class BasinRun {
       : options_(options),
         gathers_(gathers_transients(study, options)),
         threads_(thread_count(options.threads)),
-        discoveries_(options.discoveries ? *options.discoveries : own_attractor_searches_) {
+        searches_(options.searches ? *options.searches : own_searches_) {
     result_.study = study;
     if (study.speed.driven()) passed_speed_ = study.passed_speed();
     result_.threads = threads_;
@@ -163,7 +163,7 @@ class BasinRun {
 
   void make_runner() {
     const Study& study = result_.study;
-    AttractorSearchSettings search = search_settings(options_, &discoveries_);
+    AttractorSearchSettings search = search_settings(options_, &searches_);
     if (file_) search.notes = &file_->notes();
     runner_ = std::make_unique<StartRunner>(study, search, gathers_);
     tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
@@ -356,8 +356,8 @@ class BasinRun {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double cpu_begin_ = cpu_seconds();
   int threads_;
-  AttractorSearchCache own_attractor_searches_;
-  AttractorSearchCache& discoveries_;
+  AttractorSearchCache own_searches_;
+  AttractorSearchCache& searches_;
   BasinResult result_;
   std::uint64_t limit_ = 0;
   std::unique_ptr<BasinFile> file_;

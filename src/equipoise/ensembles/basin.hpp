@@ -53,8 +53,8 @@ struct BasinOptions : RunOptions {
   /// The helpers for starts sampled by this method (ensembles/chunks.hpp), or null. Asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
   SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
-  AttractorSearchCache* discoveries = nullptr;  ///< shared by consecutive runs with the same final speed; results do
-                                                ///< not depend on it
+  AttractorSearchCache* searches = nullptr;  ///< shared by consecutive runs with the same final speed; results do
+                                             ///< not depend on it
   /// Called for every counted start in index order, stored ones included; from any thread, but one at a time.
   std::function<void(const Fate&)> fate;
 };

@@ -18,11 +18,11 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
   return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
 }
 
-AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* discoveries) {
+AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches) {
   return {.threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads),
           .stop = options.stop,
           .warm_start_states = options.warm_start_states,
-          .cache = discoveries,
+          .cache = searches,
           .progress = options.progress,
           .warm_start = options.warm_start,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
@@ -30,9 +30,8 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
 }
 
 std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
-                                             AttractorSearchCache& discoveries) {
-  return std::make_unique<StartRunner>(study, search_settings(options, &discoveries),
-                                       gathers_transients(study, options));
+                                             AttractorSearchCache& searches) {
+  return std::make_unique<StartRunner>(study, search_settings(options, &searches), gathers_transients(study, options));
 }
 
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
@@ -58,8 +57,8 @@ bool classify_chunk(const StartRunner& runner, Chunk& chunk) {
 }
 
 EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method) {
-  AttractorSearchCache discoveries;
-  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, discoveries);
+  AttractorSearchCache searches;
+  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, searches);
 }
 
 }  // namespace equipoise

@@ -14,12 +14,12 @@ namespace equipoise {
 /// The study as basin() completes it before it makes its runner.
 Study as_sampled(Study study, SamplingMethod method);
 
-/// What the options of basin() ask of the attractor search. `discoveries` may be null.
-AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* discoveries);
+/// What the options of basin() ask of the attractor search. `searches` may be null.
+AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches);
 
 /// The study must have its horizon and method. Of `options` those of the search and of transients count.
 std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
-                                             AttractorSearchCache& discoveries);
+                                             AttractorSearchCache& searches);
 
 /// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
 /// first and finds the result again in `found`. Study as above. Throws RunError if stopped.

@@ -33,7 +33,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   if (own) check_own(study, index, options.initial);
   replay.start = own ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  StartRunner runner(study, search_settings(options, options.discoveries), gathers);
+  StartRunner runner(study, search_settings(options, options.searches), gathers);
   Decided one;
   if (runner.stopped() || !(own ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
     throw RunError("stopped before the start was decided");

@@ -108,7 +108,7 @@ Json point_json(const BranchPoint& point, int balls) {
   Json json = {{"value", point.value},
                {"kind", name_of(m.kind)},
                {"stable", m.stable},
-               {"period", m.kind == MotionKind::periodic ? m.period : no_figure},
+               {"period", motion_number("period").value(m)},
                {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
                {"multiplier", largest_multiplier(m)},
                {"growth_rate", growth_rate(m)},
@@ -195,10 +195,10 @@ std::string branches_csv(const BranchesResult& r) {
       text += fmt::format("# event: id {}, {}, {}, between {} and {}\n", b.id, name_of(e.change), name_of(e.cause),
                           e.low, e.high);
   text += r.key + ",id,name,alias,kind,stable";
-  for (const MotionFigure& f : motion_figures) text += std::string(",") + f.name;
+  for (const MotionNumber& f : motion_numbers) text += std::string(",") + f.name;
   for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
   if (r.study.speed.driven())
-    for (const MotionFigure& f : motor_figures) text += std::string(",") + f.name;
+    for (const MotionNumber& f : motor_numbers) text += std::string(",") + f.name;
   text += "\n";
   for (std::size_t k = 0; k < r.values.size(); ++k) {
     for (const Branch& b : r.branches) {
@@ -206,10 +206,10 @@ std::string branches_csv(const BranchesResult& r) {
       if (at == b.points.end()) continue;
       const Motion& m = at->motion;
       text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), b.alias, name_of(m.kind), m.stable);
-      for (const MotionFigure& f : motion_figures) text += "," + csv_number(f.value(m));
+      for (const MotionNumber& f : motion_numbers) text += "," + csv_number(f.value(m));
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
       if (m.motor)
-        for (const MotionFigure& f : motor_figures) text += "," + csv_number(f.value(m));
+        for (const MotionNumber& f : motor_numbers) text += "," + csv_number(f.value(m));
       text += "\n";
     }
   }

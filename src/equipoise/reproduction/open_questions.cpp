@@ -57,13 +57,13 @@ BasinSlice mapped(const Study& study, const OpenQuestionSettings& settings, cons
 }
 
 BasinResult sampled(Study study, const SamplingBox& box, const OpenQuestionSettings& settings,
-                    AttractorSearchCache& discoveries, const std::string& file, const std::string& part) {
+                    AttractorSearchCache& searches, const std::string& file, const std::string& part) {
   study.sampling.starts = settings.starts;
   study.sampling.seed = settings.seed;
   study.sampling.box = box;
   BasinOptions options;
   use(settings, part, options);
-  options.discoveries = &discoveries;
+  options.searches = &searches;
   if (!settings.folder.empty())
     options.output = fmt::format("{}/{}-speed-{}.nc", settings.folder, file, study.speed.speed);
   return basin(study, options);
@@ -85,11 +85,11 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
   for (const double speed : speeds) {
     if (is_set(settings.stop)) break;
     BoxShares shares{speed, {}, {}};
-    AttractorSearchCache discoveries;  // both samples end at one speed
+    AttractorSearchCache searches;  // both samples end at one speed
     shares.box =
-        sampled(rotor_at(speed), stated_box(), settings, discoveries, "box", fmt::format("box at speed {}", speed));
+        sampled(rotor_at(speed), stated_box(), settings, searches, "box", fmt::format("box at speed {}", speed));
     shares.rest =
-        sampled(rotor_at(speed), {}, settings, discoveries, "rest", fmt::format("starts at rest at speed {}", speed));
+        sampled(rotor_at(speed), {}, settings, searches, "rest", fmt::format("starts at rest at speed {}", speed));
     result.complete = result.complete && !shares.box.partial && !shares.rest.partial;
     result.boxes.push_back(std::move(shares));
   }

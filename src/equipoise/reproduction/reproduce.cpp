@@ -138,7 +138,7 @@ class TableRun {
     options.output = path;
     options.store_angles = false;
     options.stop = options_.stop;
-    options.discoveries = &discoveries_;
+    options.searches = &searches_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
     options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
     const BasinResult basin = equipoise::basin(study, options);
@@ -169,7 +169,7 @@ class TableRun {
 
   const ReproduceOptions& options_;
   Progress progress_;
-  AttractorSearchCache discoveries_;
+  AttractorSearchCache searches_;
   std::uint64_t before_ = 0;
 };
 

@@ -76,8 +76,8 @@ class BranchesWriter {
     name_ = f.text_variable("name", attractor, names_, "name of the attractor");
     alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
     const auto add = [&](const auto& columns) {
-      for (const MotionFigure& c : columns)
-        columns_.emplace_back(filled(c.name, {value, attractor}, c.long_name), c.value);
+      for (const MotionNumber& c : columns)
+        columns_.emplace_back(filled(c.name, {value, attractor}, c.long_name()), c.value);
     };
     const signed char none = -1;
     kind_ = f.variable("kind", NC_BYTE, {value, attractor}, "1", "kind of motion");
@@ -88,10 +88,10 @@ class BranchesWriter {
     f.fill(stable_, &none);
     f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
     f.attribute(stable_, "flag_meanings", "unstable stable");
-    add(motion_figures);
+    add(motion_numbers);
     drift_ =
         filled("drift", {value, attractor, ball}, "mean rate of a ball in the rotating frame, radians times omega_c");
-    if (result_.study.speed.driven()) add(motor_figures);
+    if (result_.study.speed.driven()) add(motor_numbers);
   }
 
   void define_events() {
@@ -104,9 +104,9 @@ class BranchesWriter {
     event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", "it happens below this value of the parameter");
   }
 
-  int filled(const char* name, const std::vector<int>& dimensions, const char* meaning) {
+  int filled(const char* name, const std::vector<int>& dimensions, const std::string& meaning) {
     const int variable = file_.variable(name, NC_DOUBLE, dimensions, "1", meaning);
-    file_.fill(variable, &no_figure);
+    file_.fill(variable, &no_number);
     return variable;
   }
 

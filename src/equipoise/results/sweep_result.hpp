@@ -43,16 +43,17 @@ struct SweepOutcome : OutcomeShare {  // id: the same for the same motion in all
 };
 
 /// A number that files and tables tell of an outcome's motion in a cell; none where it has none.
-struct MotionColumn : FigureName {
+struct MotionColumn : Column {
   std::optional<double> (*value)(const SweepOutcome&);
 };
 inline constexpr std::array<MotionColumn, 5> motion_columns{{
-    {{"mean_time", "mean time to the decision, in 1/omega_c"},
+    {{"mean_time", "mean time to the decision", study::Dimension::time},
      [](const SweepOutcome& o) { return o.share.count > 0 ? std::optional(o.mean_time) : std::nullopt; }},
-    {motion_figures[1], [](const SweepOutcome& o) { return o.r_min; }},
-    {motion_figures[2], [](const SweepOutcome& o) { return o.r_mean; }},
-    {motion_figures[3], [](const SweepOutcome& o) { return o.r_max; }},
-    {motion_figures[0], [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
+    {motion_number("r_min"), [](const SweepOutcome& o) { return o.r_min; }},
+    {motion_number("r_mean"), [](const SweepOutcome& o) { return o.r_mean; }},
+    {motion_number("r_max"), [](const SweepOutcome& o) { return o.r_max; }},
+    {motion_number("period"),
+     [](const SweepOutcome& o) { return o.period > 0.0 ? std::optional(o.period) : std::nullopt; }},
 }};
 
 struct SweepCell : OtherShares {

@@ -84,12 +84,12 @@ class Chain {
 }  // namespace
 
 BasinResult cell_ensemble(const SweepPlan& plan, const CellAtWork& at, const Study& study, const BlockWorkers& workers,
-                          AttractorSearchCache* discoveries, Catalogue& catalogue, WarmStartLevels* found) {
+                          AttractorSearchCache* searches, Catalogue& catalogue, WarmStartLevels* found) {
   BasinOptions options = cell_options(plan, at.start);
   options.threads = workers.threads;
   if (workers.idle) options.search_threads = workers.threads + workers.idle();
   options.stop = workers.stop;
-  options.discoveries = discoveries;
+  options.searches = searches;
   options.notes = workers.notes;
   std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
   const auto place_for = [&](SamplingMethod method) {
@@ -109,7 +109,7 @@ namespace {
 
 bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& workers) {
   Chain chain;
-  AttractorSearchCache discoveries;
+  AttractorSearchCache searches;
   std::optional<SweepCell> before;
   for (const std::size_t index : plan.cells_of(block)) {
     const Study study = plan.study_of(index);
@@ -121,7 +121,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& wor
     Catalogue catalogue;
     WarmStartLevels found;
     const BasinResult result =
-        cell_ensemble(plan, {index, {}, chain.start()}, study, workers, &discoveries, catalogue, &found);
+        cell_ensemble(plan, {index, {}, chain.start()}, study, workers, &searches, catalogue, &found);
     if (result.partial) return false;
     before = cell_of(result, catalogue);
     before->warm_start_levels = std::move(found);

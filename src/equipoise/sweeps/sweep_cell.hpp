@@ -16,8 +16,8 @@ struct CellAtWork;
 Survey sweep_survey(const SweepPlan& plan);
 
 /// The ensemble at `at`, whatever way of sampling that names, at the desk while it is at work. `study`: what plan and
-/// `at` say; `discoveries` and `found`: or null.
+/// `at` say; `searches` and `found`: or null.
 BasinResult cell_ensemble(const SweepPlan& plan, const CellAtWork& at, const Study& study, const BlockWorkers& workers,
-                          AttractorSearchCache* discoveries, Catalogue& catalogue, WarmStartLevels* found);
+                          AttractorSearchCache* searches, Catalogue& catalogue, WarmStartLevels* found);
 
 }  // namespace equipoise

@@ -84,7 +84,7 @@ nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
                          {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
                          {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
   const bool periodic = m.kind == MotionKind::periodic;
-  json["period"] = motion_figures[0].value(m);  // null of what is not periodic
+  json["period"] = motion_number("period").value(m);  // null of what is not periodic
   json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + (periodic ? balls : 0));
   if (periodic && m.depends_on_angle) json["strobes"] = m.sections;
   const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
@@ -95,8 +95,8 @@ nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
     json["torque"] = m.motor->torque;
     json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
   }
-  const auto r = [&](int k) { return motion_figures[k].value(m); };
-  json["radial"] = {{"min", r(1)}, {"mean", r(2)}, {"max", r(3)}};
+  const auto number = [&](const char* name) { return motion_number(name).value(m); };
+  json["radial"] = {{"min", number("r_min")}, {"mean", number("r_mean")}, {"max", number("r_max")}};
   if (m.kind == MotionKind::equilibrium || periodic) {
     Json spectrum = Json::array();
     for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)

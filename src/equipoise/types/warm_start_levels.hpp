@@ -26,14 +26,14 @@ struct WarmStartLevels {
   std::vector<ModeWeight> weights;
 
   const WarmStartLevel* find(int attractor, bool torus) const {
-    for (const WarmStartLevel& hint : levels)
-      if (hint.attractor == attractor && hint.torus == torus) return &hint;
+    for (const WarmStartLevel& one : levels)
+      if (one.attractor == attractor && one.torus == torus) return &one;
     return nullptr;
   }
   /// 0: not known.
   double level(int attractor, bool torus) const {
-    const WarmStartLevel* hint = find(attractor, torus);
-    return hint ? hint->level : 0.0;
+    const WarmStartLevel* found = find(attractor, torus);
+    return found ? found->level : 0.0;
   }
   bool operator==(const WarmStartLevels&) const = default;
 };
