@@ -14,7 +14,7 @@ foreach(header
     equipoise.hpp paper.hpp
     base/error.hpp base/stop_flag.hpp
     running/run_options.hpp
-    drives/full_state.hpp drives/motor.hpp drives/speed.hpp drives/spin_up_shape.hpp
+    drives/full_state.hpp drives/motor.hpp drives/speed.hpp drives/spin_up_shape.hpp drives/torque_curve.hpp
     model/ball_mode.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
     types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
       types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp

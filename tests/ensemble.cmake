@@ -4,7 +4,7 @@ target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${equipoise_kernels_left_out})")
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp LIBRARIES equipoise_paper)
 target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
-equipoise_test(statistics_test unit unit/statistics_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
+equipoise_test(statistics_test unit unit/statistics_test.cpp unit/standards_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
   unit/search_log_test.cpp unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)

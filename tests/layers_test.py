@@ -23,6 +23,7 @@ ROOMS = {
     "mechanics": "math drives model",
     "integrate": "drives model types mechanics",
     "statistics": "",
+    "standards": "",
     "sampling": "model",
     "units": "model",
     "toml": "",

@@ -191,6 +191,17 @@ const Kind kinds[] = {
        s.speed.hold_until = rounded(s.speed.rise_until + d.even(5.0, 200.0));
        s.speed.fall_until = rounded(s.speed.hold_until + d.even(5.0, 80.0));
      }},
+    {"motor by its curve, with a load",
+     [](Study& s, Dice& d) {
+       ordinary_driven(s, d);
+       TorqueSetting& t = s.speed.torque;
+       t.kind = model::MotorLaw::Kind::curve;
+       const double fast = rounded(d.even(1.8, 4.0)), most = rounded(d.scale(0.05, 0.5));
+       t.speeds = {0.0, rounded(0.5 * fast), rounded(0.85 * fast), fast};
+       t.values = {rounded(most * d.even(0.5, 0.9)), rounded(most * d.even(0.4, 0.8)), most, 0.0};
+       s.speed.load = {rounded(most * d.even(0.0, 0.05)), rounded(most * d.even(0.0, 0.1)),
+                       rounded(most * d.even(0.0, 0.3)), fast};
+     }},
     {"motor by a table",
      [](Study& s, Dice& d) {
        ordinary_driven(s, d);

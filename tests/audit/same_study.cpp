@@ -46,7 +46,8 @@ std::optional<Study> mirrored(const Study& study) {
     t.constant = t.stall;
     t.slope = -t.stall / t.no_load_speed;
   }
-  if (m.speed.driven() && m.speed.stalled_below) return std::nullopt;  // a bound on a signed speed
+  if (m.speed.driven() && m.speed.stalled_below) return std::nullopt;            // a bound on a signed speed
+  if (m.speed.torque.kind == model::MotorLaw::Kind::curve) return std::nullopt;  // its ends differ
   turn_back(m.speed);
   turn_back(m.speed.torque);
   if (m.release.speed) m.release.speed = -*m.release.speed;
@@ -128,6 +129,9 @@ std::string torque_text(const TorqueSetting& t, const model::Scales& u) {
   if (t.kind == Kind::table)
     return text + "times = " + quantities(t.times, t.times.size(), u.time(), "s") +
            "\nvalues = " + quantities(t.values, t.values.size(), u.torque(), "N m") + "\n";
+  if (t.kind == Kind::curve)
+    return text + "speeds = " + quantities(t.speeds, t.speeds.size(), u.frequency, "rad/s") +
+           "\nvalues = " + quantities(t.values, t.values.size(), u.torque(), "N m") + "\n";
   if (t.kind == Kind::control) {
     text +=
         "gain = " + quantity(t.gain, gain, "N m s") + "\nintegral = " + quantity(t.integral, u.torque(), "N m") + "\n";
@@ -139,6 +143,14 @@ std::string torque_text(const TorqueSetting& t, const model::Scales& u) {
       "constant = " + quantity(t.constant, u.torque(), "N m") + "\nslope = " + quantity(t.slope, gain, "N m s") + "\n";
   if (t.until) text += "until = " + quantity(*t.until, u.time(), "s") + "\n";
   return text;
+}
+
+std::string load_text(const LoadSetting& l, const model::Scales& u) {
+  if (l.is_none()) return "";
+  return "[speed.load]\nconstant = " + quantity(l.constant, u.torque(), "N m") +
+         "\nlinear = " + quantity(l.linear, u.torque(), "N m") +
+         "\nquadratic = " + quantity(l.quadratic, u.torque(), "N m") +
+         "\nat = " + quantity(l.at, u.frequency, "rad/s") + "\n";
 }
 
 std::string rotor_text(const model::Parameters& p, const model::Scales& u) {
@@ -203,7 +215,7 @@ std::optional<std::string> physical_text(const Study& silent, const model::Scale
     text += "initial = " + quantity(study.speed.initial, u.frequency, "rad/s") + "\n";
     if (study.speed.stalled_below)
       text += "stalled_below = " + quantity(*study.speed.stalled_below, u.frequency, "rad/s") + "\n";
-    text += torque_text(study.speed.torque, u);
+    text += torque_text(study.speed.torque, u) + load_text(study.speed.load, u);
   } else {
     text += ramp_text(study.speed, u);
   }

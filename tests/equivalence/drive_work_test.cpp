@@ -152,7 +152,7 @@ double motor_work(Study study, const StartReplay& replay, double until) {
   std::size_t piece = 0;
   for (std::size_t k = 0; k < one.t.size(); ++k) {
     while (piece + 1 < law.size() && law[piece].end <= one.t[k]) ++piece;
-    const double now = law[piece].torque(one.t[k], one.psi_dot[k], 0.0) * one.psi_dot[k];
+    const double now = law[piece].motor_torque(one.t[k], one.psi_dot[k], 0.0) * one.psi_dot[k];
     if (k > 0) work += 0.5 * (one.t[k] - one.t[k - 1]) * (before + now);
     before = now;
   }
@@ -175,6 +175,11 @@ void expect_motor_work(const std::string& text) {
 const std::string motor = "[speed]\nprofile = \"torque\"\ntorque = { stall = 0.2, no_load_speed = 3.0 }\n";
 
 TEST(DriveWorkOfMotors, IsThatOfTheirTorque) { expect_motor_work(heavy + "[release]\ntime = 0.0\n" + motor); }
+TEST(DriveWorkOfMotors, IsThatOfACurveWhateverTheLoadTakes) {
+  expect_motor_work(heavy +
+                    "[release]\ntime = 0.0\n[speed]\nprofile = \"torque\"\nload = { quadratic = 0.05, at = 2.0 }\n" +
+                    "torque = { speeds = [0.0, 1.0, 2.5, 3.0], values = [0.2, 0.3, 0.25, 0.0] }\n");
+}
 TEST(DriveWorkOfMotors, CountsTheWayWithTheBallsHeld) { expect_motor_work(heavy + "[release]\nspeed = 2.0\n" + motor); }
 TEST(DriveWorkOfMotors, CountsPiecesOfTheirLaw) {
   expect_motor_work(heavy +

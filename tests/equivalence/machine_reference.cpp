@@ -56,12 +56,31 @@ class Machine {
     return y;
   }
 
-  double torque(double t, const VectorXd& y) const {
+  double torque(double t, const VectorXd& y) const { return given(t, y) - taken(y[3 + n_ + 2]); }
+
+  // By the load, against the rotation.
+  double taken(double w) const {
+    const auto& load = study_.speed.load;
+    const double share = load.at > 0.0 ? std::fabs(w) / load.at : 0.0;
+    const double size =
+        load.constant * std::min(1.0, std::fabs(w) / 0.01) + load.linear * share + load.quadratic * share * share;
+    return std::copysign(size, w);
+  }
+
+  // By the motor.
+  double given(double t, const VectorXd& y) const {
     const auto& s = study_.speed.torque;
     const double w = y[3 + n_ + 2];
     using Kind = equipoise::model::MotorLaw::Kind;
     if (s.by_stall) return s.stall * (1.0 - w / s.no_load_speed);
     if (s.kind == Kind::linear) return s.until && began >= *s.until ? 0.0 : s.constant + s.slope * w;
+    if (s.kind == Kind::curve) {
+      if (w <= s.speeds.front()) return s.values.front();
+      std::size_t i = 1;
+      while (i + 1 < s.speeds.size() && w > s.speeds[i]) ++i;
+      const double part = (w - s.speeds[i - 1]) / (s.speeds[i] - s.speeds[i - 1]);
+      return s.values[i - 1] + (s.values[i] - s.values[i - 1]) * part;
+    }
     if (s.kind == Kind::table) {
       if (t <= s.times.front()) return s.values.front();
       for (std::size_t i = 1; i < s.times.size(); ++i)

@@ -51,6 +51,19 @@ std::vector<Case> cases() {
                    rotor() + balls(n) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }") + at_speed, 35.0,
                    1e-9});
   all.push_back({"stall", rotor() + balls(2) + torque("{ stall = 0.4, no_load_speed = 3.0 }"), 25.0, 5e-9});
+  // Corners of the curve and of the load lie in mid-step, where the reference errs by its step's square, 2e-5 of a
+  // kink.
+  all.push_back({"curve_and_fan",
+                 rotor() + balls(2) +
+                     torque("{ speeds = [0.0, 1.2, 2.0, 2.2], values = [0.3, 0.5, 0.4, 0.0] }\n"
+                            "load = { constant = 0.02, linear = 0.03, quadratic = 0.1, at = 2.0 }"),
+                 25.0, 2e-5});
+  all.push_back({"table_against_a_fan",
+                 rotor() + balls(3) +
+                     torque("{ times = [2.0, 20.0, 30.0], values = [0.4, 0.2, 0.1] }\nload = { quadratic = 0.1, at = "
+                            "2.0 }") +
+                     at_time,
+                 35.0, 5e-9});
   all.push_back({"table",
                  rotor() + balls(3) + torque("{ times = [2.0, 20.0, 30.0], values = [0.4, 0.2, -0.1] }") + at_time,
                  35.0, 5e-9});

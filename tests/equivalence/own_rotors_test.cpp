@@ -35,13 +35,19 @@ std::vector<Case> cases() {
   const std::string torque = "[speed]\nprofile = \"torque\"\ntorque = { stall = 0.5, no_load_speed = 2.5 }\n";
   const std::string touching = "contact_angle = 0.2\nrestitution = 0.6\n";
   const std::string constant = "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
-  return {{"plain", rotor("") + balls(2) + constant},
-          {"plain_of_three_held_on_a_ramp", rotor("") + balls(3) + ramp + at_time},
-          {"under_gravity_held_to_the_end_of_a_ramp", rotor(upright) + balls(2) + ramp},
-          {"motor", rotor("") + balls(2) + torque},
-          {"motor_under_gravity_releasing_at_a_speed", rotor(upright) + balls(4) + torque + at_speed, 1e-5},
-          {"off_centre_with_gravity", rotor(upright) + balls(3, off_centre) + ramp + at_time},
-          {"touching", rotor("") + balls(3, touching) + constant, 1e-5}};
+  return {
+      {"plain", rotor("") + balls(2) + constant},
+      {"plain_of_three_held_on_a_ramp", rotor("") + balls(3) + ramp + at_time},
+      {"under_gravity_held_to_the_end_of_a_ramp", rotor(upright) + balls(2) + ramp},
+      {"motor", rotor("") + balls(2) + torque},
+      {"motor_by_its_curve_with_a_fan",
+       rotor("") + balls(2) +
+           "[speed]\nprofile = \"torque\"\ntorque = { speeds = [0.0, 1.2, 2.0, 2.5], values = [0.3, 0.5, 0.4, 0.0] }\n"
+           "load = { quadratic = 0.1, at = 2.0 }\n",
+       1e-5},
+      {"motor_under_gravity_releasing_at_a_speed", rotor(upright) + balls(4) + torque + at_speed, 1e-5},
+      {"off_centre_with_gravity", rotor(upright) + balls(3, off_centre) + ramp + at_time},
+      {"touching", rotor("") + balls(3, touching) + constant, 1e-5}};
 }
 
 // Each start with different values of everything that a rotor may have for itself.

@@ -37,6 +37,12 @@ std::vector<Case> cases() {
           {"motor_releasing_at_a_speed", rotor("") + balls(2) + torque(linear) + at_speed},
           {"off_centre_motor_with_gravity_releasing_at_a_speed",
            rotor(upright) + balls(4, off_centre) + torque(linear) + at_speed},
+          // Corners of the curve may lie anywhere in a step: 4e-6 was seen.
+          {"motor_by_its_curve_with_a_fan",
+           rotor(upright) + balls(3) +
+               torque("{ speeds = [0.0, 1.2, 2.0, 2.2], values = [0.3, 0.5, 0.4, 0.0] }\n"
+                      "load = { constant = 0.02, linear = 0.03, quadratic = 0.1, at = 2.0 }"),
+           2e-5},
           {"motor_switched_off", rotor("") + balls(2) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }")},
           {"table_releasing_at_a_time",
            rotor("") + balls(3) + torque("{ times = [2.0, 20.0, 30.0], values = [0.4, 0.2, -0.1] }") + at_time},

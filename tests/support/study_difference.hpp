@@ -60,6 +60,16 @@ inline std::string first_difference(const Study& a, const Study& b, double withi
   COMPARED(speed.profile);
   COMPARED(speed.law);
   COMPARED(speed.stalled_below);
+  if (a.speed.driven()) {
+    COMPARED(motor().constant);
+    COMPARED(motor().slope);
+    COMPARED(motor().times);
+    COMPARED(motor().values);
+    COMPARED(motor().speeds);
+    COMPARED(motor().load.constant);
+    COMPARED(motor().load.linear);
+    COMPARED(motor().load.quadratic);
+  }
   COMPARED(speed_profile().times);
   COMPARED(speed_profile().speeds);
   COMPARED(release_time());

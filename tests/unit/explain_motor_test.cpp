@@ -26,16 +26,31 @@ double speed_at(const Explanation& e, double time) { return simulate(e.study, {0
 TEST(ExplainedMotor, RunUpIsThatOfTheTrajectory) {
   // Hardly any unbalance, and balls that drag pulls along: nothing is neglected.
   const std::vector<std::string> smooth{"rotor.eccentricity=1e-5", "balancer.mass=0.0005", "balancer.drag=2"};
-  for (const char* torque :
-       {"{stall=0.01, no_load_speed=3.0}", "{times=[0, 50, 100], values=[0.01, 0.03, 0.0]}",
-        "{constant=0.01, until=80}", "{gain=0.02, limit=0.01, target={profile='ramp', final=3.0, duration=50.0}}",
-        "{gain=0.02, integral=0.001, target={profile='constant', speed=3.0}}"}) {
+  for (const char* torque : {"{stall=0.01, no_load_speed=3.0}", "{times=[0, 50, 100], values=[0.01, 0.03, 0.0]}",
+                             "{speeds=[0, 1.5, 2.5, 3], values=[0.01, 0.03, 0.02, 0.0]}", "{constant=0.01, until=80}",
+                             "{gain=0.02, limit=0.01, target={profile='ramp', final=3.0, duration=50.0}}",
+                             "{gain=0.02, integral=0.001, target={profile='constant', speed=3.0}}"}) {
     const Explanation e = driven(torque, smooth);
     ASSERT_TRUE(e.run_up && e.run_up->alone && e.run_up->shaken) << torque;
     // Balls pulled along by drag lag by 1/beta of a time of at least 50, and are a thousandth of the inertia.
     EXPECT_NEAR(speed_at(e, *e.run_up->alone), e.run_up->speed, 2e-3 * e.run_up->speed) << torque;
     EXPECT_NEAR(e.run_up->speed, 0.95 * *e.speed, 1e-12) << torque;
   }
+}
+
+TEST(ExplainedMotor, ALoadSetsTheFinalSpeed) {
+  const Explanation e = driven("{stall=0.1, no_load_speed=3.0}", {"speed.load={quadratic=0.04, at=2.0}"});
+  EXPECT_TRUE(holds(explain_text(e), "where the motor gives what the load takes: a balanced rotor needs no more"));
+  EXPECT_TRUE(holds(explain_text(e), "left by motor and load at the critical speed"));
+  Explanation alone = e;  // nothing to shake: the rotor comes to that speed
+  alone.study.parameters.eccentricity = 1e-9;
+  alone.study.parameters.mass.fill(1e-9);
+  EXPECT_NEAR(speed_at(alone, 400.0), *e.speed, 1e-6);
+  EXPECT_LT(*e.speed, 2.5);
+  const Explanation off = driven("{stall=0.1, no_load_speed=3.0}",
+                                 {"speed.load={quadratic=0.04, at=2.0}", "balancer.race_offset=[0.001, 0]"});
+  EXPECT_TRUE(holds(explain_text(off), "where the motor gives what load and supports' dampers take in balance"));
+  EXPECT_FALSE(holds(explain_text(driven("{stall=0.1, no_load_speed=3.0}")), "load"));
 }
 
 TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {

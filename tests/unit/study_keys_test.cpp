@@ -26,14 +26,16 @@ std::vector<std::string> studies() {
   const std::string motor = free + "\"torque\"\n[speed.torque]\n";
   const std::string with_units =
       "[units]\nmass = 12.0\nlength = 0.1\nfrequency = 60.0\n[sampling.box]\nx = [0.0, 0.1]\n";
-  return {with_units + free + "\"constant\"\nspeed = 2.4\n",
-          free + "\"ramp\"\nfinal = 2.4\nduration = 500.0\n",
-          free + "\"trapezoid\"\npeak = 3.0\nfinal = 2.0\nrise_until = 50.0\nhold_until = 400.0\nfall_until = 500.0\n",
-          free + "\"points\"\ntimes = [0.0, 10.0]\nspeeds = [1.0, 3.0]\n",
-          motor + "stall = 0.1\nno_load_speed = 2.4\n",
-          motor + "times = [0.0, 10.0]\nvalues = [0.1, 0.0]\n",
-          motor + "constant = 0.1\nslope = -0.04\n",
-          motor + "gain = 0.1\ntarget = { profile = \"ramp\", final = 2.4, duration = 100.0 }\n"};
+  return {
+      with_units + free + "\"constant\"\nspeed = 2.4\n",
+      free + "\"ramp\"\nfinal = 2.4\nduration = 500.0\n",
+      free + "\"trapezoid\"\npeak = 3.0\nfinal = 2.0\nrise_until = 50.0\nhold_until = 400.0\nfall_until = 500.0\n",
+      free + "\"points\"\ntimes = [0.0, 10.0]\nspeeds = [1.0, 3.0]\n",
+      motor + "stall = 0.1\nno_load_speed = 2.4\n",
+      motor + "speeds = [0.0, 3.0]\nvalues = [0.1, 0.0]\n[speed.load]\nconstant = 0.001\nlinear = 0.001\nat = 2.0\n",
+      motor + "times = [0.0, 10.0]\nvalues = [0.1, 0.0]\n",
+      motor + "constant = 0.1\nslope = -0.04\n",
+      motor + "gain = 0.1\ntarget = { profile = \"ramp\", final = 2.4, duration = 100.0 }\n"};
 }
 
 Study read(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -49,7 +51,7 @@ void for_each_key(Visit&& visit) {
     const Study base = read(text);
     for (const KeyTable& table : study::key_tables()) {
       if (table.name == "units" && !base.scales) continue;
-      if (table.name.starts_with("speed.torque") && !base.speed.driven()) continue;
+      if (table.name.starts_with("speed.") && !base.speed.driven()) continue;
       const auto& torque = base.speed.torque;
       if (table.name == "speed.torque.target" && torque.kind != model::MotorLaw::Kind::control) continue;
       const unsigned variants = table.name == "speed"          ? study::variant_of(base.speed.profile)
@@ -188,7 +190,7 @@ std::string guide_table(const KeyTable& table, bool physical) {
                      : quantities ? "| key | meaning | range | default | in physical units |\n|---|---|---|---|---|\n"
                                   : "| key | meaning | range | default |\n|---|---|---|---|\n";
   for (const Key& key : table.keys) {
-    if (!key.in_form(physical)) continue;
+    if (!key.in_form(physical) || (physical && !study::is_machine(table.name) && !key.has(Key::physical))) continue;
     const auto quantity = [](const study::DimensionWords& w) { return fmt::format("{}, `\"{}\"`", w.name, w.example); };
     const std::string example = key.dimension ? quantity(study::words(*key.dimension)) : "";
     const std::string meaning = profiles_of(table, key) + key.sentence;
@@ -201,11 +203,17 @@ std::string guide_table(const KeyTable& table, bool physical) {
   return text;
 }
 
+// A machine's tables have other keys in physical studies; what such studies have besides in other tables is listed
+// alone.
+bool has_physical_keys(const KeyTable& table) {
+  return std::any_of(table.keys.begin(), table.keys.end(), [](const Key& key) { return key.has(Key::physical); });
+}
+
 TEST(StudyKeys, StandInTheGuide) {
   std::map<std::string, std::string> tables;
   for (const KeyTable& table : study::key_tables())
     for (const bool physical : {false, true})
-      if (!table.keys.empty() && table.name != "speed.torque.target" && (!physical || study::is_machine(table.name)))
+      if (!table.keys.empty() && table.name != "speed.torque.target" && (!physical || has_physical_keys(table)))
         tables["keys of " + table.name + (physical ? ", physical" : "")] = guide_table(table, physical);
   expect_in_guide("study-file.md", tables);
 }

@@ -179,7 +179,7 @@ class Gatherer {
   double torque(const Instant& at) const {
     const int error = system_.layout().error;
     const model::DriveSegment& motor = system_.drive().motor;
-    return motor.torque(motor.begin, at.z[at.speed], error < 0 ? 0.0 : at.z[error]);
+    return motor.motor_torque(motor.begin, at.z[at.speed], error < 0 ? 0.0 : at.z[error]);
   }
 
   const int n;

@@ -173,8 +173,7 @@ model::System reflected(const model::System& system) {
   model::DrivePiece drive = system.drive();
   p.race_offset[1] = -p.race_offset[1];
   drive.speed = -drive.speed;
-  drive.motor.constant = -drive.motor.constant;
-  drive.motor.aim = -drive.motor.aim;
+  drive.motor = drive.motor.mirrored();
   return {p, drive};
 }
 

@@ -220,8 +220,8 @@ RuleOfThumb settling(const Explanation& e) {
 std::optional<double> torque_at(const Study& study, double speed) {
   const TorqueSetting& t = study.speed.torque;
   using Kind = model::MotorLaw::Kind;
-  if (t.by_stall) return t.stall * (1.0 - speed / t.no_load_speed);
-  if (t.kind == Kind::linear) return t.constant + t.slope * speed;
+  if (t.kind == Kind::linear || t.kind == Kind::curve)
+    return model::drive_segments(study.motor()).front().torque(0.0, speed, 0.0);
   if (t.kind == Kind::table) return *std::max_element(t.values.begin(), t.values.end());
   if (t.integral != 0.0) return t.limit;  // the integral grows until the rotor is through, or the limit holds it
   const double given = t.gain * (study.motor().target.final_speed() - speed);
@@ -264,8 +264,11 @@ RuleOfThumb torque(const Explanation& e) {
   }
   const TorqueSetting& motor = e.study.speed.torque;
   const bool passing = motor.kind == model::MotorLaw::Kind::table || motor.until;
-  add(rule, "tau", passing ? "largest torque of the motor" : "given by the motor at the critical speed", *given,
-      Dimension::torque);
+  add(rule, "tau",
+      passing                        ? "largest torque of the motor"
+      : e.study.speed.load.is_none() ? "given by the motor at the critical speed"
+                                     : "left by motor and load at the critical speed",
+      *given, Dimension::torque);
   const double quiet = rules::quiet_speed(p), through = e.speed ? std::min(quiet, 0.99 * std::abs(*e.speed)) : quiet;
   const auto arrives = [&](double unbalance) { return rotor_alone(e.study, unbalance, through).arrived; };
   // A torque of limited duration must bring the rotor through in time. Strong dampers take most above the critical

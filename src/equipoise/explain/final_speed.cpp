@@ -22,9 +22,11 @@ void put_final_speed(Explanation& e) {
     e.speed_words = "which the rotor has when its motor lets go if nothing has braked it; then nothing holds it";
   } else if (const auto held = model::held_speed(system)) {
     e.speed = *held;
-    e.speed_words = system.parameters().race_is_centred()
-                        ? "where the motor's torque vanishes: a balanced rotor needs none"
-                        : "where the motor gives what the supports' dampers take in balance";
+    const bool centred = system.parameters().race_is_centred(), loaded = !e.study.speed.load.is_none();
+    e.speed_words = loaded && centred ? "where the motor gives what the load takes: a balanced rotor needs no more"
+                    : loaded          ? "where the motor gives what load and supports' dampers take in balance"
+                    : centred         ? "where the motor's torque vanishes: a balanced rotor needs none"
+                                      : "where the motor gives what the supports' dampers take in balance";
   } else {
     e.speed_words = std::string("the motor's ") + model::holds_no_speed;
     e.speeds_up = true;

@@ -120,6 +120,12 @@ class QuantityTable {
     } else if (t.by_stall) {
       add("tau_0", "motor torque at rest", t.stall, Dimension::torque);
       add("Omega_n", "no-load speed", t.no_load_speed, Dimension::speed);
+    } else if (t.kind == Kind::curve) {
+      const auto most = std::max_element(t.values.begin(), t.values.end());
+      add("tau_0", "motor torque at rest", model::drive_segments(study_.motor()).front().motor_torque(0.0, 0.0, 0.0),
+          Dimension::torque);
+      add("tau_max", "largest motor torque", *most, Dimension::torque);
+      add("Omega_max", "at speed", t.speeds[static_cast<std::size_t>(most - t.values.begin())], Dimension::speed);
     } else if (t.kind == Kind::table) {
       add("tau_max", "largest motor torque", *std::max_element(t.values.begin(), t.values.end()), Dimension::torque);
     } else {
@@ -128,6 +134,12 @@ class QuantityTable {
       if (t.limit) add("tau_max", "torque limit", *t.limit, Dimension::torque);
       ramp(t.target, "target speed");
     }
+    const LoadSetting& load = study_.speed.load;
+    if (load.is_none()) return;
+    if (load.constant > 0.0) add("tau_c", "load, constant", load.constant, Dimension::torque);
+    if (load.linear > 0.0) add("tau_l", "load, with the speed", load.linear, Dimension::torque);
+    if (load.quadratic > 0.0) add("tau_q", "load, with its square", load.quadratic, Dimension::torque);
+    if (load.linear + load.quadratic > 0.0) add("Omega_l", "the last at speed", load.at, Dimension::speed);
   }
 
   void conditions() {

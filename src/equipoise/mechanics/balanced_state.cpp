@@ -132,11 +132,9 @@ std::optional<double> balanced_speed(const System& system) {
   if (system.prescribed()) return system.speed();
   const DriveSegment& m = system.drive().motor;
   const double damping = damping_torque(system.parameters());
-  if (m.integral != 0.0) return damping * std::fabs(m.aim) <= m.limit ? std::optional(m.aim) : std::nullopt;
-  if (m.slope == damping) return std::nullopt;
-  const double speed = m.constant / (damping - m.slope);
-  if (std::fabs(damping * speed) <= m.limit) return speed;
-  return std::copysign(m.limit / damping, m.constant);  // the motor delivers its limit
+  if (m.integral != 0.0)
+    return std::fabs(damping * m.aim + m.load(m.aim)) <= m.limit ? std::optional(m.aim) : std::nullopt;
+  return m.even_speed(damping);
 }
 
 BalancedStates balanced_states(const System& system, double coasting) {
@@ -174,7 +172,7 @@ Eigen::VectorXd balanced_state(const System& system, double speed, const double*
   // The integral holds the torque that the gain alone would miss.
   const DriveSegment& m = system.drive().motor;
   if (system.layout().error >= 0)
-    y[system.layout().error] = (damping_torque(p) * speed - m.constant - m.slope * speed) / m.integral;
+    y[system.layout().error] = (damping_torque(p) * speed + m.load(speed) - m.constant - m.slope * speed) / m.integral;
   return y;
 }
 

@@ -24,6 +24,8 @@ bool offers(const System& system, Need need) {
       return p.gravity == 0.0;
     case Need::turning:
       return system.section() != Section::stroboscopic || system.speed() != 0.0;
+    case Need::linear_torque:
+      return system.prescribed() || system.drive().motor.is_linear();
     default:
       return !system.coasts();
   }
@@ -47,6 +49,8 @@ const char* words(Need need) {
       return "gravity 0";
     case Need::turning:
       return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
+    case Need::linear_torque:
+      return "a motor whose torque is linear in the speed, without a load";
     default:
       return "a rotor that something turns for good";
   }

@@ -23,10 +23,11 @@ enum class Need {
   no_gravity,
   turning,        ///< a final speed other than 0, if the equations depend on the rotor's angle
   lasting_drive,  ///< a prescribed speed, or a torque that does not vanish for good
+  linear_torque,  ///< a prescribed speed, or a torque that is linear in the speed
 };
 inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
                                       Need::centred_race,     Need::equal_supports, Need::no_gravity,
-                                      Need::turning,          Need::lasting_drive};
+                                      Need::turning,          Need::lasting_drive,  Need::linear_torque};
 
 class Needs {
  public:
@@ -54,7 +55,8 @@ inline constexpr std::array<Capability, 8> capabilities{{
     {ResultKind::proofs,
      "proofs",
      "",
-     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::lasting_drive}},
+     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::lasting_drive,
+      Need::linear_torque}},
     {ResultKind::displacements,
      "observed displacements",
      "",

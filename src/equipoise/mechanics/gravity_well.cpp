@@ -20,7 +20,16 @@ namespace {
 std::optional<double> torque_at_rest(const System& system) {
   const DriveSegment& motor = system.drive().motor;
   if (system.section() != Section::turn || motor.slope > 0.0 || motor.integral != 0.0) return std::nullopt;
-  return motor.torque(motor.begin, 0.0, 0.0);
+  // A load only brakes. Of a characteristic all points and the line after the last must do so too.
+  const double rest = motor.motor_torque(motor.begin, 0.0, 0.0);
+  double slope = motor.slope;
+  for (int k = 0; k < motor.bends.count; ++k) {
+    slope += motor.bends.by[k];
+    const double speed = motor.bends.at[k];
+    if ((motor.motor_torque(motor.begin, speed, 0.0) - rest) * speed > 0.0) return std::nullopt;
+  }
+  if (slope > 0.0) return std::nullopt;
+  return rest;
 }
 
 bool holds_against(std::complex<double> moment, double torque) { return std::abs(moment) > std::fabs(torque); }

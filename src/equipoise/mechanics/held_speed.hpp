@@ -14,7 +14,7 @@ inline std::optional<double> held_speed(const System& system) {
   if (system.prescribed() || system.coasts()) return std::nullopt;
   const DriveSegment& m = system.drive().motor;
   const std::optional<double> speed = balanced_speed(system);
-  const bool holds = m.integral != 0.0 || m.slope < 0.0 || (speed && *speed * m.constant > 0.0);
+  const bool holds = m.integral != 0.0 || !m.is_linear() || m.slope < 0.0 || (speed && *speed * m.constant > 0.0);
   return holds ? speed : std::nullopt;
 }
 

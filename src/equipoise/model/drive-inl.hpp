@@ -7,6 +7,7 @@
 #define EQUIPOISE_MODEL_DRIVE_INL
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -19,16 +20,18 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-// A motor's torque and the rate of its speed error's integral, `elapsed` after the piece of its law began.
+// The torque on the rotor, the rate of the motor's speed error's integral, `elapsed` after the piece of its law began,
+// and the torque that the load takes: the motor gives both torques together.
 template <class T>
 struct MotorState {
   T torque, error_rate;
+  T taken = T(0.0);
 };
 
 inline MotorState<double> motor_state(const model::DriveSegment& motor, const double& elapsed, const double& speed,
                                       const double& error) {
   const double t = motor.begin + elapsed;
-  return {motor.torque(t, speed, error), motor.error_rate(t, speed, error)};
+  return {motor.torque(t, speed, error), motor.error_rate(t, speed, error), motor.load(speed)};
 }
 
 // For dual numbers, with their slopes; a torque cut at the motor's limit has slope 0.
@@ -36,10 +39,16 @@ template <class T>
 requires(!std::is_same_v<T, double> && std::is_same_v<decltype(T::value), double>)
     MotorState<T> motor_state(const model::DriveSegment& motor, const T& elapsed, const T& speed, const T& error) {
   const MotorState<double> here = motor_state(motor, elapsed.value, speed.value, error.value);
-  if (std::fabs(here.torque) >= motor.limit) return {T(here.torque), T(here.error_rate)};
-  MotorState<T> result{T(motor.slope) * speed + T(motor.integral) * error, motor.integral != 0.0 ? -speed : T(0.0)};
+  const bool cut = std::fabs(here.torque + here.taken) >= motor.limit;
+  const double slope = cut ? 0.0 : motor.slope + motor.bends.slope(speed.value), taken = motor.load.slope(speed.value);
+  MotorState<T> result{T(slope - taken) * speed, T(0.0), T(taken) * speed};
+  if (!cut && motor.integral != 0.0) {
+    result.torque = result.torque + T(motor.integral) * error;
+    result.error_rate = -speed;
+  }
   result.torque.value = here.torque;
   result.error_rate.value = here.error_rate;
+  result.taken.value = here.taken;
   return result;
 }
 
@@ -53,23 +62,45 @@ struct MotorLanes {
         aim(m.aim),
         aim_rate(m.aim_rate),
         limit(m.limit),
-        integrates(m.integral != 0.0) {}
+        load_constant(m.load.constant),
+        load_linear(m.load.linear),
+        load_quadratic(m.load.quadratic),
+        integrates(m.integral != 0.0),
+        loads(!m.load.is_none()),
+        bends(m.bends.count) {
+    for (int k = 0; k < model::Bends::most; ++k) {
+      at[k] = Pack(m.bends.at[k]);
+      by[k] = Pack(m.bends.by[k]);
+    }
+  }
 
   void take_lane(const MotorLanes& from, int lane) {
     using M = MotorLanes;
-    take_lane_of(*this, from, lane, &M::constant, &M::slope, &M::rate, &M::integral, &M::aim, &M::aim_rate, &M::limit);
+    take_lane_of(*this, from, lane, &M::constant, &M::slope, &M::rate, &M::integral, &M::aim, &M::aim_rate, &M::limit,
+                 &M::load_constant, &M::load_linear, &M::load_quadratic, &M::at, &M::by);
     integrates = integrates || from.integrates;
+    loads = loads || from.loads;
+    bends = std::max(bends, from.bends);  // a lane's bends beyond its own are by 0
   }
 
-  Pack constant, slope, rate, integral, aim, aim_rate, limit;
-  bool integrates;
+  Pack constant, slope, rate, integral, aim, aim_rate, limit, load_constant, load_linear, load_quadratic;
+  bool integrates, loads;
+  int bends;
+  Pack at[model::Bends::most], by[model::Bends::most];
 };
 
 HWY_INLINE MotorState<Pack> motor_state(const MotorLanes& motor, const Pack& elapsed, const Pack& speed,
                                         const Pack& error) {
-  const Pack uncut = motor.constant + motor.rate * elapsed + motor.slope * speed + motor.integral * error;
   const Pack &limit = motor.limit, zero(0.0);
-  MotorState<Pack> result{minimum(maximum(uncut, -limit), limit), zero};
+  Pack uncut = motor.constant + motor.rate * elapsed + motor.slope * speed + motor.integral * error;
+  for (int k = 0; k < motor.bends; ++k) uncut = uncut + motor.by[k] * maximum(zero, speed - motor.at[k]);
+  MotorState<Pack> result{minimum(maximum(uncut, -limit), limit), zero, zero};
+  if (motor.loads) {
+    const Pack one(1.0), crept = speed * Pack(1.0 / model::Load::creeping);
+    result.taken = motor.load_constant * minimum(maximum(crept, -one), one) +
+                   (motor.load_linear + motor.load_quadratic * absolute(speed)) * speed;
+    result.torque = result.torque - result.taken;
+  }
   if (!motor.integrates) return result;
   const Pack lag = motor.aim + motor.aim_rate * elapsed - speed, push = lag * motor.integral;
   const Mask cut_further = ((limit < uncut) & (zero < push)) | ((uncut < -limit) & (push < zero));

@@ -27,24 +27,19 @@ System::System(const Parameters& p, const DrivePiece& last)
 std::optional<double> System::no_load_speed() const {
   if (prescribed()) return std::nullopt;
   const DriveSegment& m = drive_.motor;
-  if (m.integral != 0.0) return m.aim;
-  if (m.slope == 0.0) return std::nullopt;
-  return -m.constant / m.slope;
+  return m.integral != 0.0 ? std::optional(m.aim) : m.even_speed(0.0);
 }
 
-bool System::coasts() const {
-  const DriveSegment& m = drive_.motor;
-  return !prescribed() && m.constant == 0.0 && m.slope == 0.0 && m.integral == 0.0;
-}
+bool System::coasts() const { return !prescribed() && drive_.motor.is_idle(); }
 
 bool System::runs_away(double speed) const {
-  const bool held = prescribed() || coasts() || drive_.motor.slope < 0.0 || drive_.motor.integral != 0.0;
+  const bool held = prescribed() || coasts() || drive_.motor.brakes();
   return !held && std::fabs(speed) > out_of_reach;
 }
 
 double System::torque(const Eigen::VectorXd& y) const {
   if (prescribed()) return 0.0;
-  return drive_.motor.torque(drive_.motor.begin, speed(y), layout_.error < 0 ? 0.0 : y[layout_.error]);
+  return drive_.motor.motor_torque(drive_.motor.begin, speed(y), layout_.error < 0 ? 0.0 : y[layout_.error]);
 }
 
 double System::section_angle() const { return model::section_angle(p_); }

@@ -28,7 +28,8 @@ double rounding_of_rates(const model::System& system, const VectorXd& state) {
       const model::System other(system.parameters(), drive);
       return model::rate(other, VectorXd(state.head(other.dimension())))[other.layout().speed];
     };
-    size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error)) *
+    size += (std::fabs(m.constant) + std::fabs(m.slope * speed) + std::fabs(m.integral * error) +
+             std::fabs(m.bends(speed)) + m.load(std::fabs(speed))) *
             std::fabs(acceleration(pushed) - acceleration(idle));
   }
   return 1e-14 * size;

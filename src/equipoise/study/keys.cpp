@@ -16,6 +16,7 @@ using S = SpeedSetting;
 using T = TorqueSetting;
 using W = ReleaseSetting;
 using I = InitialState;
+using Q = LoadSetting;
 using A = Sampling;
 using B = SamplingBox;
 using N = Numerics;
@@ -23,6 +24,7 @@ using L = Limits;
 constexpr auto par = &Study::parameters;
 constexpr auto speed = &Study::speed;
 constexpr auto torque = &SpeedSetting::torque;
+constexpr auto load = &SpeedSetting::load;
 constexpr auto release = &Study::release;
 constexpr auto start = &Study::initial;
 constexpr auto draws = &Study::sampling;
@@ -43,6 +45,7 @@ Member nowhere(Study&) { return {}; }
 constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
 constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
 constexpr Range ratio{0.0, 1e30}, si_size{1e-30, 1e30};  // products of three such sizes stay finite
+constexpr unsigned nameplate = physical | characteristic;
 constexpr Range any = any_number;
 constexpr std::nullopt_t bare = std::nullopt;  // no quantity
 
@@ -125,11 +128,39 @@ std::vector<Key> all_keys() {
       {"speed.speeds", at<speed, &R::speeds>, any, D::speed, required | points, "one a time"},
       {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
       {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
+      {"speed.load", nowhere, any, bare, driven, "a table: what the machine takes of the motor's torque"},
+      {"speed.gear_ratio", nowhere, si_size, bare, driven | physical,
+       "motor speed over rotor speed; `torque` is then at the motor's shaft"},
+      {"speed.motor_inertia", nowhere, not_negative, D::inertia, driven | physical,
+       "of the motor's rotor, at its own shaft; added to `rotor.inertia`"},
+      {"speed.run_up", nowhere, positive, D::time, physical,
+       "instead of a profile: a linear ramp to `final` that takes this long"},
       {"speed.torque.stall", at<speed, torque, &T::stall>, any, D::torque, required | stall, "torque at rest"},
       {"speed.torque.no_load_speed", at<speed, torque, &T::no_load_speed>, positive, D::speed, required | stall,
        "where it has fallen to 0"},
       {"speed.torque.times", at<speed, torque, &T::times>, not_negative, D::time, required | curve, "increasing"},
-      {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve, "one a time"},
+      {"speed.torque.speeds", at<speed, torque, &T::speeds>, any, D::speed, required | characteristic,
+       "increasing: points of the motor's curve"},
+      {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve | characteristic,
+       "one a time, or one a speed"},
+      {"speed.torque.power", nowhere, positive, D::power, nameplate,
+       "rated power of an induction motor, by its nameplate"},
+      {"speed.torque.rated_torque", nowhere, positive, D::torque, nameplate, "or this, with `power` or instead of it"},
+      {"speed.torque.rated_speed", nowhere, positive, D::speed, nameplate, "at the rated power"},
+      {"speed.torque.breakdown_ratio",
+       nowhere,
+       {1.0, 10.0, true},
+       bare,
+       nameplate,
+       "breakdown torque over rated torque"},
+      {"speed.torque.locked_rotor_ratio",
+       nowhere,
+       {0.0, 10.0, true},
+       bare,
+       nameplate,
+       "torque at rest over rated torque; by default what Kloss's formula gives"},
+      {"speed.torque.synchronous_speed", nowhere, positive, D::speed, nameplate,
+       "by default the next one of a motor at 50 or 60 Hz"},
       {"speed.torque.gain", at<speed, torque, &T::gain>, not_negative, D::gain, required | control,
        "torque for a speed error of 1"},
       {"speed.torque.integral", at<speed, torque, &T::integral>, not_negative, D::torque, control,
@@ -139,6 +170,14 @@ std::vector<Key> all_keys() {
       {"speed.torque.constant", at<speed, torque, &T::constant>, any, D::torque, required | linear, "torque at rest"},
       {"speed.torque.slope", at<speed, torque, &T::slope>, any, D::gain, linear, "torque for a speed, added"},
       {"speed.torque.until", at<speed, torque, &T::until>, not_negative, D::time, linear, "no torque from then on"},
+      {"speed.load.constant", at<speed, load, &Q::constant>, not_negative, D::torque, none,
+       "torque taken at every speed"},
+      {"speed.load.linear", at<speed, load, &Q::linear>, not_negative, D::torque, none,
+       "torque that grows with the speed, as it is at speed `at`"},
+      {"speed.load.quadratic", at<speed, load, &Q::quadratic>, not_negative, D::torque, none,
+       "torque that grows with the square of the speed, as a fan's, as it is at speed `at`"},
+      {"speed.load.at", at<speed, load, &Q::at>, positive, D::speed, none,
+       "where `linear` and `quadratic` are so large"},
       {"release.speed", at<release, &W::speed>, any, D::speed, none, "when it is first reached", "at speed"},
       {"release.time", at<release, &W::time>, not_negative, D::time, none, "at this time", "at time"},
       {"initial.psi", at<start, &I::psi>, any, D::angle, none, "of the rotor", "rotor angle"},
@@ -268,6 +307,7 @@ unsigned variants_of(const TorqueSetting& motor) {
   unsigned variants = motor.by_stall ? stall : 0u;
   if (motor.kind == Kind::table) return variants | curve;
   if (motor.kind == Kind::control) return variants | control;
+  if (motor.kind == Kind::curve) return variants | characteristic;
   return motor.by_stall ? variants : linear;
 }
 

@@ -47,6 +47,7 @@ struct Key {
     curve = 1 << 9,
     control = 1 << 10,
     linear = 1 << 11,
+    characteristic = 1 << 12,
   };
 
   const char* name;

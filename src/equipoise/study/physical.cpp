@@ -12,6 +12,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/ball_drag.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/study/drive_sheet.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 
 namespace equipoise::study {
@@ -335,11 +336,14 @@ void make_dimensionless(Document& document) {
         "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
         "rotor.stiffness");
   require_mass(document);
+  const double motor_inertia = put_drive_sheet(document);
   const Rotor rotor = read_rotor(document);
   const Balancer balancer = BalancerReader(document).read();
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
   replace(document, "rotor", rotor.derived, scales);
   replace_balancer(document, balancer, scales);
+  if (StudyValue* inertia = document.root.find_path("rotor.inertia"); inertia && motor_inertia > 0.0)
+    *inertia = inertia->number() + motor_inertia / scales.inertia();
   for (const KeyTable& table : key_tables())
     if (!is_machine(table.name)) replace_quantities(document, table, scales);
   document.scales = scales;

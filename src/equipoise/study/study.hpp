@@ -55,11 +55,21 @@ struct TorqueSetting {
   double stall = 0.0;           ///< stall: torque at rest
   double no_load_speed = 0.0;   ///< stall: speed at which the torque has fallen to 0
   std::vector<double> times;    ///< table
-  std::vector<double> values;   ///< table
+  std::vector<double> speeds;   ///< curve: increasing
+  std::vector<double> values;   ///< table, curve
   double gain = 0.0;            ///< control: torque per speed error
   double integral = 0.0;        ///< control: rate of torque per speed error
   std::optional<double> limit;  ///< control: largest |tau|
   RampSetting target;           ///< control
+};
+
+/// speed.load: what the machine takes of the motor's torque, against the rotation.
+struct LoadSetting {
+  double constant = 0.0;                 ///< at every speed (but see model::Load::creeping)
+  double linear = 0.0, quadratic = 0.0;  ///< at speed `at`; they grow with the speed and with its square
+  double at = 0.0;                       ///< > 0 if one of these is not 0
+
+  bool is_none() const { return constant == 0.0 && linear == 0.0 && quadratic == 0.0; }
 };
 
 /// In the order of model::SpeedLaw's values.
@@ -69,6 +79,7 @@ inline constexpr std::array<const char*, 2> speed_law_names{"kinematic", "publis
 struct SpeedSetting : RampSetting {
   model::SpeedLaw law = model::SpeedLaw::kinematic;
   TorqueSetting torque;                 ///< profile torque
+  LoadSetting load;                     ///< profile torque
   std::optional<double> stalled_below;  ///< profile torque: a rotor whose mean speed stays below has stalled
 
   bool driven() const { return profile == Profile::torque; }

@@ -12,6 +12,7 @@
 #include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/study/drive_sheet.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/physical.hpp"
@@ -53,15 +54,17 @@ void read_balancer(const Document& document, Study& study) {
   reader.finish();
 }
 
-// Times must increase, and each needs a value.
-void check_times(TableReader& reader, const std::vector<double>& times, const char* values_key,
-                 const std::vector<double>& values) {
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (!(times[i] > times[i - 1]))
-      reader.fail("times", fmt::format("times out of order: entry {} must be greater than {}", i + 1,
-                                       reader.time_text(times[i - 1])));
-  if (times.size() != values.size())
-    reader.fail(values_key, fmt::format("has {} entries; must have one a time, {}", values.size(), times.size()));
+// Times or speeds must increase, and each needs a value.
+void check_points(TableReader& reader, const char* key, const std::vector<double>& points, const char* values_key,
+                  const std::vector<double>& values) {
+  const bool times = key == std::string_view("times");
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!(points[i] > points[i - 1]))
+      reader.fail(key, fmt::format("{} out of order: entry {} must be greater than {}", key, i + 1,
+                                   times ? reader.time_text(points[i - 1]) : reader.speed_text(points[i - 1])));
+  if (points.size() != values.size())
+    reader.fail(values_key, fmt::format("has {} entries; must have one a {}, {}", values.size(),
+                                        times ? "time" : "speed", points.size()));
 }
 
 void read_ramp(TableReader& reader, const char* table, Study& study) {
@@ -76,7 +79,7 @@ void read_ramp(TableReader& reader, const char* table, Study& study) {
     check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
   } else if (ramp.profile == Profile::points) {
     if (ramp.times.front() != 0.0) reader.fail("times", "the first time must be 0");
-    check_times(reader, ramp.times, "speeds", ramp.speeds);
+    check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
   }
 }
 
@@ -96,16 +99,33 @@ void read_torque(const Document& document, Study& study) {
   TorqueSetting& torque = study.speed.torque;
   if (reader.has("stall") || reader.has("no_load_speed"))
     torque.by_stall = true;
+  else if (reader.has("speeds"))
+    torque.kind = Kind::curve;
   else if (reader.has("times") || reader.has("values"))
     torque.kind = Kind::table;
   else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
     torque.kind = Kind::control;
   read_keys(reader, "speed.torque", variants_of(torque), study);
-  if (torque.kind == Kind::table) check_times(reader, torque.times, "values", torque.values);
+  if (torque.kind == Kind::table) check_points(reader, "times", torque.times, "values", torque.values);
+  if (torque.kind == Kind::curve) {
+    check_points(reader, "speeds", torque.speeds, "values", torque.values);
+    const std::size_t points = torque.speeds.size();
+    if (points < 2 || points > model::most_curve_points)
+      reader.fail("speeds", fmt::format("has {} entries; must have 2 to {}", points, model::most_curve_points));
+  }
   if (torque.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
     read_target(document, torque.target);
   }
+  reader.finish();
+}
+
+void read_load(const Document& document, Study& study) {
+  TableReader reader(document, "speed.load");
+  read_keys(reader, "speed.load", all_variants, study);
+  const LoadSetting& load = study.speed.load;
+  if ((load.linear != 0.0 || load.quadratic != 0.0) && !reader.has("at"))
+    reader.fail("at", "missing; must be the speed at which linear and quadratic are so large");
   reader.finish();
 }
 
@@ -116,6 +136,7 @@ void read_speed(const Document& document, Study& study) {
   if (study.speed.driven()) {
     if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
     read_torque(document, study);
+    if (reader.has("load")) read_load(document, study);
     if (study.speed.law != model::SpeedLaw::kinematic)
       reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
     if (!(study.parameters.inertia > 0.0)) {
@@ -235,6 +256,7 @@ void free_balls_of_machine(Document& document) {
 Study read(Document document, Source source) {
   check_tables(document);
   check_keys(document, is_physical(document));
+  if (is_physical(document)) infer_profile(document);
   if (source == Source::asked) free_balls_of_machine(document);
   Uncertainty uncertain;
   if (is_physical(document)) uncertain.physical = document.root;

@@ -49,6 +49,9 @@ std::string motor_text(const Study& study) {
   std::string law;
   if (t.by_stall)
     law = fmt::format("torque {} at rest, none at {}", torque(t.stall), speed(t.no_load_speed));
+  else if (t.kind == Kind::curve)
+    law = fmt::format("torque by {} points in speed, at most {}", t.speeds.size(),
+                      torque(*std::max_element(t.values.begin(), t.values.end())));
   else if (t.kind == Kind::table)
     law = fmt::format("torque by {} points in time", t.times.size());
   else if (t.kind == Kind::control)
@@ -58,6 +61,9 @@ std::string motor_text(const Study& study) {
   else
     law = fmt::format("torque {}, {} a unit of speed{}", torque(t.constant), shown(t.slope, Dimension::gain),
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
+  const LoadSetting& load = study.speed.load;
+  if (!load.is_none()) law += "; the machine takes " + torque(load.constant + load.linear + load.quadratic);
+  if (load.linear + load.quadratic > 0.0) law += " at " + speed(load.at);
   if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }

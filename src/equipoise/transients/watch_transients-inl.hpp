@@ -62,10 +62,12 @@ class WatchedRotor {
     transient::Sample<Pack> here =
         turns_ ? transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi}, turning_.bearing_force(rotor, z), z)
                : transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(rotor, z), z);
-    if (motor_)
-      here.power = motor_->motor(t, rotor, z).torque * rotor.speed;
-    else if (limits.working)
+    if (motor_) {
+      const MotorState<Pack> motor = motor_->motor(t, rotor, z);
+      here.power = (motor.torque + motor.taken) * rotor.speed;
+    } else if (limits.working) {
       here.power = energy_.taken_by_supports(rotor, z) + energy_.taken_by_drag(z);
+    }
     return here;
   }
 

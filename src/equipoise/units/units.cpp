@@ -19,7 +19,7 @@ namespace equipoise::study {
 
 namespace {
 
-constexpr std::array<DimensionWords, 18> all_words{{
+constexpr std::array<DimensionWords, 19> all_words{{
     {"a mass", "kg", "12 kg", "kg"},
     {"a length", "m", "0.2 mm", "mm", "R"},
     {"a time", "s", "10 s", "s", "1/omega_c"},
@@ -33,6 +33,7 @@ constexpr std::array<DimensionWords, 18> all_words{{
     {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
     {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
     {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
+    {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3"},
     {"an unbalance", "kg m", "300 g mm", "g mm", "M R"},
     {"a density", "kg/m3", "7800 kg/m3", "kg/m3"},
     {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
@@ -109,6 +110,8 @@ double scale_of(Dimension dimension, const model::Scales& s) {
       return s.inertia();
     case Dimension::energy:
       return s.torque();
+    case Dimension::power:
+      return s.torque() * s.frequency;
     case Dimension::unbalance:
       return s.unbalance();
     case Dimension::angle:

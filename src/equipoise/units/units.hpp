@@ -24,6 +24,7 @@ enum class Dimension {
   gain,
   inertia,
   energy,
+  power,
   unbalance,
   density,
   viscosity,

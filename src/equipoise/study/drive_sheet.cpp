@@ -1,0 +1,183 @@
+// Run-up times, nameplates and gears.
+#include "equipoise/study/drive_sheet.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/drives/nameplate.hpp"
+#include "equipoise/study/quantity_reader.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+constexpr double to_rpm = 30.0 / pi;
+
+std::string profile_name(Profile profile) { return profile_names[static_cast<std::size_t>(profile)]; }
+
+StudyValue in_si(double value, Dimension dimension) { return fmt::format("{} {}", value, words(dimension).si); }
+
+// A key that stands for another one: its value and place are those of messages about the other.
+void put_for(Document& document, const std::string& table, const std::string& from, const std::string& key,
+             StudyValue value) {
+  StudyValue& home = *document.root.find_path(table);
+  const StudyValue* source = home.find(from);
+  const std::string dotted = table + "." + from;
+  document.written.insert_or_assign(
+      table + "." + key, Document::Written{document.value_text(dotted, *source), document.where(dotted, source)});
+  home.set(key, std::move(value));
+}
+
+void put_run_up(Document& document) {
+  QuantityReader reader(document, "speed");
+  if (!reader.has("run_up")) return;
+  const StudyValue* profile = document.root.find_path("speed.profile");
+  if (!profile || !profile->string() || *profile->string() != profile_name(Profile::ramp))
+    reader.fail("run_up", "give either speed.profile or speed.run_up, not both: run_up is a ramp to speed.final");
+  if (reader.has("duration")) reader.fail("run_up", "give either speed.run_up or speed.duration, not both");
+  put_for(document, "speed", "run_up", "duration", in_si(reader.quantity("run_up"), Dimension::time));
+  document.root.find("speed")->erase("run_up");
+}
+
+double synchronous_speed(QuantityReader& reader, double rated) {
+  if (const auto stated = reader.optional_quantity("synchronous_speed")) {
+    if (!(*stated > rated)) reader.fail("synchronous_speed", "must be greater than speed.torque.rated_speed");
+    return *stated;
+  }
+  const std::vector<double> fitting = model::synchronous_speeds(rated);
+  if (fitting.size() == 1) return fitting.front();
+  std::vector<std::string> texts;
+  for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
+  reader.fail("rated_speed",
+              texts.empty()
+                  ? "is less than a tenth below no synchronous speed at 50 or 60 Hz; give "
+                    "speed.torque.synchronous_speed too"
+                  : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
+                                fmt::join(texts, ", ")));
+}
+
+// The curve that a nameplate stands for.
+void put_nameplate(Document& document) {
+  StudyValue* torque = find_table(document.root, "speed.torque");
+  if (!torque) return;
+  QuantityReader reader(document, "speed.torque");
+  const auto power = reader.optional_quantity("power"), stated = reader.optional_quantity("rated_torque");
+  if (!power && !stated) {
+    for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
+      if (reader.has(key)) reader.fail(key, "belongs to a nameplate, which needs speed.torque.power or rated_torque");
+    return;
+  }
+  for (const char* key : {"speeds", "values", "times", "stall", "no_load_speed", "constant", "slope", "gain", "target"})
+    if (reader.has(key))
+      reader.fail(key, "give either a nameplate (speed.torque.power) or the torque itself, not both");
+  const auto plain = [&](const char* key) {
+    return reader.optional_number(key, key_table("speed.torque").find(key, true)->range);
+  };
+  model::Nameplate motor;
+  motor.rated_speed = reader.quantity("rated_speed");
+  motor.synchronous_speed = synchronous_speed(reader, motor.rated_speed);
+  motor.rated_torque = stated ? *stated : *power / motor.rated_speed;
+  // Catalogues round: a tenth apart is another motor.
+  if (power && stated && std::fabs(*stated * motor.rated_speed / *power - 1.0) > 0.1)
+    reader.fail("rated_torque", fmt::format("contradicts speed.torque.power, which is {:.4g} N m at the rated speed",
+                                            *power / motor.rated_speed));
+  if (const auto ratio = plain("breakdown_ratio"))
+    motor.breakdown_ratio = *ratio;
+  else
+    reader.fail("breakdown_ratio", "missing; must be the breakdown torque over the rated torque, such as 2.5");
+  motor.locked_rotor_ratio = plain("locked_rotor_ratio");
+  const double top = model::breakdown_slip(motor);
+  if (motor.locked_rotor_ratio && top >= 1.0)
+    reader.fail("locked_rotor_ratio",
+                "cannot be had: at this rated speed and breakdown ratio the torque falls from rest on; leave it out");
+  const model::CurvePoints curve = model::nameplate_curve(motor);
+  StudyValue::Array speeds, values;
+  for (std::size_t k = 0; k < curve.speeds.size(); ++k) {
+    speeds.push_back(in_si(curve.speeds[k], Dimension::speed));
+    values.push_back(in_si(curve.torques[k], Dimension::torque));
+  }
+  const char* from = power ? "power" : "rated_torque";
+  put_for(document, "speed.torque", from, "speeds", std::move(speeds));
+  put_for(document, "speed.torque", from, "values", std::move(values));
+  for (const char* key :
+       {"power", "rated_torque", "rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
+    torque->erase(key);
+}
+
+// What the motor's shaft does, seen from the rotor's: speeds over the ratio, torques times it.
+double gear_power(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::speed:
+      return -1.0;
+    case Dimension::torque:
+      return 1.0;
+    case Dimension::gain:
+      return 2.0;
+    default:
+      return 0.0;
+  }
+}
+
+void put_gear(Document& document, const std::string& name, double ratio) {
+  StudyValue* table = find_table(document.root, name);
+  if (!table) return;
+  QuantityReader reader(document, name);
+  for (const Key& key : key_table(name).keys) {
+    const StudyValue* value = table->find(key.name);
+    if (!value || !key.dimension || gear_power(*key.dimension) == 0.0) continue;
+    const double factor = std::pow(ratio, gear_power(*key.dimension));
+    const auto geared = [&](const StudyValue& given) {
+      const auto reject = [&](const std::string& problem) { reader.fail(key.name, problem); };
+      const double si = measure_value(given, {*key.dimension}, quantity_range(key), reject).value;
+      return in_si(si * factor, *key.dimension);
+    };
+    StudyValue result = StudyValue::Array{};
+    if (const auto* array = value->array()) {
+      StudyValue::Array entries;
+      for (const StudyValue& entry : *array) entries.push_back(geared(entry));
+      result = std::move(entries);
+    } else {
+      result = geared(*value);
+    }
+    put_for(document, name, key.name, key.name, std::move(result));
+  }
+}
+
+}  // namespace
+
+void infer_profile(Document& document) {
+  StudyValue* speed = find_table(document.root, "speed");
+  if (!speed || speed->find("profile")) return;
+  const auto state = [&](Profile profile) { speed->set("profile", profile_name(profile)); };
+  if (find_table(document.root, "speed.torque"))
+    state(Profile::torque);
+  else if (speed->find("run_up"))
+    state(Profile::ramp);
+  else if (speed->find("speed"))
+    state(Profile::constant);
+}
+
+double put_drive_sheet(Document& document) {
+  put_run_up(document);
+  put_nameplate(document);
+  StudyValue* speed = find_table(document.root, "speed");
+  if (!speed) return 0.0;
+  QuantityReader reader(document, "speed");
+  const Range range = key_table("speed").find("gear_ratio", true)->range;
+  const double ratio = reader.optional_number("gear_ratio", range).value_or(1.0);
+  const double inertia = reader.optional_quantity("motor_inertia").value_or(0.0);
+  if (reader.has("gear_ratio"))
+    for (const char* table : {"speed.torque", "speed.torque.target"}) put_gear(document, table, ratio);
+  for (const char* key : {"gear_ratio", "motor_inertia"}) {
+    if (reader.has(key) && !speed->find("torque")) reader.fail(key, "belongs to a motor: needs speed.torque");
+    speed->erase(key);
+  }
+  return ratio * ratio * inertia;
+}
+
+}  // namespace equipoise::study
