@@ -150,7 +150,7 @@ std::string load_text(const LoadSetting& l, const model::Scales& u) {
   return "[speed.load]\nconstant = " + quantity(l.constant, u.torque(), "N m") +
          "\nlinear = " + quantity(l.linear, u.torque(), "N m") +
          "\nquadratic = " + quantity(l.quadratic, u.torque(), "N m") +
-         "\nat = " + quantity(l.at, u.frequency, "rad/s") + "\n";
+         "\nat = " + quantity(l.at.value_or(1.0), u.frequency, "rad/s") + "\n";
 }
 
 std::string rotor_text(const model::Parameters& p, const model::Scales& u) {

@@ -61,7 +61,7 @@ class Machine {
   // By the load, against the rotation.
   double taken(double w) const {
     const auto& load = study_.speed.load;
-    const double share = load.at > 0.0 ? std::fabs(w) / load.at : 0.0;
+    const double share = load.at ? std::fabs(w) / *load.at : 0.0;
     const double size =
         load.constant * std::min(1.0, std::fabs(w) / 0.01) + load.linear * share + load.quadratic * share * share;
     return std::copysign(size, w);

@@ -50,7 +50,7 @@ TEST(ExplainedMotor, ALoadSetsTheFinalSpeed) {
   const Explanation off = driven("{stall=0.1, no_load_speed=3.0}",
                                  {"speed.load={quadratic=0.04, at=2.0}", "balancer.race_offset=[0.001, 0]"});
   EXPECT_TRUE(holds(explain_text(off), "where the motor gives what load and supports' dampers take in balance"));
-  EXPECT_FALSE(holds(explain_text(driven("{stall=0.1, no_load_speed=3.0}")), "load"));
+  EXPECT_FALSE(holds(explain_text(driven("{stall=0.1, no_load_speed=3.0}")), "what the load takes"));
 }
 
 TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {

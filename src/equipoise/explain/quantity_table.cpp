@@ -139,7 +139,7 @@ class QuantityTable {
     if (load.constant > 0.0) add("tau_c", "load, constant", load.constant, Dimension::torque);
     if (load.linear > 0.0) add("tau_l", "load, with the speed", load.linear, Dimension::torque);
     if (load.quadratic > 0.0) add("tau_q", "load, with its square", load.quadratic, Dimension::torque);
-    if (load.linear + load.quadratic > 0.0) add("Omega_l", "the last at speed", load.at, Dimension::speed);
+    if (load.linear + load.quadratic > 0.0) add("Omega_l", "the last at speed", *load.at, Dimension::speed);
   }
 
   void conditions() {

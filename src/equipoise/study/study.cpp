@@ -91,8 +91,8 @@ model::MotorLaw Study::motor() const {
   law.speeds = t.speeds;
   const LoadSetting& l = speed.load;
   law.load.constant = l.constant;
-  if (l.linear != 0.0) law.load.linear = l.linear / l.at;
-  if (l.quadratic != 0.0) law.load.quadratic = l.quadratic / (l.at * l.at);
+  if (l.linear != 0.0) law.load.linear = l.linear / *l.at;
+  if (l.quadratic != 0.0) law.load.quadratic = l.quadratic / (*l.at * *l.at);
   law.gain = t.gain;
   law.integral = t.integral;
   law.limit = t.limit;

@@ -67,7 +67,7 @@ struct TorqueSetting {
 struct LoadSetting {
   double constant = 0.0;                 ///< at every speed (but see model::Load::creeping)
   double linear = 0.0, quadratic = 0.0;  ///< at speed `at`; they grow with the speed and with its square
-  double at = 0.0;                       ///< > 0 if one of these is not 0
+  std::optional<double> at;              ///< set if one of these is not 0
 
   bool is_none() const { return constant == 0.0 && linear == 0.0 && quadratic == 0.0; }
 };

@@ -63,7 +63,7 @@ std::string motor_text(const Study& study) {
                       t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
   const LoadSetting& load = study.speed.load;
   if (!load.is_none()) law += "; the machine takes " + torque(load.constant + load.linear + load.quadratic);
-  if (load.linear + load.quadratic > 0.0) law += " at " + speed(load.at);
+  if (load.linear + load.quadratic > 0.0) law += " at " + speed(*load.at);
   if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
   return fmt::format("driven from {}: {}", speed(study.speed.initial), law);
 }
