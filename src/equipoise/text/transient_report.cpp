@@ -129,14 +129,15 @@ std::string quantile_text(const TransientGroup& group, std::size_t k, std::size_
   return number(s.quantiles[quantile].value, size, f.open[group.for_good(f) > 0 ? 0 : 1]);
 }
 
-// "1.7 times that without in the median, 2.9 times in 90 % of starts": of a figure, with balls and without.
+// "Peak displacement: 1.7 times that without balls in the median, 2.9 at 90 %"; empty if balls leave nothing of it.
 std::string times_words(const TransientGroup& with, const TransientGroup& bare, float TransientRow::*figure) {
   const auto times = [&](std::size_t q) {
     return with.figure(figure).quantiles[q].value / bare.figure(figure).quantiles[q].value;
   };
-  if (!std::isfinite(times(0)) || !std::isfinite(times(1))) return "";
-  return fmt::format("{} with balls: {:.3g} times that without in the median; 90 % of starts stay below {:.3g} times",
-                     transient_figures[figure_place(figure)].title, times(0), times(1));
+  const double median = times(0), most = times(1);
+  if (!std::isfinite(median) || !std::isfinite(most) || most == 0.0) return "";
+  return fmt::format("{}: {:.3g} times that without balls in the median, {:.3g} at 90 %",
+                     transient_figures[figure_place(figure)].title, median, most);
 }
 
 std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
@@ -193,28 +194,24 @@ DocumentTable without_balls_table(const BasinResult& r) {
     table.rows.push_back(row_of("lnnnn", {fmt::format("{}, {}", f.title, unit.name),
                                           quantile_text(bare, k, 0, unit.size), quantile_text(held, k, 0, unit.size),
                                           quantile_text(with, k, 0, unit.size), quantile_text(with, k, 1, unit.size)}));
-  }
-  if (r.study.scales) {
-    constexpr std::size_t residual = figure_place(&TransientRow::residual_unbalance);
-    const auto grade = [&](const TransientGroup& g, std::size_t quantile) -> std::string {
-      const std::optional<double> speed = graded_speed(g, r.study);
-      if (!speed || g.figures[residual].count == 0) return "-";
-      return fmt::format("{:.4g}",
-                         model::balance_grade(g.figures[residual].quantiles[quantile].value * r.study.scales->length,
-                                              *speed * r.study.scales->frequency));
+    if (f.value != &TransientRow::residual_unbalance || !r.study.scales) continue;
+    // A mean speed says nothing where some rotors stall.
+    const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
+      const std::optional<double> speed = some_stall ? std::nullopt : graded_speed(g, r.study);
+      if (!speed || g.figures[k].count == 0) return "-";
+      return fmt::format("{:.4g}", model::balance_grade(g.figures[k].quantiles[quantile].value * r.study.scales->length,
+                                                        *speed * r.study.scales->frequency));
     };
-    table.rows.push_back(row_of(
-        "lnnnn", {"that times the speed, mm/s", grade(bare, 0), grade(held, 0), grade(with, 0), grade(with, 1)}));
-    std::rotate(
-        std::find_if(table.rows.begin(), table.rows.end(),
-                     [](const auto& row) { return row.front().text.starts_with(transient_figures[residual].title); }) +
-            1,
-        table.rows.end() - 1, table.rows.end());
+    const OneBodyRuns &none = r.without_balls->bare, &fixed = r.without_balls->held;
+    const bool stall = r.stalled && r.stalled->count > 0;
+    table.rows.push_back(
+        row_of("lnnnn", {"e omega of that, mm/s", grade(bare, none.stalled > 0 && !none.one, 0),
+                         grade(held, fixed.stalled > 0, 0), grade(with, stall, 0), grade(with, stall, 1)}));
   }
   table.caption =
-      fmt::format("No balls: {}. Balls held where they start: median of the first {}starts. With balls: median.",
+      fmt::format("No balls: {}. Balls held where they start: median of {}. With balls: median.",
                   r.without_balls->bare.one ? "one run" : fmt::format("median of {} runs", r.without_balls->bare.runs),
-                  r.without_balls->held.runs < r.starts ? fmt::format("{} ", r.without_balls->held.runs) : "");
+                  r.without_balls->held.runs);
   return table;
 }
 
