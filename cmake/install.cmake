@@ -35,6 +35,7 @@ foreach(header
       results/design_result.hpp results/explanation.hpp results/inspection.hpp results/machine_page.hpp
       results/motion_table.hpp results/outcome_share.hpp results/sensitivity_result.hpp results/start_arrays.hpp
       results/sweep_result.hpp results/trajectory.hpp results/transient_result.hpp
+      results/without_balls.hpp
     result_files/basin_file.hpp result_files/basin_outcomes.hpp result_files/branches_file.hpp
       result_files/inspection.hpp result_files/slice_file.hpp result_files/start_columns.hpp
       result_files/trajectory_file.hpp

@@ -42,6 +42,7 @@ struct TransientFigure : Column {
   /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
   /// that had not come below it when it was last followed.
   std::array<const char*, 2> open{"?", "?"};
+  bool of_bare_rotor = true;  ///< also told of the rotor without balls
 
   /// An unbalance is shown over the rotor's mass, as a length.
   study::Dimension told_in() const {
@@ -55,7 +56,11 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      true},
     {{"peak_radial_after_release", "largest radial displacement from release on", study::Dimension::length},
      &TransientRow::peak_radial_after_release,
-     "peak displacement after release"},
+     "peak displacement after release",
+     false,
+     nullptr,
+     {"?", "?"},
+     false},
     {{"peak_radial_at_end", "largest radial displacement of the motion at the end", study::Dimension::length},
      &TransientRow::peak_radial_at_end,
      "peak displacement at the end"},
@@ -91,10 +96,17 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
       study::Dimension::energy, "missing: not asked"},
      &TransientRow::energy,
      "work of the drive",
-     true},
+     true,
+     nullptr,
+     {"?", "?"},
+     false},
     {{"followed_until", "study time up to which the start was followed", study::Dimension::time},
      &TransientRow::followed_until,
-     "followed until"},
+     "followed until",
+     false,
+     nullptr,
+     {"?", "?"},
+     false},
 });
 static_assert(sizeof(TransientRow) == transient_figures.size() * sizeof(float), "a figure has no line here");
 constexpr std::size_t figure_place(float TransientRow::*value) {
@@ -107,16 +119,36 @@ constexpr std::size_t figure_place(float TransientRow::*value) {
 struct TransientLimit {
   const char* name;  ///< key of [limits]
   std::optional<double> Limits::*limit;
-  float TransientRow::*value;  ///< the figure that it limits
+  const char* measured;        ///< what it limits: "peak displacement"
+  float TransientRow::*value;  ///< that figure
+  float TransientRow::*end;    ///< the figure of the motion at the end that has to keep it
   const char* exceeded;        ///< follows the limit: "5 mm is exceeded on the way"
   bool at_end = false;         ///< the others are peaks, which stay exceeded
+  bool by_speed = false;       ///< the figure times the rotor's speed in the end
 
   const TransientFigure& figure() const { return transient_figures[figure_place(value)]; }
+  study::Dimension told_in() const { return by_speed ? study::Dimension::velocity : figure().told_in(); }
 };
-inline constexpr std::array<TransientLimit, 3> transient_limits{{
-    {"displacement", &Limits::displacement, &TransientRow::peak_radial, " is exceeded on the way"},
-    {"force", &Limits::force, &TransientRow::peak_force, " on the supports is exceeded on the way"},
-    {"velocity", &Limits::velocity, &TransientRow::rms_velocity, " RMS in the end is exceeded", true},
+inline constexpr std::array<TransientLimit, 6> transient_limits{{
+    {"displacement", &Limits::displacement, "peak displacement", &TransientRow::peak_radial,
+     &TransientRow::peak_radial_at_end, " is exceeded on the way"},
+    {"force", &Limits::force, "peak force", &TransientRow::peak_force, &TransientRow::rms_force,
+     " on the supports is exceeded on the way"},
+    {"velocity", &Limits::velocity, "RMS velocity", &TransientRow::rms_velocity, &TransientRow::rms_velocity,
+     " RMS in the end is exceeded", true},
+    {"clearance", &Limits::clearance, "hits of the housing: peak displacement", &TransientRow::peak_radial,
+     &TransientRow::peak_radial_at_end, " of clearance is used up on the way: the rotor hits its housing"},
+    {"residual", &Limits::residual, "residual unbalance U/M", &TransientRow::residual_unbalance,
+     &TransientRow::residual_unbalance, " of residual unbalance is exceeded in the end", true},
+    {"grade", &Limits::grade, "e omega", &TransientRow::residual_unbalance, &TransientRow::residual_unbalance,
+     " of e omega is exceeded in the end", true, true},
 }};
+
+/// Which of the stated limits a start keeps: those of the motion at the end, limits.settled too; those on the way,
+/// which peaks keep or not; or all of both. A limit on force is kept in the end if the root mean square keeps it.
+enum class Within { at_end, on_the_way, both };
+inline constexpr std::array<const char*, 3> within_names{"at_end", "on_the_way", "both"};
+inline constexpr std::array<const char*, 3> within_titles{"within all limits at the end",
+                                                          "never over a limit on the way", "both"};
 
 }  // namespace equipoise

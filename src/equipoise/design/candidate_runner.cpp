@@ -99,6 +99,7 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   run.threads = threads;
   run.stop = options_.stop;
   run.transients = problem_.transients();
+  run.without_balls = false;
   run.keep_starts = true;
   run.searches = &met.searches;
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());

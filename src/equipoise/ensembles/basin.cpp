@@ -22,6 +22,7 @@
 #include "equipoise/ensembles/start_arrays.hpp"
 #include "equipoise/ensembles/stored_starts.hpp"
 #include "equipoise/ensembles/tally.hpp"
+#include "equipoise/ensembles/without_balls.hpp"
 #include "equipoise/ensembles/write_basin.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/model/system.hpp"
@@ -60,7 +61,7 @@ class BasinRun {
 
   BasinResult run() {
     check_runnable(result_.study, gathers_);
-    if (result_.own_starts) take_own_starts();
+    if (result_.own_starts) take_own_starts(options_, result_.study);
     horizon_ = choose_horizon(result_.study);
     result_.study.numerics.horizon = horizon_.time;
     sample();
@@ -73,6 +74,11 @@ class BasinRun {
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
     note_open_starts(result_, horizon_, look_at_these(undecided_), look_at_these(stalled_));
+    if (gathers_ && options_.without_balls && result_.starts > 0 && !is_set(options_.stop))
+      // As many starts as the file has, so that it says the same whoever reads it.
+      result_.without_balls =
+          without_balls({result_.study, *sampler_, std::max(result_.starts, file_ ? file_->stored() : 0),
+                         options_.initial, threads_, options_.stop});
     const RunTime time = time_so_far();
     result_.seconds = time.seconds;
     result_.cpu_seconds = time.cpu_seconds;
@@ -84,22 +90,6 @@ class BasinRun {
   WarmStartLevels warm_start_levels() const { return runner_->warm_start_levels(); }
 
  private:
-  void take_own_starts() {
-    Study& study = result_.study;
-    check_takes_starts(study);
-    if (options_.half_width > 0.0)
-      throw InputError("starts of one's own", "half_width", fmt::format("{}", options_.half_width),
-                       "all of them are followed; must be 0");
-    const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
-    if (method != SamplingMethod::random)
-      throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
-                       "says how starts are drawn, which are given here; must be left out, or \"random\"");
-    check_given_starts(study, options_.initial);
-    study.sampling.method = method;
-    study.sampling.starts = options_.initial.size();
-    study.sampling.box = {};
-  }
-
   InitialState start(std::uint64_t index) const {
     if (result_.own_starts) return options_.initial[index];
     return drawn_start_of(result_.study, *sampler_, result_.study.sampling.seed, index);
@@ -235,14 +225,19 @@ class BasinRun {
     const bool all = tally_->total() == file_->stored();
     if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
     Tally whole = *tally_;
-    for_each_stored(*file_, tally_->total(), file_->stored(), false,
-                    [&](const Fate& fate, const TransientRow*) { whole.add(fate); });
+    TransientTally figures = *transients_;
+    for_each_stored(*file_, tally_->total(), file_->stored(), gathers_, [&](const Fate& fate, const TransientRow* row) {
+      whole.add(fate);
+      if (row) figures.add(fate, *row);
+    });
     Study study = result_.study;
     if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
     BasinResult told;
     told.study = study;
     whole.count(runner_->catalogue(), told);
-    file_->finish(to_toml(study), outcome_summary(told), finished_, time);
+    std::optional<TransientGroup> told_of_all;
+    if (gathers_) told_of_all = figures.result(runner_->catalogue()).groups.front();
+    file_->finish(to_toml(study), outcome_summary(told), finished_, time, told_of_all, result_.without_balls);
   }
 
   // Counts what an earlier run left in the file. The motions that it met on the way are listed again first.

@@ -35,8 +35,9 @@ struct BasinOptions : RunOptions {
   bool store_angles = true;  ///< in `output`
   /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits].
   std::optional<bool> transients;
-  bool keep_starts = false;  ///< the result holds every start (BasinResult::every_start): 11 bytes a start, 8 more a
-                             ///< ball, and 40 more with transients
+  bool without_balls = true;  ///< with transients: also what the rotor does without balls, and with balls held
+  bool keep_starts = false;   ///< the result holds every start (BasinResult::every_start): 11 bytes a start, 8 more a
+                              ///< ball, and 40 more with transients
   std::uint64_t keep_at_most = std::numeric_limits<std::uint64_t>::max();  ///< `keep_starts`: only the first ones
   /// The caller's own starts, followed in place of drawn ones. Start i begins at t = 0 at initial[i], a whole state in
   /// the form of [initial]. All of them are followed, whatever study.sampling says. All count alike: intervals are

@@ -3,8 +3,12 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/running/parallel.hpp"
+#include "equipoise/spin_up/given_starts.hpp"
 
 namespace equipoise {
 
@@ -14,8 +18,22 @@ Study as_sampled(Study study, SamplingMethod method) {
 }
 
 bool gathers_transients(const Study& study, const BasinOptions& options) {
-  const Limits& limits = study.limits;
-  return options.transients.value_or(limits.displacement || limits.force || limits.velocity || limits.settled);
+  return options.transients.value_or(study.limits.any());
+}
+
+void take_own_starts(const BasinOptions& options, Study& study) {
+  check_takes_starts(study);
+  if (options.half_width > 0.0)
+    throw InputError("starts of one's own", "half_width", fmt::format("{}", options.half_width),
+                     "all of them are followed; must be 0");
+  const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
+  if (method != SamplingMethod::random)
+    throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
+                     "says how starts are drawn, which are given here; must be left out, or \"random\"");
+  check_given_starts(study, options.initial);
+  study.sampling.method = method;
+  study.sampling.starts = options.initial.size();
+  study.sampling.box = {};
 }
 
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches) {

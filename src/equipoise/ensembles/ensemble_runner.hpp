@@ -14,6 +14,9 @@ namespace equipoise {
 /// The study as basin() completes it before it makes its runner.
 Study as_sampled(Study study, SamplingMethod method);
 
+/// Checks options.initial, and makes the study's starts those. Throws InputError.
+void take_own_starts(const BasinOptions& options, Study& study);
+
 /// What the options of basin() ask of the attractor search. `searches` may be null.
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches);
 

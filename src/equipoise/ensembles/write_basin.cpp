@@ -118,6 +118,8 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
                              to_toml(study),
                              !result.partial,
                              {result.seconds, result.cpu_seconds}};
+  if (result.transients) contents.all = result.transients->groups.front();
+  contents.without_balls = result.without_balls;
   contents.read = [&](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
     const std::size_t each = columns[column].bytes();
     std::memcpy(values, &bytes[begins[column] + first * each], count * each);

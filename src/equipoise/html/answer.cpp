@@ -68,7 +68,7 @@ std::vector<ToldLimit> told_limits(const Study& study) {
   std::vector<ToldLimit> told;
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
     if (const TransientLimit& l = transient_limits[k]; study.limits.*l.limit)
-      told.push_back({k, shown.text(*(study.limits.*l.limit), *l.figure().dimension) + l.exceeded});
+      told.push_back({k, shown.text(*(study.limits.*l.limit), l.told_in()) + l.exceeded});
   return told;
 }
 

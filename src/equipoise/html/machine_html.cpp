@@ -163,8 +163,16 @@ class MachineDocument {
     if (page_.starts_drawn < basin_.starts)
       row.caption = fmt::format("Drawn and chosen from the first {} starts.", page_.starts_drawn);
     add(std::move(row));
-    if (basin_.transients && !basin_.transients->groups.empty() && basin_.transients->groups.front().starts > 0)
-      add(way_table(basin_.transients->groups.front()));
+    if (!basin_.transients || basin_.transients->groups.empty() || basin_.transients->groups.front().starts == 0)
+      return;
+    const TransientGroup& all = basin_.transients->groups.front();
+    add(way_table(all));
+    std::string words;
+    if (tells_without_balls(basin_))
+      for (const std::string& sentence : without_balls_words(basin_)) words += sentence + " ";
+    words += clearance_words(all, study_);
+    if (!words.empty()) add(Paragraph{on_one_line(words)});
+    if (DocumentTable limits = limits_table(all, study_); !limits.rows.empty()) add(std::move(limits));
   }
 
   static std::string capital(std::string text) {
@@ -191,11 +199,14 @@ class MachineDocument {
 
   DocumentTable way_table(const TransientGroup& all) const {
     const Limits& limits = study_.limits;
-    const bool limited = limits.displacement || limits.force || limits.velocity;
+    const bool limited = std::any_of(transient_limits.begin(), transient_limits.end(),
+                                     [&](const TransientLimit& l) { return l.figure().on_page && limits.*l.limit; });
+    const bool beside = tells_without_balls(basin_);
     DocumentTable table{{"all starts", "median", "90 % below", "largest"}, {}, "", false, {2}};
+    if (beside) table.header.emplace_back("no balls");
     if (limited) {
       table.header.insert(table.header.end(), {"limit", "exceeded by"});
-      table.spare.push_back(4);
+      table.spare.push_back(beside ? 5 : 4);
     }
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const TransientFigure& f = transient_figures[k];
@@ -207,23 +218,38 @@ class MachineDocument {
                             figure(s.quantiles[0].value),
                             figure(s.quantiles[1].value),
                             figure(s.largest)});
+      if (beside) table.rows.back().push_back(without_balls(k));
       if (!limited) continue;
       DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
       for (std::size_t l = 0; l < transient_limits.size(); ++l) {
-        if (transient_limits[l].value != f.value) continue;
-        if (const auto& stated = limits.*transient_limits[l].limit)
-          limit = number_cell(shown_.text(*stated, *f.dimension));
+        const auto& stated = limits.*transient_limits[l].limit;
+        if (transient_limits[l].value != f.value || !stated) continue;
+        limit = number_cell(shown_.text(*stated, transient_limits[l].told_in()));
         if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
+        break;
       }
       table.rows.back().insert(table.rows.back().end(), {limit, exceeded});
     }
+    if (beside)
+      table.caption = basin_.without_balls->bare.one ? "No balls: one run of the same rotor. "
+                                                     : "No balls: median of the first starts' rotors. ";
     if (limits.settled)
-      table.caption = fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
+      table.caption += fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)
       table.caption += fmt::format(
           " Displacements count from where the rotor rests, {} below slack springs; forces hold its weight.",
           shown_.text(page_.explanation.sag, Dimension::length));
     return table;
+  }
+
+  // A figure of the rotor without balls; in the median, if starts differ in it.
+  DocumentCell without_balls(std::size_t k) const {
+    const TransientFigure& f = transient_figures[k];
+    const SampleSummary& s = basin_.without_balls->bare.figures.figures[k];
+    if (!f.of_bare_rotor || s.count == 0) return number_cell("-");
+    const double value = s.quantiles[0].value;
+    const bool for_good = basin_.without_balls->bare.figures.for_good(f) > 0;
+    return number_cell(std::isfinite(value) ? shown_.text(value, *f.dimension) : f.open[for_good ? 0 : 1]);
   }
 
   // How that is known.

@@ -123,7 +123,7 @@ class SweepDocument {
     if (stalls_) table.header.push_back("stalled");
     const PageQuantities shown(r_.study);
     for (const TransientLimit& l : transient_limits)
-      if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), *l.figure().dimension));
+      if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), l.told_in()));
     table.spare.push_back(table.header.size());
     table.header.push_back("starts");
     if (open_) table.caption = "Surely within: whatever undecided starts would come to.";

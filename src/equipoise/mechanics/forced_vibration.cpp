@@ -3,10 +3,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 
+#include "equipoise/base/angles.hpp"
+
 namespace equipoise::model {
+
+namespace {
+
+using Vector = std::array<std::complex<double>, 2>;  // of amplitudes: the real part of v e^{i omega t}
+
+double squares(const Vector& v) { return std::norm(v[0]) + std::norm(v[1]); }
+
+// The largest length of a vector on an ellipse about the origin: its longer half-axis.
+double longest(const Vector& v) { return std::sqrt(0.5 * (squares(v) + std::abs(v[0] * v[0] + v[1] * v[1]))); }
+
+// The same with `weight` added in Y. Largest of a cosine and its double: sampled, then a parabola through the best.
+double longest(const Vector& v, double weight) {
+  if (weight == 0.0) return longest(v);
+  constexpr int places = 720;
+  const auto square = [&](double angle) {
+    const std::complex<double> turn = std::polar(1.0, angle);
+    const double x = (v[0] * turn).real(), y = (v[1] * turn).real() + weight;
+    return x * x + y * y;
+  };
+  const double step = two_pi / places;
+  int best = 0;
+  for (int k = 1; k < places; ++k)
+    if (square(k * step) > square(best * step)) best = k;
+  const double before = square((best - 1) * step), here = square(best * step), after = square((best + 1) * step);
+  const double bend = before - 2.0 * here + after, rise = 0.5 * (after - before);
+  return std::sqrt(bend < 0.0 ? here - 0.5 * rise * rise / bend : here);
+}
+
+}  // namespace
 
 std::array<double, 2> critical_speeds(const Parameters& p) {
   const double mass = 1.0 + p.total_mass();
@@ -29,6 +61,19 @@ double shaking_torque(const Parameters& p, double unbalance, double speed) {
     sum += p.damping[d] / left;
   }
   return 0.5 * unbalance * unbalance * std::pow(speed, 5) * sum;
+}
+
+ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed) {
+  const double mass = 1.0 + p.total_mass(), weight = mass * p.gravity;
+  Vector centre, force;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const std::complex<double> support(p.stiffness[d], p.damping[d] * speed);
+    const std::complex<double> ahead = d == 0 ? std::complex<double>(1.0) : std::complex<double>(0.0, -1.0);
+    centre[d] = speed == 0.0 ? 0.0 : unbalance * speed * speed * ahead / (support - mass * speed * speed);
+    force[d] = support * centre[d];
+  }
+  return {longest(centre), longest(force, -weight), std::sqrt(0.5 * squares(force) + weight * weight),
+          std::fabs(speed) * std::sqrt(0.5 * squares(centre))};
 }
 
 }  // namespace equipoise::model

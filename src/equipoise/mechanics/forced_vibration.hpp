@@ -1,4 +1,5 @@
-// Forced vibration of rotor and balls turning as one body: its critical speeds and the torque it absorbs.
+// Forced vibration of rotor and balls turning as one body: its critical speeds, the torque it absorbs, its steady
+// motion.
 #pragma once
 
 #include <array>
@@ -16,5 +17,16 @@ double quiet_speed(const Parameters& p);
 /// Mean torque that vibration takes from the motor at constant `speed`, for one body with this unbalance. Exact if the
 /// balls are held. Infinite at an undamped critical speed.
 double shaking_torque(const Parameters& p, double unbalance, double speed);
+
+/// The steady motion of one body at constant speed.
+struct ForcedVibration {
+  double radial = 0.0;      ///< largest distance of the centre from where the rotor rests under its weight
+  double peak_force = 0.0;  ///< largest bearing force, the weight included
+  double rms_force = 0.0;   ///< the weight included
+  double rms_velocity = 0.0;
+};
+
+/// Of one body with this unbalance at constant `speed`. With damping in both directions it comes to no other motion.
+ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed);
 
 }  // namespace equipoise::model

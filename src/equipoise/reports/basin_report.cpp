@@ -14,6 +14,7 @@
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/sampling_text.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
 
@@ -64,6 +65,24 @@ std::string contact_text(const Share& met) {
                      percent(met.share, digits_for(met)), interval(met));
 }
 
+// What the balls are good for: the rotor without them, and which limits are kept with them.
+std::string balancer_text(const BasinResult& r) {
+  std::string text;
+  if (tells_without_balls(r)) {
+    text += table_text(without_balls_table(r));
+    for (const std::string& sentence : without_balls_words(r)) text += sentence + "\n";
+    text += "\n";
+  }
+  if (r.transients->groups.empty() || r.transients->groups.front().starts == 0) return text;
+  const TransientGroup& all = r.transients->groups.front();
+  if (const DocumentTable limits = limits_table(all, r.study); !limits.rows.empty()) {
+    text += table_text(limits);
+    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) text += hits + "\n";
+    text += "\n";
+  }
+  return text;
+}
+
 std::string stopped_basin_text(const BasinResult& r) {
   return fmt::format("PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n", r.starts,
                      r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
@@ -108,7 +127,7 @@ std::string basin_text(const BasinResult& r) {
   if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
   text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
                       r.study.scales ? "" : ", in 1/omega_c");
-  if (r.transients) text += transient_text(*r.transients, r.study);
+  if (r.transients) text += balancer_text(r) + transient_text(*r.transients, r.study);
   if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
   text += sampling_text(r);
   text += decided_text(r);
@@ -159,6 +178,7 @@ std::string basin_json(const BasinResult& r) {
   if (r.met) json["balls_met"] = share(*r.met);
   if (r.passed) json["units"]["above"] = "omega_c";
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
+  if (r.without_balls) json["without_balls"] = without_balls_json(*r.without_balls, r.study);
   if (r.sensitivity) {
     json["sensitivity"] = sensitivity_json(*r.sensitivity);
     json["sensitivity_design"] = sensitivity_design_json(*r.sensitivity);

@@ -328,7 +328,8 @@ std::vector<OutcomeShare> BasinFile::summary() const {
 RunTime BasinFile::time() const { return state_->time; }
 
 void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
-                       const RunTime& time) {
+                       const RunTime& time, const std::optional<TransientGroup>& all,
+                       const std::optional<WithoutBalls>& without_balls) {
   State& s = *state_;
   if (s.stored == 0) return;
   io::BasinContents contents{s.header,      s.columns, s.stored,       {},       s.discoveries,
@@ -336,6 +337,8 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
   contents.read = [&s](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
     s.read(column, first, count, values);
   };
+  contents.all = all;
+  contents.without_balls = without_balls;
   contents.time = {s.time.seconds + time.seconds, s.time.cpu_seconds + time.cpu_seconds};
   try {
     io::write_basin_netcdf(s.path, contents);

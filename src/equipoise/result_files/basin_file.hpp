@@ -12,6 +12,7 @@
 #include "equipoise/model/scales.hpp"
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/results/outcome_share.hpp"
+#include "equipoise/results/without_balls.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -91,8 +92,10 @@ class BasinFile {
   /// Writes the results: everything stored, its summary, the resolved study. `complete`: all requested starts are
   /// there. `time`: of this run; earlier runs' time is added. Writes nothing if nothing is stored. Call it last. If the
   /// disk cannot take it, throws RunError and keeps everything as it was.
+  /// `all`, `without_balls`: if the file holds transients.
   void finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
-              const RunTime& time);
+              const RunTime& time, const std::optional<TransientGroup>& all = {},
+              const std::optional<WithoutBalls>& without_balls = {});
   /// As stated by the last run's finish(); complete() is false if there was none.
   bool complete() const;
   std::vector<OutcomeShare> summary() const;

@@ -43,6 +43,8 @@ class BasinWriter {
     for (std::size_t k = 0; k < c_.discoveries.size(); ++k)
       file_.write(discovery_, {k, 0}, {1, c_.discoveries[k].size()}, c_.discoveries[k].data());
     write_summary();
+    if (c_.all) write_within();
+    if (c_.without_balls) write_one_bodies();
   }
 
  private:
@@ -70,6 +72,8 @@ class BasinWriter {
     }
     define_attributes();
     if (c_.header.transients) define_transients();
+    if (c_.all) define_within();
+    if (c_.without_balls) define_one_bodies();
     file_.end_definitions();
   }
 
@@ -176,6 +180,78 @@ class BasinWriter {
     say("unit_of_energy_J", c_.header.scales->torque());
   }
 
+  // Starts within all stated limits.
+  void define_within() {
+    for (std::size_t k = 0; k < within_names.size(); ++k)
+      if (c_.all->within[k]) {
+        within_.push_back(*c_.all->within[k]);
+        within_names_.emplace_back(within_names[k]);
+      }
+    if (within_.empty()) return;
+    const int kept = file_.dimension("limits_kept", within_.size());
+    kept_name_ = file_.text_variable("limits_kept", kept, within_names_,
+                                     "when a start is within all limits: at_end, on_the_way, both");
+    for (std::size_t c = 0; c < share_columns.size(); ++c)
+      kept_share_[c] = file_.variable(std::string("limits_kept_") + share_columns[c].name, NC_DOUBLE, {kept}, "1",
+                                      share_columns[c].of_ensemble);
+  }
+
+  // The rotor without balls, and with balls held where they start.
+  void define_one_bodies() {
+    for (const TransientFigure& f : transient_figures)
+      if (f.of_bare_rotor) figure_names_.emplace_back(f.name);
+    const int body = file_.dimension("one_body", 2), figure = file_.dimension("one_body_figure", figure_names_.size()),
+              quantile = file_.dimension("figure_quantile", reported_quantiles.size());
+    body_name_ = file_.text_variable("one_body", body, one_bodies(), "what the rotor carries");
+    figure_name_ = file_.text_variable("one_body_figure", figure, figure_names_, "column of the starts' transients");
+    figure_quantile_ = file_.variable("figure_quantile", NC_DOUBLE, {quantile}, "1", "share of runs that have less");
+    body_runs_ = file_.variable("one_body_runs", NC_DOUBLE, {body}, "1", "runs followed");
+    body_stalled_ = file_.variable("one_body_stalled", NC_DOUBLE, {body}, "1", "of these, that stalled");
+    body_mean_ = file_.variable("one_body_mean", NC_DOUBLE, {body, figure}, "1",
+                                "mean of the figure over runs in which it has an end, dimensionless as in its column");
+    body_quantile_ = file_.variable("one_body_quantile", NC_DOUBLE, {body, figure, quantile}, "1",
+                                    "quantile of the figure over runs, dimensionless as in its column; infinite where "
+                                    "it has no end, missing where it was not asked");
+  }
+
+  static const std::vector<std::string>& one_bodies() {
+    static const std::vector<std::string> names{"no balls", "balls held where they start"};
+    return names;
+  }
+
+  void write_within() {
+    if (within_.empty()) return;
+    file_.write_texts(kept_name_, within_names_);
+    for (std::size_t k = 0; k < within_.size(); ++k)
+      for (std::size_t c = 0; c < share_columns.size(); ++c)
+        file_.write(kept_share_[c], {k}, {1}, &(within_[k].*share_columns[c].value));
+  }
+
+  void write_one_bodies() {
+    constexpr std::size_t width = reported_quantiles.size();
+    file_.write_texts(body_name_, one_bodies());
+    file_.write_texts(figure_name_, figure_names_);
+    file_.write(figure_quantile_, {0}, {width}, reported_quantiles.data());
+    std::size_t b = 0;
+    for (const OneBodyRuns* body : {&c_.without_balls->bare, &c_.without_balls->held}) {
+      const double runs = static_cast<double>(body->runs), stalled = static_cast<double>(body->stalled);
+      file_.write(body_runs_, {b}, {1}, &runs);
+      file_.write(body_stalled_, {b}, {1}, &stalled);
+      std::size_t place = 0;
+      for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+        if (!transient_figures[k].of_bare_rotor) continue;
+        const SampleSummary& s = body->figures.figures[k];
+        const double missing = std::numeric_limits<double>::quiet_NaN(), mean = s.open < s.count ? s.mean : missing;
+        std::array<double, width> values;
+        for (std::size_t q = 0; q < width; ++q) values[q] = s.count > 0 ? s.quantiles[q].value : missing;
+        file_.write(body_mean_, {b, place}, {1, 1}, &mean);
+        file_.write(body_quantile_, {b, place, 0}, {1, 1, width}, values.data());
+        ++place;
+      }
+      ++b;
+    }
+  }
+
   static const std::vector<std::string>& rotor_components() {
     static const std::vector<std::string> names{"x", "y", "x_dot", "y_dot"};
     return names;
@@ -264,6 +340,11 @@ class BasinWriter {
   int kind_code_ = -1, kind_name_ = -1, kind_alias_ = -1, kind_count_ = -1, kind_interval_ = -1, kind_effective_ = -1;
   std::array<int, share_columns.size()> kind_share_{};
   int quantile_ = -1, left_ = -1, grade_ = -1;
+  std::vector<Share> within_;
+  std::vector<std::string> within_names_, figure_names_;
+  int kept_name_ = -1, body_name_ = -1, figure_name_ = -1, figure_quantile_ = -1, body_runs_ = -1, body_stalled_ = -1;
+  int body_mean_ = -1, body_quantile_ = -1;
+  std::array<int, share_columns.size()> kept_share_{};
 };
 
 }  // namespace

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/result_files/start_columns.hpp"
+#include "equipoise/results/without_balls.hpp"
 
 namespace equipoise::io {
 
@@ -24,6 +26,8 @@ struct BasinContents {
   std::string study;
   bool complete = false;
   RunTime time;
+  std::optional<WithoutBalls> without_balls{};
+  std::optional<TransientGroup> all{};  ///< transients of all starts
 };
 
 /// Replaces `path`, sealed (sealed_file.hpp). Throws RunError, with the old file as it was.

@@ -10,6 +10,7 @@
 #include "equipoise/results/sensitivity_result.hpp"
 #include "equipoise/results/start_arrays.hpp"
 #include "equipoise/results/transient_result.hpp"
+#include "equipoise/results/without_balls.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
@@ -43,7 +44,9 @@ struct BasinResult : OtherShares {
   /// the same way without collisions. Empty on a grid.
   std::optional<Share> met;
   std::optional<TransientResult> transients;  ///< if they were gathered
-  std::optional<StartArrays> every_start;     ///< if they were kept
+  /// With `transients`, unless stopped before it was known or not asked (BasinOptions::without_balls).
+  std::optional<WithoutBalls> without_balls;
+  std::optional<StartArrays> every_start;  ///< if they were kept
   /// With `every_start`: for each motion that the search before the first start had missed, the state in which a start
   /// first met it, as a file keeps it (with uncertain values: the start's number).
   std::vector<std::vector<double>> discoveries;

@@ -24,6 +24,9 @@ struct TransientGroup {
   std::array<SampleSummary, transient_figures.size()> figures{};  ///< by column
   std::array<std::optional<Share>, transient_limits.size()>
       exceeded{};  ///< of the starts in this group; empty without a limit
+  std::array<std::optional<Share>, transient_limits.size()> exceeded_at_end{};  ///< by their motion at the end
+  /// Starts within all limits (Within); empty where no such limit is stated.
+  std::array<std::optional<Share>, within_names.size()> within{};
 
   /// For a figure that may have no end: starts that lack one for good.
   std::uint64_t for_good(const TransientFigure& f) const { return f.needs == &Limits::settled ? never : lasting; }

@@ -10,9 +10,6 @@
 
 namespace equipoise {
 
-namespace {
-
-// Converts dimensionless figures of one rotor to the units of another.
 void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row) {
   if (from.mass == to.mass && from.length == to.length && from.frequency == to.frequency) return;
   const double time = from.time() / to.time(), length = from.length / to.length, force = from.force() / to.force();
@@ -34,8 +31,6 @@ void change_units(const model::Scales& from, const model::Scales& to, Fate& fate
        {&TransientRow::time_above, &TransientRow::settling_time, &TransientRow::followed_until})
     scale(row->*column, time);
 }
-
-}  // namespace
 
 bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided, bool watched) const {
   const int balls = study_.parameters.balls;

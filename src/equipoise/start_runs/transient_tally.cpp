@@ -1,16 +1,12 @@
 // Counts figures by outcome: a distribution for each, and the starts that exceed limits.
 #include "equipoise/start_runs/transient_tally.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
-
-namespace {
-constexpr double exceeds_nothing = std::numeric_limits<double>::infinity();
-}  // namespace
 
 TransientSettings transient_settings(const Study& study) {
   TransientSettings settings;
@@ -29,7 +25,12 @@ bool knows_energy(const Study& study) {
 }
 
 TransientTally::TransientTally(const Study& study, const Sampler& sampler)
-    : limits_(study.limits), settings_(transient_settings(study)), sampler_(sampler), seed_(study.sampling.seed) {}
+    : limits_(study.limits),
+      settings_(transient_settings(study)),
+      sampler_(sampler),
+      final_speed_(std::fabs(study.speed_profile().final_speed())),
+      driven_(study.speed.driven()),
+      seed_(study.sampling.seed) {}
 
 void TransientTally::add(const Fate& fate, const TransientRow& row) {
   const double weight = sampler_.weight(seed_, total_++);
@@ -52,18 +53,38 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
   const bool known = fate.outcome != Outcome::undecided;
   if (known && row.peak_radial_at_end > settings_.displacement) ++line.lasting;
   if (known && settings_.watches_settling() && row.peak_radial_at_end > settings_.settled) ++line.never;
-  count_exceeding(fate, row, weight, line);
+  count_limits(fate, row, weight, line);
 }
 
-void TransientTally::count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
+// What is not known, such as the speed of a start that was not watched for long enough, is no limit kept.
+void TransientTally::count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
+  const bool open = fate.outcome == Outcome::undecided;
+  const double speed = driven_ ? std::fabs(fate.mean_speed) : final_speed_;
+  bool end = !(limits_.settled && row.peak_radial_at_end > *limits_.settled), way = true;
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     const TransientLimit& l = transient_limits[k];
-    const bool beyond = row.*l.value > (limits_.*l.limit).value_or(exceeds_nothing);
-    if (beyond) line.exceeding[k].add(weight);
-    if (fate.outcome != Outcome::undecided) continue;
-    if (!beyond) line.undecided_within[k].add(weight);
-    if (beyond && l.at_end) line.undecided_beyond[k].add(weight);
+    const auto& limit = limits_.*l.limit;
+    if (!limit) continue;
+    const auto beyond = [&](float TransientRow::*figure) {
+      return !(row.*figure * (l.by_speed ? speed : 1.0) <= *limit);
+    };
+    const bool exceeds = beyond(l.value), ends_beyond = beyond(l.end);
+    line.exceeding[k].add(exceeds, open && (l.at_end || !exceeds), weight);  // a peak stays exceeded
+    line.exceeding_at_end[k].add(ends_beyond, open, weight);
+    end = end && !ends_beyond;
+    way = way && (l.at_end || !exceeds);
   }
+  line.within[static_cast<std::size_t>(Within::at_end)].add(end, open, weight);
+  line.within[static_cast<std::size_t>(Within::on_the_way)].add(way, open && way, weight);
+  line.within[static_cast<std::size_t>(Within::both)].add(way && end, open && way, weight);
+}
+
+// Whether some limit is stated that has to be kept then.
+bool TransientTally::kept(Within when) const {
+  const bool some = std::any_of(transient_limits.begin(), transient_limits.end(), [&](const TransientLimit& l) {
+    return limits_.*l.limit && (when == Within::at_end || !l.at_end);
+  });
+  return some || (when == Within::at_end && limits_.settled);
 }
 
 void TransientTally::Line::merge(const Line& other) {
@@ -76,23 +97,22 @@ void TransientTally::Line::merge(const Line& other) {
   never += other.never;
   for (std::size_t k = 0; k < figures.size(); ++k) figures[k].merge(other.figures[k]);
   const auto add = [](auto& to, const auto& from) {
-    for (std::size_t k = 0; k < to.size(); ++k) to[k].add(from[k].weight, from[k].count);
+    for (std::size_t k = 0; k < to.size(); ++k) to[k].merge(from[k]);
   };
   add(exceeding, other.exceeding);
-  add(undecided_within, other.undecided_within);
-  add(undecided_beyond, other.undecided_beyond);
+  add(exceeding_at_end, other.exceeding_at_end);
+  add(within, other.within);
 }
 
 // Bounded by what the undecided starts of the group could still do.
-Share TransientTally::exceeded(const Line& line, std::size_t limit) const {
-  const auto share = [&](std::uint64_t count, double counted) {
+Share TransientTally::share(const Line& line, const Having& having) {
+  const auto of = [&](std::uint64_t count, double counted) {
     return wilson_share(count, line.count, counted, line.weight, line.weight_squared);
   };
-  const Exceeding &all = line.exceeding[limit], &more = line.undecided_within[limit],
-                  &fewer = line.undecided_beyond[limit];
-  Share result = share(all.count, all.weight);
-  result.most = share(all.count + more.count, all.weight + more.weight).high;
-  result.least = share(all.count - fewer.count, all.weight - fewer.weight).low;
+  const auto& [all, more, fewer] = having;
+  Share result = of(all.count, all.weight);
+  result.most = of(all.count + more.count, all.weight + more.weight).high;
+  result.least = of(all.count - fewer.count, all.weight - fewer.weight).low;
   return result;
 }
 
@@ -104,7 +124,12 @@ TransientGroup TransientTally::group(const Line& line) const {
   result.never = line.never;
   for (std::size_t k = 0; k < line.figures.size(); ++k) result.figures[k] = line.figures[k].summary();
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
-    if (limits_.*transient_limits[k].limit) result.exceeded[k] = exceeded(line, k);
+    if (limits_.*transient_limits[k].limit) {
+      result.exceeded[k] = share(line, line.exceeding[k]);
+      result.exceeded_at_end[k] = share(line, line.exceeding_at_end[k]);
+    }
+  for (std::size_t k = 0; k < result.within.size(); ++k)
+    if (kept(static_cast<Within>(k))) result.within[k] = share(line, line.within[k]);
   return result;
 }
 

@@ -22,6 +22,9 @@ TransientSettings transient_settings(const Study& study);
 /// if the rotor's inertia is given wherever the speed changes.
 bool knows_energy(const Study& study);
 
+/// Converts what one rotor's start came to, and its figures if given, to the units of another rotor.
+void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row);
+
 /// Takes starts by index, from start 0 on.
 class TransientTally {
  public:
@@ -31,14 +34,27 @@ class TransientTally {
   TransientResult result(const Catalogue& catalogue) const;
 
  private:
-  // Starts that exceed a limit, or that do not.
-  struct Exceeding {
+  struct Weighed {
     std::uint64_t count = 0;
     double weight = 0.0;
 
     void add(double w, std::uint64_t n = 1) {
       count += n;
       weight += w;
+    }
+  };
+  // Starts that have a property; undecided ones that may still come to it, or lose it.
+  struct Having {
+    Weighed all, may_come, may_go;
+
+    void add(bool has, bool may_change, double w) {
+      if (has) all.add(w);
+      if (may_change) (has ? may_go : may_come).add(w);
+    }
+    void merge(const Having& other) {
+      all.add(other.all.weight, other.all.count);
+      may_come.add(other.may_come.weight, other.may_come.count);
+      may_go.add(other.may_go.weight, other.may_go.count);
     }
   };
   struct Line {
@@ -48,17 +64,21 @@ class TransientTally {
     std::array<Distribution, transient_figures.size()> figures;
     std::uint64_t lasting = 0;  ///< starts whose motion exceeds limits.displacement
     std::uint64_t never = 0;    ///< starts whose motion exceeds limits.settled
-    std::array<Exceeding, transient_limits.size()> exceeding{}, undecided_within{}, undecided_beyond{};
+    std::array<Having, transient_limits.size()> exceeding{}, exceeding_at_end{};
+    std::array<Having, within_names.size()> within{};
 
     void merge(const Line& other);
   };
   TransientGroup group(const Line& line) const;
-  void count_exceeding(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
-  Share exceeded(const Line& line, std::size_t limit) const;
+  void count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
+  bool kept(Within when) const;
+  static Share share(const Line& line, const Having& having);
 
   Limits limits_;
   TransientSettings settings_;
   Sampler sampler_;
+  double final_speed_;  // of a prescribed one
+  bool driven_;
   std::uint64_t seed_, total_ = 0, lost_ = 0;
   std::map<std::pair<int, int>, Line> lines_;  // by outcome and attractor
 };

@@ -154,6 +154,11 @@ struct Limits {
   std::optional<double> force;         ///< on the supports, in M R omega_c^2
   std::optional<double> velocity;      ///< root mean square, of the centre of the race, in R omega_c
   std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
+  std::optional<double> residual;      ///< unbalance left in the end over the rotor's mass, U/M in R
+  std::optional<double> grade;         ///< U/M times the speed in the end, e omega, in R omega_c
+  std::optional<double> clearance;     ///< radial, between rotor and housing where the rotor rests, in R
+
+  bool any() const { return displacement || force || velocity || settled || residual || grade || clearance; }
 };
 
 /// [sweep]: what `equipoise sweep` varies by default. No other result depends on it, and it is not echoed: a sweep's

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
@@ -253,8 +254,29 @@ void free_balls_of_machine(Document& document) {
   if (release->table() && release->table()->empty()) release->set("time", "0 s");
 }
 
+// A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
+void read_grade(Document& document) {
+  const StudyValue* value = document.root.find_path("limits.residual");
+  const std::string* text = value ? value->string() : nullptr;
+  if (!text || text->empty() || text->front() != 'G') return;
+  TableReader reader(document, "limits");
+  if (!is_physical(document))
+    reader.fail("residual", "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`");
+  if (reader.has("grade")) reader.fail("residual", "is a grade too; give either limits.grade or this, not both");
+  const char *begin = text->data() + std::min(text->find_first_not_of(' ', 1), text->size()),
+             *end = text->data() + text->size();
+  double grade = 0.0;
+  const NumberRead read = read_number(begin, end, grade);
+  if (read.error != std::errc() || read.end != end || !positive.contains(grade))
+    reader.fail("residual", "must be \"G\" and a number of mm/s greater than 0, such as \"G 6.3\", or an unbalance");
+  StudyValue& limits = *document.root.find("limits");
+  limits.set("grade", fmt::format("{} mm/s", grade));
+  limits.erase("residual");
+}
+
 Study read(Document document, Source source) {
   check_tables(document);
+  read_grade(document);
   check_keys(document, is_physical(document));
   if (is_physical(document)) infer_profile(document);
   if (source == Source::asked) free_balls_of_machine(document);

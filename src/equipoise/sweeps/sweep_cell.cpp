@@ -24,6 +24,7 @@ BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
   options.half_width = plan.request().half_width;
   options.limit_given = plan.request().limit_given;
   options.transients = plan.transients();
+  options.without_balls = false;
   options.warm_start_states = start.warm_start_states;
   options.warm_start = start.warm_start;
   options.warm_start_levels = &start.warm_start_levels;

@@ -12,6 +12,7 @@
 
 #include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/types/outcomes.hpp"
 
@@ -25,7 +26,7 @@ using study::Dimension;
 using Unit = study::ShownUnit;
 
 Unit unit_of(const Study& study, Dimension d) { return study::shown_unit(d, study.scales); }
-Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, *limit.figure().dimension); }
+Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(study, limit.told_in()); }
 
 constexpr const char* no_bound = "?";
 
@@ -85,8 +86,8 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
     const Share& s = *group.exceeded[k];
     const Unit unit = unit_of(study, l);
     text += fmt::format(
-        "  {} {} above {:.4g} {}: {} ({}){}\n", l.at_end ? "RMS" : "peak", l.name, *(study.limits.*l.limit) * unit.size,
-        unit.name, percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
+        "  {} above {:.4g} {}: {} ({}){}\n", l.measured, *(study.limits.*l.limit) * unit.size, unit.name,
+        percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
         group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
@@ -115,13 +116,183 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
   return one;
 }
 
+// The speed that an unbalance is graded at; empty for a driven rotor whose speed was never measured.
+std::optional<double> graded_speed(const TransientGroup& group, const Study& study) {
+  return study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
+}
+
+// A quantile of a figure, or what its lack of an end is called.
+std::string quantile_text(const TransientGroup& group, std::size_t k, std::size_t quantile, double size) {
+  const TransientFigure& f = transient_figures[k];
+  const SampleSummary& s = group.figures[k];
+  if (s.count == 0) return "-";
+  return number(s.quantiles[quantile].value, size, f.open[group.for_good(f) > 0 ? 0 : 1]);
+}
+
+// "Peak displacement: 1.7 times that without balls in the median, 2.9 at 90 %"; empty if balls leave nothing of it.
+std::string times_words(const TransientGroup& with, const TransientGroup& bare, float TransientRow::*figure) {
+  const auto times = [&](std::size_t q) {
+    return with.figure(figure).quantiles[q].value / bare.figure(figure).quantiles[q].value;
+  };
+  const double median = times(0), most = times(1);
+  if (!std::isfinite(median) || !std::isfinite(most) || most == 0.0) return "";
+  return fmt::format("{}: {:.3g} times that without balls in the median, {:.3g} at 90 %",
+                     transient_figures[figure_place(figure)].title, median, most);
+}
+
+std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
+  return runs.one ? "" : fmt::format(" in {} of {} runs", count, runs.runs);
+}
+
+Json figures_json(const TransientGroup& group, bool one, const Study& study) {
+  Json figures = Json::object();
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    const SampleSummary& s = group.figures[k];
+    if (!f.of_bare_rotor || (f.needs && !(study.limits.*f.needs))) continue;
+    const Unit unit = unit_of(study, f.told_in());
+    if (one)  // without an interval, and null without an end
+      figures[f.name] = {{"unit", unit.name},
+                         {"value", s.count > 0 ? json_number(s.quantiles[0].value, unit.size) : Json(nullptr)}};
+    else
+      figures[f.name] = figure_json(s, unit);
+  }
+  return figures;
+}
+
+Json one_body_json(const OneBodyRuns& body, const Study& study) {
+  const TransientGroup& g = body.figures;
+  Json json = {{"runs", body.runs},       {"one_for_all", body.one}, {"stalled", body.stalled},
+               {"not_steady", body.open}, {"lost", body.lost},       {"figures", figures_json(g, body.one, study)}};
+  json["exceeded"] = json["within"] = Json::object();
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (const auto& share = g.exceeded[k])
+      json["exceeded"][transient_limits[k].name] = body.one ? Json(share->count > 0) : sure_share_json(*share);
+  for (std::size_t k = 0; k < within_names.size(); ++k)
+    if (const auto& share = g.within[k])
+      json["within"][within_names[k]] = body.one ? Json(share->count > 0) : sure_share_json(*share);
+  if (const auto grade = left_grade(g, study); grade && g.starts > 0) json["balance_grade"] = *grade;
+  if (g.mean_speed) json["mean_speed"] = *g.mean_speed;
+  return json;
+}
+
 }  // namespace
+
+bool tells_without_balls(const BasinResult& r) {
+  return r.transients && r.without_balls && !r.transients->groups.empty() &&
+         r.transients->groups.front().starts >= fewest_for_figures;
+}
+
+DocumentTable without_balls_table(const BasinResult& r) {
+  const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
+                       &held = r.without_balls->held.figures;
+  DocumentTable table{{"", "no balls", "balls held", "with balls", "90 % below"}, {}, "", false, {}};
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!f.of_bare_rotor || !r.transients->asks(f, r.study.limits)) continue;
+    const Unit unit = unit_of(r.study, f.told_in());
+    table.rows.push_back(row_of("lnnnn", {fmt::format("{}, {}", f.title, unit.name),
+                                          quantile_text(bare, k, 0, unit.size), quantile_text(held, k, 0, unit.size),
+                                          quantile_text(with, k, 0, unit.size), quantile_text(with, k, 1, unit.size)}));
+    if (f.value != &TransientRow::residual_unbalance || !r.study.scales) continue;
+    // A mean speed says nothing where some rotors stall.
+    const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
+      const std::optional<double> speed = some_stall ? std::nullopt : graded_speed(g, r.study);
+      if (!speed || g.figures[k].count == 0) return "-";
+      return fmt::format("{:.4g}", model::balance_grade(g.figures[k].quantiles[quantile].value * r.study.scales->length,
+                                                        *speed * r.study.scales->frequency));
+    };
+    const OneBodyRuns &none = r.without_balls->bare, &fixed = r.without_balls->held;
+    const bool stall = r.stalled && r.stalled->count > 0;
+    table.rows.push_back(
+        row_of("lnnnn", {"e omega of that, mm/s", grade(bare, none.stalled > 0 && !none.one, 0),
+                         grade(held, fixed.stalled > 0, 0), grade(with, stall, 0), grade(with, stall, 1)}));
+  }
+  table.caption =
+      fmt::format("No balls: {}. Balls held where they start: median of {}. With balls: median.",
+                  r.without_balls->bare.one ? "one run" : fmt::format("median of {} runs", r.without_balls->bare.runs),
+                  r.without_balls->held.runs);
+  return table;
+}
+
+std::vector<std::string> without_balls_words(const BasinResult& r) {
+  const TransientGroup &with = r.transients->groups.front(), &none = r.without_balls->bare.figures;
+  std::vector<std::string> words;
+  const auto say = [&](std::string sentence) {
+    if (sentence.empty()) return;
+    if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    words.push_back(sentence + ".");
+  };
+  say(times_words(with, none, &TransientRow::peak_radial));
+  say(times_words(with, none, &TransientRow::rms_velocity));
+  const auto tell = [&](const OneBodyRuns& body, const char* how) {
+    if (body.stalled > 0)
+      say(fmt::format("{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
+                      body.one && body.figures.mean_speed
+                          ? ": it ends at " + rotor_speed_text(r.study, *body.figures.mean_speed)
+                          : ""));
+    if (body.open > 0)
+      say(fmt::format("{} no steady motion is reached by the horizon{}: figures at the end are the last seen", how,
+                      of_runs(body.open, body)));
+    if (body.lost > 0) say(fmt::format("{} the rotor's motion is lost{}", how, of_runs(body.lost, body)));
+  };
+  tell(r.without_balls->bare, "without balls");
+  tell(r.without_balls->held, "with balls held");
+  return words;
+}
+
+Json without_balls_json(const WithoutBalls& without, const Study& study) {
+  return {{"no_balls", one_body_json(without.bare, study)}, {"balls_held", one_body_json(without.held, study)}};
+}
+
+DocumentTable limits_table(const TransientGroup& group, const Study& study) {
+  DocumentTable table{{"starts", "share", "95 % interval"}, {}, "", false, {}};
+  const auto opens = [](const std::optional<Share>& s) { return s && (s->least < s->low || s->most > s->high); };
+  const bool open = std::any_of(group.within.begin(), group.within.end(), opens);
+  if (open) table.header.emplace_back("surely within");
+  for (std::size_t k = 0; k < within_titles.size(); ++k) {
+    if (!group.within[k]) continue;
+    const Share& s = *group.within[k];
+    table.rows.push_back({{within_titles[k], Tone::plain, false, true}, share_cell(s), number_cell(interval(s))});
+    if (open) table.rows.back().push_back(number_cell(bounds_text(s)));
+  }
+  if (table.rows.empty()) return table;
+  const auto add = [&](const char* name, double limit, const Unit& unit) {
+    table.caption +=
+        fmt::format("{}{} {:.4g} {}", table.caption.empty() ? "Limits: " : ", ", name, limit * unit.size, unit.name);
+  };
+  for (const TransientLimit& l : transient_limits)
+    if (const auto& limit = study.limits.*l.limit) add(l.name, *limit, unit_of(study, l));
+  if (study.limits.settled) add("settled", *study.limits.settled, unit_of(study, Dimension::length));
+  table.caption += ".";
+  if (study.limits.force) table.caption += " A force in the end is told by its root mean square.";
+  return table;
+}
+
+std::string clearance_words(const TransientGroup& group, const Study& study) {
+  if (!study.limits.clearance) return "";
+  std::size_t k = 0;
+  while (transient_limits[k].limit != &Limits::clearance) ++k;
+  if (!group.exceeded[k] || group.starts < fewest_for_figures) return "";
+  const Unit unit = unit_of(study, Dimension::length);
+  const auto share = [](const Share& s) {
+    return fmt::format("{} of starts ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
+  };
+  const SampleSummary& end = group.figure(&TransientRow::peak_radial_at_end);
+  const auto width = [&](double radius) { return fmt::format("{:.4g}", 2.0 * radius * unit.size); };
+  return fmt::format(
+      "The housing, {:.4g} {} away, is hit on the way by {}, in the end by {}. In the end the centre's path is at most "
+      "{} {} "
+      "wide in the median and {} {} in 90 % of starts, between walls {} {} apart.",
+      *study.limits.clearance * unit.size, unit.name, share(*group.exceeded[k]), share(*group.exceeded_at_end[k]),
+      width(end.quantiles[0].value), unit.name, width(end.quantiles[1].value), unit.name,
+      width(*study.limits.clearance), unit.name);
+}
 
 std::optional<double> left_grade(const TransientGroup& group, const Study& study) {
   if (!study.scales) return std::nullopt;
   const double mean = group.figure(&TransientRow::residual_unbalance).mean;
-  const std::optional<double> speed =
-      study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
+  const std::optional<double> speed = graded_speed(group, study);
   if (!speed) return std::nullopt;
   return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
@@ -181,6 +352,12 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
     one["exceeded"] = Json::object();
     for (std::size_t k = 0; k < transient_limits.size(); ++k)
       if (const auto& share = group.exceeded[k]) one["exceeded"][transient_limits[k].name] = sure_share_json(*share);
+    one["exceeded_at_end"] = one["within"] = Json::object();
+    for (std::size_t k = 0; k < transient_limits.size(); ++k)
+      if (const auto& share = group.exceeded_at_end[k])
+        one["exceeded_at_end"][transient_limits[k].name] = sure_share_json(*share);
+    for (std::size_t k = 0; k < within_names.size(); ++k)
+      if (const auto& share = group.within[k]) one["within"][within_names[k]] = sure_share_json(*share);
     const std::optional<double> grade = left_grade(group, study);
     if (grade) one["balance_grade"] = *grade;
     if (group.mean_speed) one["mean_speed"] = *group.mean_speed;

@@ -1,0 +1,123 @@
+// One run of one body for each start, or for all; counted as the ensemble's transients are.
+#include "equipoise/ensembles/without_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/rotor_family/study_family.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/spin_up/held_run.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
+
+namespace equipoise {
+
+namespace {
+
+struct OneBodyRun {
+  Fate fate;
+  TransientRow row;
+};
+
+class OneBodyRunner {
+ public:
+  explicit OneBodyRunner(const OneBodyTask& task) : task_(task), study_(task.study) {
+    if (!study_.uncertain.empty()) family_.emplace(study_);
+  }
+
+  OneBodyRuns run(bool balls, std::uint64_t count) const {
+    std::vector<OneBodyRun> runs(count);
+    in_parallel(task_.threads, count, [&](std::size_t i) {
+      if (!is_set(task_.stop)) runs[i] = one(balls, i);
+    });
+    TransientTally tally(study_, task_.sampler);
+    OneBodyRuns result;
+    for (const OneBodyRun& r : runs) {
+      tally.add(r.fate, r.row);
+      result.stalled += r.fate.outcome == Outcome::stalled;
+      result.open += r.fate.outcome == Outcome::undecided;
+    }
+    const TransientResult counted = tally.result(Catalogue());
+    result.figures = counted.groups.front();
+    result.lost = counted.lost;
+    result.runs = count;
+    return result;
+  }
+
+ private:
+  // Values that make no study are lost, as in the ensemble.
+  OneBodyRun one(bool balls, std::uint64_t i) const {
+    const std::uint64_t seed = study_.sampling.seed;
+    if (!task_.given.empty()) return follow(study_, task_.given[i], balls);
+    if (!family_) return follow(study_, start_of(study_, task_.sampler, seed, i), balls);
+    try {
+      const Study own = family_->at(family_->values_at(drawn_fractions(study_, task_.sampler, seed, i)));
+      OneBodyRun run = follow(own, start_of(own, task_.sampler, seed, i), balls);
+      if (own.scales) change_units(*own.scales, *study_.scales, run.fate, &run.row);
+      return run;
+    } catch (const InputError&) {
+      return lost();
+    }
+  }
+
+  static OneBodyRun lost() {
+    OneBodyRun run{{}, transient_row({}, {}, true)};
+    run.fate.outcome = Outcome::failed;
+    return run;
+  }
+
+  OneBodyRun follow(Study study, InitialState start, bool balls) const {
+    if (!balls) take_balls_off(study, start);
+    TransientSettings settings = transient_settings(study);
+    const HeldRun run = follow_held(study, start, settings, task_.stop);
+    if (run.lost) return lost();
+    const bool driven = study.speed.driven(), free = std::isfinite(run.released);
+    settings.work = WorkSource::none;
+    settings.release = free ? run.released : 0.0;
+    OneBodyRun result{{}, transient_row(settings, run.sums, false, run.end)};
+    if (!free) result.row.settling_time = std::numeric_limits<float>::infinity();
+    result.fate.outcome = !run.steady                                            ? Outcome::undecided
+                          : driven && std::fabs(run.speed) < study.stall_speed() ? Outcome::stalled
+                                                                                 : Outcome::attracted;
+    if (driven) result.fate.mean_speed = static_cast<float>(run.speed);
+    return result;
+  }
+
+  const OneBodyTask& task_;
+  const Study& study_;
+  std::optional<StudyFamily> family_;
+};
+
+}  // namespace
+
+namespace {
+// Whether starts begin with rotors, or motions of the rotor, of their own.
+bool rotors_differ(const OneBodyTask& task) {
+  const SamplingBox& box = task.study.sampling.box;
+  const auto otherwise = [&](const InitialState& s) {
+    const InitialState& first = task.given.front();
+    return s.psi != first.psi || s.x != first.x || s.y != first.y || s.x_dot != first.x_dot || s.y_dot != first.y_dot;
+  };
+  return !task.study.uncertain.empty() || box.x || box.y || box.x_dot || box.y_dot ||
+         std::any_of(task.given.begin(), task.given.end(), otherwise);
+}
+}  // namespace
+
+std::optional<WithoutBalls> without_balls(const OneBodyTask& task) {
+  const OneBodyRunner runner(task);
+  const std::uint64_t count = std::min(task.starts, most_held_starts);
+  const bool differ = rotors_differ(task);
+  WithoutBalls result;
+  result.bare = runner.run(false, differ ? count : 1);
+  result.held = runner.run(true, count);
+  result.bare.one = !differ;
+  if (is_set(task.stop)) return std::nullopt;
+  return result;
+}
+
+}  // namespace equipoise

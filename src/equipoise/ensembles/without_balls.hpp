@@ -1,0 +1,27 @@
+// Follows an ensemble's rotor without balls, and with balls held where they start.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "equipoise/base/stop_flag.hpp"
+#include "equipoise/results/without_balls.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/study/study.hpp"
+
+namespace equipoise {
+
+struct OneBodyTask {
+  const Study& study;  ///< with its horizon
+  const Sampler& sampler;
+  std::uint64_t starts = 0;               ///< of the ensemble, 1 or more
+  std::span<const InitialState> given{};  ///< the caller's own starts; empty: drawn
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+};
+
+/// Depends neither on threads nor on an earlier run. Empty if stopped.
+std::optional<WithoutBalls> without_balls(const OneBodyTask& task);
+
+}  // namespace equipoise

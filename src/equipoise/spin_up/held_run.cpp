@@ -1,0 +1,260 @@
+// Integrates one body in double precision, piece by piece of the drive, watched by the sums of transients.
+#include "equipoise/spin_up/held_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/integrate/first_time.hpp"
+#include "equipoise/mechanics/forced_vibration.hpp"
+#include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/held_state.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/model/unbalance.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/transients/transient_watch.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using OneBody = HWY_NAMESPACE::HeldFlow<double>;
+
+class HeldFollower {
+ public:
+  HeldFollower(const Study& study, const InitialState& start, const TransientSettings& settings, const StopFlag* stop)
+      : study_(study),
+        p_(study.parameters),
+        drive_(study.drive()),
+        stop_(stop),
+        window_(settings.window),
+        watched_(by_hand(settings)),
+        watch_(watched_) {
+    for (const model::DrivePiece& piece : drive_.pieces) systems_.emplace_back(p_, piece);
+    const model::System& first = systems_.front();
+    initial_state(start, p_.balls, drive_.speed, full_.data());
+    std::fill_n(&full_[model::index::q(0, p_.balls)], p_.balls, 0.0);
+    std::array<double, max_dimension> state = full_;
+    if (first.layout().psi >= 0) state[first.layout().psi] = start.psi;
+    if (first.layout().speed >= 0) state[first.layout().speed] = drive_.speed;
+    if (first.layout().error >= 0) state[first.layout().error] = 0.0;
+    model::hold_balls(first, state.data(), y_.data());
+    unbalance_ = std::abs(model::unbalance(p_, &full_[model::index::phi(0)]));
+    size_ = std::max({p_.all_unbalances(), std::fabs(model::static_sag(p_)), std::hypot(start.x, start.y)});
+    if (size_ == 0.0) size_ = 1.0;
+  }
+
+  HeldRun run() {
+    free_ = drive_.release_time <= 0.0;
+    if (free_) run_.released = 0.0;
+    for (piece_ = 0; piece_ + 1 < systems_.size() && going(); ++piece_) {
+      begin();
+      advance(drive_.pieces[piece_].end);
+      cross();
+    }
+    if (going()) end();
+    run_.sums = watch_.sums();
+    return run_;
+  }
+
+ private:
+  // Windows are opened by hand; the drive's work is not told, since it grows for as long as a motor is followed.
+  static TransientSettings by_hand(TransientSettings settings) {
+    settings.window = std::numeric_limits<double>::infinity();
+    settings.work = WorkSource::none;
+    return settings;
+  }
+
+  bool going() const { return !run_.lost && !is_set(stop_); }
+  const model::DrivePiece& piece() const { return drive_.pieces[piece_]; }
+  const model::System& system() const { return systems_[piece_]; }
+  model::StateLayout layout() const { return model::held_layout(system()); }
+  model::Segment segment() const {
+    const model::DrivePiece& d = piece();
+    return {d.begin, d.end, d.psi, d.speed, d.acceleration, true};
+  }
+  double speed(double t, const double* y) const {
+    return piece().prescribed ? segment().speed_at(t) : y[layout().speed];
+  }
+  double psi(double t, const double* y) const {
+    if (piece().prescribed) return segment().psi_at(t);
+    return layout().psi >= 0 ? y[layout().psi] : 0.0;
+  }
+
+  TransientSample sample(double t, const double* y) const {
+    std::array<double, max_dimension> z = full_;
+    std::copy_n(y, 4, z.begin());
+    const double angle = psi(t, y);
+    TransientSample here = transient_sample(p_, angle, t, z.data());
+    here.unbalance = unbalance_;
+    return here;
+  }
+
+  void begin() { watch_.begin(sample(t_, y_.data()), free_); }
+  // Sums go on; the window begins here.
+  void open_window() {
+    watch_ = TransientWatch(watched_, watch_.sums());
+    turned_ = 0.0;
+    begin();
+  }
+
+  // To `to` within the piece; balls that would be let go on the way are told from then on.
+  void advance(double to) {
+    if (!free_ && drive_.release_time > t_ && drive_.release_time < to) integrate(drive_.release_time);
+    while (going() && t_ < to) {
+      if (!free_ && t_ >= drive_.release_time) let_go();
+      integrate(to);
+    }
+    if (!free_ && t_ >= drive_.release_time) let_go();
+  }
+
+  void let_go() {
+    free_ = true;
+    run_.released = t_;
+    begin();
+  }
+
+  bool reaches_release(double v) const {
+    const double at = *drive_.release_speed;
+    return at > drive_.speed ? v >= at : v <= at;
+  }
+
+  // To `to`, or to where a motor reaches the release speed.
+  void integrate(double to) {
+    const OneBody flow(system());
+    HWY_NAMESPACE::ErrorScale<OneBody::dimension> scale;
+    scale.tolerance = held_tolerance;
+    scale.floor.fill(1.0);
+    for (int i = 0; i < 4; ++i) scale.floor[i] = size_;
+    scale.angle.fill(true);
+    scale.absolute.fill(true);
+    HWY_NAMESPACE::AdaptiveIntegrator<OneBody, OneBody::dimension> integrator(flow, scale, flow.size());
+    bool released = false;
+    double v = speed(t_, y_.data());
+    const auto watch = [&](double from, double t_new, auto&& state_at) {
+      double until = t_new, y[OneBody::dimension];
+      const auto speed_then = [&](double t) {
+        state_at(t, y);
+        return speed(t, y);
+      };
+      if (!free_ && drive_.release_speed && !piece().prescribed && reaches_release(speed_then(t_new))) {
+        until = first_time(from, t_new, [&](double t) { return reaches_release(speed_then(t)); }).value_or(t_new);
+        released = true;
+      }
+      watch_.step_to(until, [&](double t) {
+        state_at(t, y);
+        return sample(t, y);
+      });
+      const double middle = speed_then(0.5 * (from + until)), last = speed_then(until);
+      turned_ += (until - from) * (v + 4.0 * middle + last) / 6.0;
+      v = last;
+      return until;
+    };
+    const IntegrationStatus status = integrator.advance(t_, to, y_.data(), watch, stop_);
+    t_ = integrator.reached();
+    run_.lost = status != IntegrationStatus::done;
+    if (released && going()) let_go();
+  }
+
+  // Into the next piece: psi' may jump, and with it u and v.
+  void cross() {
+    if (!piece().prescribed) return;
+    model::apply_speed_jump(drive_.pieces[piece_ + 1].speed - segment().speed_at(piece().end), y_.data());
+  }
+
+  void end() {
+    begin();
+    const bool damped = p_.damping[0] > 0.0 && p_.damping[1] > 0.0;
+    const double horizon = piece().begin + *study_.numerics.horizon;
+    if (!piece().prescribed || !damped) return come_to_rest(horizon);
+    const model::ForcedVibration f = model::forced_vibration(p_, unbalance_, piece().speed);
+    run_.end = MotionFigures{f.radial, f.peak_force, f.rms_force, f.rms_velocity, unbalance_};
+    run_.speed = piece().speed;
+    run_.steady = true;
+    // A deviation dies out like e^(-zeta t / 2 (1 + N)), whatever the horizon was chosen for.
+    const double slowest = 0.5 * std::min(p_.damping[0], p_.damping[1]) / (1.0 + p_.total_mass());
+    const double last = std::max(horizon, piece().begin + 20.0 / slowest);
+    for (int windows = 1; going() && t_ < last; ++windows) {
+      open_window();
+      advance(t_ + window_);
+      const TransientSums sums = watch_.sums();
+      if (seen_enough(watched_, {run_.end, 0.0}, {}, sums.window, windows, sums.free_peak)) return;
+    }
+  }
+
+  // Until speed and displacement stay the same over windows, each twice as long as the one before.
+  void come_to_rest(double horizon) {
+    constexpr double alike = 1e-4, turns = 16.0;
+    double length = 4.0 * window_, speed_before = 0.0, peak_before = -1.0;
+    if (drive_.release_time < horizon) advance(std::max(t_, drive_.release_time));
+    while (going() && t_ < horizon) {
+      open_window();
+      const double from = t_;
+      advance(std::min(t_ + length, horizon));
+      if (!(t_ > from)) break;
+      run_.speed = turned_ / (t_ - from);
+      const double peak = std::sqrt(watch_.sums().window.peak);
+      const bool whole = t_ - from >= 0.999 * length;
+      run_.steady = whole && peak_before >= 0.0 &&
+                    std::fabs(run_.speed - speed_before) <= alike * std::max(std::fabs(run_.speed), 0.01) &&
+                    std::fabs(peak - peak_before) <= 10.0 * alike * (peak + 1e-6 * size_);
+      if (run_.steady) break;
+      speed_before = run_.speed;
+      peak_before = peak;
+      length *= 2.0;
+    }
+    if (!going() || !run_.steady) return;
+    // Whole turns, over which what gravity and unequal supports do to the motion comes back.
+    const double from = t_, turning = std::fabs(run_.speed);
+    open_window();
+    advance(t_ + (turning > 0.05 ? turns * two_pi / turning : 4.0 * window_));
+    if (going()) run_.speed = turned_ / (t_ - from);
+  }
+
+  // A tight one, since figures are compared to a part in ten thousand.
+  static constexpr double held_tolerance = 1e-10;
+
+  const Study& study_;
+  const model::Parameters& p_;
+  const model::Drive drive_;
+  const StopFlag* stop_;
+  const double window_;
+  const TransientSettings watched_;
+  std::vector<model::System> systems_;        // one a piece
+  std::array<double, max_dimension> full_{};  // the balls' angles, in a state of the system
+  std::array<double, OneBody::dimension> y_{};
+  double unbalance_ = 0.0, size_ = 1.0;
+  TransientWatch watch_;
+  std::size_t piece_ = 0;
+  double t_ = 0.0, turned_ = 0.0;
+  bool free_ = false;
+  HeldRun run_;
+};
+
+}  // namespace
+
+HeldRun follow_held(const Study& study, const InitialState& start, const TransientSettings& settings,
+                    const StopFlag* stop) {
+  return HeldFollower(study, start, settings, stop).run();
+}
+
+void take_balls_off(Study& study, InitialState& start) {
+  const model::Parameters with = study.parameters;
+  study.parameters.mass = {};
+  const double psi = start.psi, speed = study.drive().speed;
+  const std::array<double, 2> before = model::rest_position(with, psi),
+                              after = model::rest_position(study.parameters, psi);
+  const double x = after[0] - before[0], y = after[1] - before[1];
+  start.x += x;
+  start.y += y;
+  // The velocity in fixed axes stays.
+  start.x_dot += speed * y;
+  start.y_dot -= speed * x;
+}
+
+}  // namespace equipoise
