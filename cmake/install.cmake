@@ -23,8 +23,8 @@ foreach(header
     sampling/jittered_grid.hpp sampling/sampling.hpp
     units/units.hpp
     toml/overrides.hpp toml/study_value.hpp
-    study/ball_details.hpp study/keys.hpp study/physical_echo.hpp study/study.hpp study/table_reader.hpp
-      study/uncertain.hpp
+    study/ball_details.hpp study/keys.hpp study/study.hpp study/table_reader.hpp study/uncertain.hpp
+    echo/physical_echo.hpp
     kernels/cpu_target.hpp
     periodic_orbits/orbit.hpp
     attractors/catalogue.hpp attractors/motion.hpp

@@ -27,7 +27,9 @@ ROOMS = {
     "sampling": "model",
     "units": "model",
     "toml": "",
-    "study": "drives model mechanics statistics sampling units toml",
+    "datasheet": "",
+    "study": "drives model mechanics statistics sampling units toml datasheet",
+    "echo": "model units toml study",
     "batch": "drives model types integrate",
     "transients": "drives model types mechanics integrate batch",
     "classification": "drives model types batch",
@@ -62,10 +64,10 @@ ROOMS = {
         "balanced_regions columns results result_files spin_up rotor_family attractor_search start_runs "
         "ensembles",
     "continuation":
-        "running model types mechanics toml study kernels periodic_orbits attractors results start_runs "
+        "running model types mechanics toml study echo kernels periodic_orbits attractors results start_runs "
         "analyses",
     "basin_slices":
-        "running math types mechanics statistics study kernels periodic_orbits attractors columns results io "
+        "running math types mechanics statistics study echo kernels periodic_orbits attractors columns results io "
         "result_files spin_up rotor_family start_runs ensembles continuation",
     "sweeps":
         "running types study kernels attractors balanced_regions results result_files cell_files "
@@ -79,11 +81,11 @@ ROOMS = {
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
     "reports": "model mechanics proof results drawing text",
-    "plots": "units study results drawing text reports",
+    "plots": "units study echo results drawing text reports",
     "explain":
-        "math model mechanics study periodic_orbits attractors results spin_up rotor_family attractor_search "
+        "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "
         "start_runs text",
-    "html": "types mechanics sampling toml study results drawing text reports plots explain",
+    "html": "types mechanics sampling toml study echo results drawing text reports plots explain",
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "

@@ -1,7 +1,8 @@
 # Tests of the study reader, of the shipped studies and of the house's layers.
 equipoise_test(study_test unit unit/study_test.cpp unit/study_errors_test.cpp unit/study_tree_test.cpp unit/study_keys_test.cpp
   unit/sampling_box_test.cpp)
-equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp unit/motor_curve_test.cpp LIBRARIES rapidcheck UDUNITS2::UDUNITS2)
+equipoise_test(physical_study_test unit unit/units_test.cpp unit/physical_study_test.cpp
+  unit/motor_curve_test.cpp unit/data_sheet_study_test.cpp unit/datasheet_test.cpp LIBRARIES rapidcheck UDUNITS2::UDUNITS2)
 equipoise_test(unit_table_test unit unit/unit_table_test.cpp ${PROJECT_SOURCE_DIR}/src/equipoise/units/unit_table.cpp)
 equipoise_test(read_number_test unit unit/read_number_test.cpp)
 equipoise_test(uncertain_test unit unit/uncertain_test.cpp)

@@ -10,7 +10,7 @@
 
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/study/given_value.hpp"
+#include "equipoise/echo/given_value.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 

@@ -8,7 +8,7 @@
 #include "equipoise/reports/explain_report.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/overrides.hpp"
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 #include "py_study.hpp"
 
 namespace equipoise::python {

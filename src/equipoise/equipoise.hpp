@@ -63,7 +63,7 @@
 #include "equipoise/shown/machine_page.hpp"
 #include "equipoise/shown/motion_path.hpp"
 #include "equipoise/study/ball_details.hpp"
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/merge.hpp"

@@ -40,18 +40,20 @@ TEST(UnitTable, HasTheValuesOfUdunits) {
         "radians",   "degree",     "degrees", "°",          "turn",         "revolution", "rpm",   "rps",
         "Hz",        "kHz",        "hertz",   "N",          "kN",           "mN",         "MN",    "newton",
         "newtons",   "kilonewton", "Pa",      "kPa",        "mPa",          "J",          "mJ",    "W",
-        "kW",        "St",         "cSt",     "bar",        "gravity"})
+        "kW",        "St",         "cSt",     "bar",        "gravity",      "kgf",        "lbf",   "psi",
+        "poise",     "centipoise"})
     expect_same(text);
 }
 
 TEST(UnitTable, HasTheProductsOfUdunits) {
   for (const char* text :
-       {"kN/m",    "MN/m",      "N/mm",        "kN/mm",  "N s/m",  "N.s/m",  "N s/mm", "kg/s",   "N m",     "N mm",
-        "kN m",    "mN m",      "kg m2",       "kg mm2", "g mm2",  "g cm2",  "kg.m2",  "kg m^2", "g mm",    "g.mm",
-        "kg mm",   "g cm",      "m/s",         "mm/s",   "m/s2",   "mm/s2",  "m/s^2",  "m s-2",  "m.s^-2",  "rad/s",
-        "rad/min", "degree/s",  "kg/m3",       "g/cm3",  "g/mm3",  "Pa s",   "mPa s",  "mPa.s",  "m2/s",    "mm2/s",
-        "N m s",   "N m s/rad", "N m/(rad/s)", "N mm s", "lb in2", "lb in",  "lb/ft3", "10 N",   "1000 kg", "60 s",
-        "1/s",     "1/min",     "s-1",         "kg*m2",  "N/m/s",  "(N s)/m"})
+       {"kN/m",   "MN/m",           "N/mm",  "kN/mm",   "N s/m",    "N.s/m",      "N s/mm",      "kg/s",   "N m",
+        "N mm",   "kN m",           "mN m",  "kg m2",   "kg mm2",   "g mm2",      "g cm2",       "kg.m2",  "kg m^2",
+        "g mm",   "g.mm",           "kg mm", "g cm",    "m/s",      "mm/s",       "m/s2",        "mm/s2",  "m/s^2",
+        "m s-2",  "m.s^-2",         "rad/s", "rad/min", "degree/s", "kg/m3",      "g/cm3",       "g/mm3",  "Pa s",
+        "mPa s",  "mPa.s",          "m2/s",  "mm2/s",   "N m s",    "N m s/rad",  "N m/(rad/s)", "N mm s", "lb in2",
+        "lb in",  "lb/ft3",         "10 N",  "1000 kg", "60 s",     "(lb/16) in", "(lbf/16) in", "lbf/in", "lbf s/in",
+        "kgf m2", "revolution/min", "min-1", "1/s",     "1/min",    "s-1",        "kg*m2",       "N/m/s",  "(N s)/m"})
     expect_same(text);
 }
 

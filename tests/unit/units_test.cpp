@@ -10,7 +10,6 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/balance_grade.hpp"
-#include "equipoise/mechanics/ball_drag.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/units/units.hpp"
 
@@ -56,6 +55,30 @@ TEST(Units, AreWorthTheirSiValue) {
            {"314 rad/s", Dimension::speed, 314.0},
            {"90 degree/s", Dimension::speed, pi / 2.0},
            {"50 revolution/s", Dimension::speed, 100.0 * pi},
+           {"3000 1/min", Dimension::speed, 100.0 * pi},
+           {"3000 min-1", Dimension::speed, 100.0 * pi},
+           {"3000 min^-1", Dimension::speed, 100.0 * pi},
+           {"3000 min\u207B\u00B9", Dimension::speed, 100.0 * pi},
+           {"3000 rev/min", Dimension::speed, 100.0 * pi},
+           {"3000 r/min", Dimension::speed, 100.0 * pi},
+           {"3/4 in", Dimension::length, 0.75 * 0.0254},
+           {"1 1/2 in", Dimension::length, 1.5 * 0.0254},
+           {"-1 1/2 in", Dimension::length, -1.5 * 0.0254},
+           {"2 lbf", Dimension::force, 2.0 * 0.45359237 * 9.80665},
+           {"2 kgf", Dimension::force, 2.0 * 9.80665},
+           {"2 kp", Dimension::force, 2.0 * 9.80665},
+           {"10 lbf/in", Dimension::stiffness, 10.0 * 0.45359237 * 9.80665 / 0.0254},
+           {"2 oz in", Dimension::unbalance, 2.0 * 0.45359237 / 16.0 * 0.0254},
+           {"2 ozf in", Dimension::torque, 2.0 * 0.45359237 / 16.0 * 9.80665 * 0.0254},
+           {"2 g in", Dimension::unbalance, 2e-3 * 0.0254},
+           {"3 lbs", Dimension::mass, 3.0 * 0.45359237},
+           {"1 oz", Dimension::mass, 0.45359237 / 16.0},
+           {"100 cP", Dimension::viscosity, 0.1},
+           {"0.3 kgf m2", Dimension::weight_inertia, 0.3 * 9.80665},
+           {"40 degC", Dimension::temperature, 313.15},
+           {"40 \u00B0C", Dimension::temperature, 313.15},
+           {"104 degF", Dimension::temperature, 313.15},
+           {"313.15 K", Dimension::temperature, 313.15},
        }) {
     const Measured read = measure(text, {dimension});
     EXPECT_EQ(read.problem, "") << text;
@@ -112,10 +135,23 @@ TEST(Units, BeyondAsciiAreReadInStudies) {
   EXPECT_DOUBLE_EQ(study("\"1 mm\"", {"balancer.race_offset=['3 \u03BCm', '0 um']"}).race_offset[0], 3e-6 / 30e-3);
 }
 
+TEST(Units, PartsOfAHundred) {
+  EXPECT_DOUBLE_EQ(*percentage("5 %"), 0.05);
+  EXPECT_DOUBLE_EQ(*percentage("12.5%"), 0.125);
+  for (const char* text : {"5", "%", "5 % %", "5 percent", "", "x %"}) EXPECT_FALSE(percentage(text)) << text;
+}
+
+TEST(Units, FractionsNeedAllTheirParts) {
+  for (const char* text : {"3/ in", "/4 in", "1/0 in", "1.5/2 in", "1 1/2", "1 1/2in", "3/4/5 in"})
+    EXPECT_NE(measure(text, {Dimension::length}).problem, "") << text;
+}
+
 TEST(Units, HertzOfARotorAreTurnsASecond) {
   EXPECT_DOUBLE_EQ(measure("50 Hz", {Dimension::speed}).value, 100.0 * pi);
   EXPECT_DOUBLE_EQ(measure("0.05 kHz", {Dimension::speed}).value, 100.0 * pi);
   EXPECT_NE(measure("50 1/s", {Dimension::speed}).problem, "");  // turns or radians?
+  EXPECT_NE(measure("2 1/min", {Dimension::gain}).problem, "");
+  EXPECT_NE(measure("50 s-1", {Dimension::speed}).problem, "");
   EXPECT_NE(measure("1 N m/Hz", {Dimension::gain}).problem, "");
 }
 
@@ -135,13 +171,17 @@ TEST(Units, SayWhatIsWrong) {
   EXPECT_EQ(problem(""), "does not begin with a number; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 mm"), "\"mm\" does not measure that; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 stones"), "UDUNITS knows no unit \"stones\"; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 KG"), "UDUNITS knows no unit \"KG\" (did you mean \"kg\"?); must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 degC"), "\"degC\" does not measure that; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(measure("3 rpn", {Dimension::speed}).problem,
+            "UDUNITS knows no unit \"rpn\" (did you mean \"rpm\"?); must be a speed of rotation, such as \"3000 rpm\"");
   EXPECT_EQ(problem("12 kg\n"), "is no number with a unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(
-      measure("3 s", {Dimension::speed}).problem,
-      "\"s\" does not measure that; must be a speed of rotation, such as \"3000 rpm\"; in rpm, rad/s or Hz (turns "
-      "a second)");
+  EXPECT_EQ(measure("3 s", {Dimension::speed}).problem,
+            "\"s\" does not measure that; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
+            "Hz (turns "
+            "a second)");
 }
 
 // UDUNITS would convert each: a reciprocal, an offset, a logarithm, a pure number.
@@ -204,18 +244,6 @@ TEST(BalanceGrade, IsEccentricityTimesSpeed) {
   EXPECT_EQ(model::standard_grade_met(16.0), 16.0);
   EXPECT_EQ(model::standard_grade_met(0.0), 0.4);
   EXPECT_FALSE(model::standard_grade_met(4001.0).has_value());
-}
-
-TEST(BallDrag, WallsMultiplyItAsInTheTableOfTheExactSolution) {
-  EXPECT_DOUBLE_EQ(model::stokes_drag(0.1, 8e-3), 3.0 * pi * 0.1 * 8e-3);
-  EXPECT_DOUBLE_EQ(model::wall_correction(0.0), 1.0);
-  // Happel and Brenner (1983), table 7-3.1, exact values after Haberman; the formula's own error grows to 6 % at 0.6.
-  EXPECT_NEAR(model::wall_correction(0.1), 1.263, 0.001);
-  EXPECT_NEAR(model::wall_correction(0.2), 1.680, 0.002);
-  EXPECT_NEAR(model::wall_correction(0.3), 2.371, 0.005);
-  EXPECT_NEAR(model::wall_correction(0.4), 3.596, 0.02);
-  EXPECT_NEAR(model::wall_correction(0.5), 5.970, 0.12);
-  EXPECT_NEAR(model::wall_correction(0.6), 11.135, 0.6);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/study/given_value.hpp"
+#include "equipoise/echo/given_value.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/stepped_values.hpp"
 #include "equipoise/start_runs/checks.hpp"
-#include "equipoise/study/given_value.hpp"
+#include "equipoise/echo/given_value.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {

@@ -7,7 +7,7 @@
 #include "equipoise/explain/balanced_motion.hpp"
 #include "equipoise/explain/parts.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/mechanics/ball_drag.hpp"
+#include "equipoise/datasheet/ball_drag.hpp"
 #include "equipoise/mechanics/cancelling.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/run_up.hpp"

@@ -12,7 +12,7 @@
 #include "equipoise/html/given_keys.hpp"
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/study/keys.hpp"
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {

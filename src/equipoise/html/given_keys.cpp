@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/study/table_reader.hpp"
 
 namespace equipoise {

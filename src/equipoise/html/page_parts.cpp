@@ -16,7 +16,7 @@
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"
 #include "equipoise/sampling/sampling.hpp"
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"

@@ -15,7 +15,7 @@
 #include "equipoise/drawing/svg.hpp"
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/plots/zero_line.hpp"
-#include "equipoise/study/given_value.hpp"
+#include "equipoise/echo/given_value.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {

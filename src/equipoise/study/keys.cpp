@@ -44,7 +44,8 @@ Member nowhere(Study&) { return {}; }
 
 constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
 constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
-constexpr Range ratio{0.0, 1e30}, si_size{1e-30, 1e30};  // products of three such sizes stay finite
+constexpr Range ratio{0.0, 1e30}, quality{0.0, 1e30, true},
+    si_size{1e-30, 1e30};  // products of three such sizes stay finite
 constexpr unsigned nameplate = physical | characteristic;
 constexpr Range any = any_number;
 constexpr std::nullopt_t bare = std::nullopt;  // no quantity
@@ -73,30 +74,59 @@ std::vector<Key> all_keys() {
       {"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, plain,
        "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
        has_inertia},
-      {"rotor.mass", nowhere, positive, D::mass, required | physical, "M: all that vibrates, without the balls"},
-      {"rotor.stiffness", nowhere, positive, D::stiffness, required | physical, "of the supports; k is the mean"},
+      {"rotor.mass", nowhere, positive, D::mass, required | physical,
+       "M: all that vibrates, every `[[place]]` included, without the balls"},
+      {"rotor.stiffness", nowhere, positive, D::stiffness, physical, "of the supports; k is the mean"},
+      {"rotor.natural_frequency", nowhere, positive, D::speed, physical,
+       "or this: of the rotor without balls on its supports; k = M omega^2"},
+      {"rotor.static_sag", nowhere, positive, D::length, physical,
+       "or this: of the rotor without balls under its weight; k = M g/sag, g of `gravity` or 9.80665 m/s2"},
       {"rotor.damping", nowhere, not_negative, D::damping, physical, "of the supports"},
       {"rotor.damping_ratio", nowhere, ratio, bare, physical,
-       "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta"},
+       "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta; `\"5 %\"` is 0.05"},
+      {"rotor.logarithmic_decrement", nowhere, ratio, bare, physical,
+       "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"},
+      {"rotor.quality_factor", nowhere, quality, bare, physical, "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
       {"rotor.eccentricity", nowhere, not_negative, D::length, physical, "of the rotor's centre of mass"},
       {"rotor.unbalance", nowhere, not_negative, D::unbalance, physical, "or this: M times the eccentricity"},
+      {"rotor.balance_grade", nowhere, any, bare, physical,
+       "or this, a table: `{ grade = \"G 6.3\", at = \"3000 rpm\" }`; the eccentricity is grade/speed [ISO 21940-11]"},
       {"rotor.gravity", nowhere, not_negative, D::acceleration, physical, "across the shaft"},
-      {"rotor.inertia", nowhere, positive, D::inertia, physical, "as in a dimensionless study"},
+      {"rotor.inertia", nowhere, positive, D::inertia, physical, "J, as in a dimensionless study"},
+      {"rotor.radius_of_gyration", nowhere, positive, D::length, physical, "or this, r: J = M r^2"},
+      {"rotor.gd2", nowhere, positive, D::inertia, physical,
+       "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`"},
+      {"rotor.balance_grade.grade", nowhere, any, bare, required | physical,
+       "`\"G 6.3\"`, or the velocity that it means, `\"6.3 mm/s\"`"},
+      {"rotor.balance_grade.at", nowhere, positive, D::speed, required | physical, "the speed that it holds at"},
+      {"place.mass", nowhere, positive, D::mass, required | physical, "at this place; part of `rotor.mass`"},
+      {"place.radius", nowhere, positive, D::length, required | physical, "from the shaft"},
+      {"place.angle", nowhere, any, D::angle, required | physical, "from the rotor's own unbalance"},
+      {"place.name", nowhere, any, bare, physical, "a text, for the reader"},
       {"balancer.balls", at<par, &P::balls>, {1.0, model::max_balls}, bare, required, "n, how many"},
       {"balancer.race_radius", nowhere, positive, D::length, required | physical, "R: of the circle of ball centres"},
       {"balancer.ball_diameter", nowhere, positive, D::length, physical, "balls whose size is given roll, and touch"},
       {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
       {"balancer.mass", nowhere, positive, D::mass, physical, "of a ball"},
       {"balancer.ball_density", nowhere, positive, D::density, physical, "or this, with `ball_diameter`"},
+      {"balancer.ball_material", nowhere, any, bare, physical,
+       "or this, with `ball_diameter`: `steel`, `stainless steel`, `tungsten carbide`, `ceramic`, `glass`"},
       {"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | plain, "beta = D/(m R^2 omega_c)"},
       {"balancer.drag", nowhere, not_negative, D::gain, physical,
        "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)"},
       {"balancer.oil_viscosity", nowhere, positive, D::viscosity, physical,
        "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`"},
+      {"balancer.oil", nowhere, any, bare, physical,
+       "or this, a table: `{ grade = \"ISO VG 32\", at = \"40 degC\" }`; needs `ball_diameter`"},
       {"balancer.oil_density", nowhere, positive, D::density, physical,
-       "for kinematic viscosities and the Reynolds number of `explain`"},
+       "for kinematic viscosities and the Reynolds number of `explain`; of an `oil` 870, of silicone 970 kg/m3"},
       {"balancer.channel_diameter", nowhere, positive, D::length, physical,
-       "of the race's cross-section, for the drag of its walls; balls of at most 0.6 of it"},
+       "of the race's cross-section, for the drag of its walls; balls of at most 0.8 of it"},
+      {"balancer.oil.grade", nowhere, any, bare, required | physical,
+       "`\"ISO VG 32\"`, a class of ISO 3448; or `\"silicone 1000 cSt\"`, at 25 degC"},
+      {"balancer.oil.at", nowhere, positive, D::temperature, required | physical, "in the running machine"},
+      {"balancer.oil.viscosity_100", nowhere, positive, D::kinematic_viscosity, physical,
+       "of a mineral oil at 100 degC, `\"5.4 cSt\"`; left out, that of viscosity index 95"},
       {"balancer.contact", nowhere, any, bare, physical,
        "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
       {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
@@ -256,9 +286,7 @@ std::vector<KeyTable> make_tables() {
 
 }  // namespace
 
-bool KeyTable::drawn() const {
-  return name == "rotor" || name == "balancer" || name == "release" || name.starts_with("speed");
-}
+bool KeyTable::drawn() const { return is_machine(name) || name == "release" || name.starts_with("speed"); }
 
 const Key* KeyTable::find(std::string_view key, bool physical) const {
   const auto found =
@@ -286,9 +314,20 @@ const std::vector<KeyTable>& key_tables() {
 }
 
 const KeyTable* find_keys(std::string_view name) {
+  if (const std::size_t last = name.find_last_not_of("0123456789"); last < name.size() - 1 && name[last] == '.')
+    name = name.substr(0, last);
   for (const KeyTable& table : key_tables())
     if (table.name == name) return &table;
   return nullptr;
+}
+
+std::vector<std::string> paths_of(const StudyValue& root, const std::string& name) {
+  const StudyValue* value = root.find_path(name);
+  const StudyValue::Array* array = value ? value->array() : nullptr;
+  if (!array) return {name};
+  std::vector<std::string> paths;
+  for (std::size_t i = 1; i <= array->size(); ++i) paths.push_back(name + "." + std::to_string(i));
+  return paths;
 }
 
 const Key* find_quantity(std::string_view table, std::string_view name) {

@@ -78,7 +78,8 @@ inline constexpr unsigned all_variants = ~0xffu;
 
 /// In the order of the echo.
 const std::vector<KeyTable>& key_tables();
-const KeyTable* find_keys(std::string_view table);  ///< null if no table of a study has this dotted name
+/// Null if no table of a study has this dotted name. Of an array of tables each entry is one: "place.2".
+const KeyTable* find_keys(std::string_view table);
 inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
 
 /// The key in this table that is a quantity in physical studies but a plain number here, or null.
@@ -86,7 +87,9 @@ const Key* find_quantity(std::string_view table, std::string_view key);
 /// The range of a quantity before conversion: only its sign.
 Range quantity_range(const Key& key);
 /// Whether physical.cpp, not replace_quantities(), reads the table's quantities.
-inline bool is_machine(std::string_view table) { return table == "rotor" || table == "balancer"; }
+inline bool is_machine(std::string_view table) {
+  return table.starts_with("rotor") || table.starts_with("balancer") || table == "place";
+}
 
 unsigned variant_of(Profile profile);
 unsigned variants_of(const TorqueSetting& torque);
@@ -95,6 +98,9 @@ unsigned variants_of(const TorqueSetting& torque);
 void read_key(TableReader& reader, const Key& key, Study& study);
 /// The member as written in a study; empty if it is not set.
 std::optional<StudyValue> value_of(const Key& key, const Study& study);
+
+/// Where a study has tables of this dotted name: there, or at each entry of an array of tables, "place.1", "place.2".
+std::vector<std::string> paths_of(const StudyValue& root, const std::string& name);
 
 /// The table with this dotted name, or null.
 inline StudyValue* find_table(StudyValue& root, const std::string& name) {

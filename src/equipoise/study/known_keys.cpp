@@ -2,12 +2,12 @@
 #include "equipoise/study/known_keys.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/nearest_name.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/printable.hpp"
 
@@ -39,8 +39,11 @@ Names names_in(const Document& document, const KeyTable& table, bool physical) {
 constexpr std::string_view other_names =
     "ball_count balls, number_of_balls balls, n_balls balls, count balls, ball_mass mass, ball_drag drag, "
     "damping_coefficient drag, viscosity oil_viscosity, radius race_radius, diameter ball_diameter, "
-    "density ball_density, ball_size ball_diameter, friction rolling, natural_frequency stiffness, "
-    "critical_speed stiffness, spring stiffness, k stiffness, m mass, c damping, zeta damping_ratio, "
+    "density ball_density, ball_size ball_diameter, friction rolling, critical_speed natural_frequency, "
+    "natural_frequency stiffness, critical_speed stiffness, sag static_sag, decrement logarithmic_decrement, "
+    "log_decrement logarithmic_decrement, q_factor quality_factor, grade balance_grade, gyration_radius "
+    "radius_of_gyration, gd gd2, material ball_material, places place, spring stiffness, k stiffness, m mass, c "
+    "damping, zeta damping_ratio, "
     "zeta damping, damping_factor damping_ratio, damping_ratio damping, imbalance unbalance, "
     "imbalance eccentricity, unbalance eccentricity, offset eccentricity, moment_of_inertia inertia, "
     "speed final, final_speed final, final speed, start initial, time duration, free_speed no_load_speed, "
@@ -54,20 +57,6 @@ bool holds(const Names& names, std::string_view name) {
 bool extends(std::string_view longer, std::string_view shorter) {
   return shorter.size() >= 4 && longer.size() > shorter.size() &&
          (longer.starts_with(shorter) || longer.ends_with(shorter));
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
 }
 
 // The known name that was probably meant, or an empty one.
@@ -108,23 +97,28 @@ void check_tables(const Document& document) {
                        unknown_key("", name, tables));
 }
 
-void check_keys(const Document& document, bool physical) {
-  for (const KeyTable& list : key_tables()) {
-    const StudyValue* table = document.root.find_path(list.name);
-    if (!table || !table->table() || list.keys.empty()) continue;
-    for (const auto& [name, value] : *table->table()) {
-      if (list.find(name, physical)) continue;
-      const std::string dotted = list.name + "." + name;
-      std::string problem = unknown_key(list.name, name, names_in(document, list, physical));
-      const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
-        return holds(names_in(document, other, physical), key);
-      });
-      if (home != key_tables().end() && problem.find("did you mean") == std::string::npos)
-        problem += fmt::format("; [{}] has a key of this name", home->name);
-      throw InputError(document.where(dotted, &value), list.name + "." + printable(name),
-                       document.value_text(dotted, value), problem);
-    }
+namespace {
+void check_keys_of(const Document& document, bool physical, const KeyTable& list, const std::string& path) {
+  const StudyValue* table = document.root.find_path(path);
+  if (!table || !table->table() || list.keys.empty()) return;
+  for (const auto& [name, value] : *table->table()) {
+    if (list.find(name, physical)) continue;
+    const std::string dotted = path + "." + name;
+    std::string problem = unknown_key(list.name, name, names_in(document, list, physical));
+    const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
+      return holds(names_in(document, other, physical), key);
+    });
+    if (home != key_tables().end() && problem.find("did you mean") == std::string::npos)
+      problem += fmt::format("; [{}] has a key of this name", home->name);
+    throw InputError(document.where(dotted, &value), path + "." + printable(name), document.value_text(dotted, value),
+                     problem);
   }
+}
+}  // namespace
+
+void check_keys(const Document& document, bool physical) {
+  for (const KeyTable& list : key_tables())
+    for (const std::string& path : paths_of(document.root, list.name)) check_keys_of(document, physical, list, path);
 }
 
 }  // namespace equipoise::study

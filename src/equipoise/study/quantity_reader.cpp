@@ -45,9 +45,10 @@ std::function<void(const std::string&)> QuantityReader::refusal(const std::strin
 
 const Key& QuantityReader::line(const std::string& key) const { return *key_table(prefix_).find(key, true); }
 
-double QuantityReader::quantity(const std::string& key) {
+double QuantityReader::quantity(const std::string& key, std::optional<Dimension> other, Dimension* measured) {
   require(key, wanted_quantity({*line(key).dimension}, quantity_range(line(key))));
-  return *optional_quantity(key);
+  if (find(key)->array()) fail(key, "is an array; must be one quantity");
+  return one_or_each(key, 1, "", other, measured).front();
 }
 
 std::optional<double> QuantityReader::optional_quantity(const std::string& key) {
@@ -101,13 +102,24 @@ std::map<std::string, std::vector<double>> QuantityReader::others(int balls) {
   return values;
 }
 
-void QuantityReader::exactly_one(const std::string& a, const std::string& a_words, const std::string& b,
-                                 const std::string& b_words) {
-  const bool has_a = has(a), has_b = has(b);
-  alternatives_[a] = fmt::format(", or give {}, {}", dotted(b), b_words);
-  alternatives_[b] = fmt::format(", or give {}, {}", dotted(a), a_words);
-  if (has_a && has_b) fail(b, fmt::format("give either {} or {}, not both", dotted(a), dotted(b)));
-  if (!has_a && !has_b) fail(a, fmt::format("missing; must be {}, or give {}, {}", a_words, dotted(b), b_words));
+std::string QuantityReader::at_most_one(const std::vector<Alternative>& alternatives) {
+  std::string given;
+  for (const Alternative& one : alternatives) {
+    for (const Alternative& other : alternatives)
+      if (other.key != one.key)
+        alternatives_[one.key] += fmt::format(", or give {}, {}", dotted(other.key), other.words);
+    if (!has(one.key)) continue;
+    if (!given.empty()) fail(one.key, fmt::format("give either {} or {}, not both", dotted(given), dotted(one.key)));
+    given = one.key;
+  }
+  return given;
+}
+
+std::string QuantityReader::exactly_one(const std::vector<Alternative>& alternatives) {
+  const std::string given = at_most_one(alternatives);
+  const Alternative& first = alternatives.front();
+  if (given.empty()) fail(first.key, fmt::format("missing; must be {}{}", first.words, alternatives_[first.key]));
+  return given;
 }
 
 }  // namespace equipoise::study

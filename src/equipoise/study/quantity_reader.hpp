@@ -14,12 +14,13 @@ namespace equipoise::study {
 /// Every SI value of a machine lies well within these bounds: results computed from them stay finite and nonzero.
 inline constexpr double largest_si = 1e30, smallest_si = 1e-30;
 
-/// One table of a physical study; each key has a dimension. Values are in SI units; a plain number is an error.
+/// One table of a physical study, or one entry of an array of tables; each key has a dimension. Values are in SI units;
+/// a plain number is an error.
 class QuantityReader : public TableReader {
  public:
   using TableReader::TableReader;
 
-  double quantity(const std::string& key);
+  double quantity(const std::string& key, std::optional<Dimension> other = std::nullopt, Dimension* measured = nullptr);
   std::optional<double> optional_quantity(const std::string& key);
   /// One quantity, or an array with one per `each`: always `count` values, or none if the key is absent. All have the
   /// key's dimension, or all have `other`; `measured` returns which.
@@ -28,8 +29,14 @@ class QuantityReader : public TableReader {
   using TableReader::one_or_each;
   /// The quantities not asked for so far that are all read alike; plain numbers stay unread.
   std::map<std::string, std::vector<double>> others(int balls);
-  /// Throws unless exactly one of the two keys is there; the message says what each would be.
-  void exactly_one(const std::string& a, const std::string& a_words, const std::string& b, const std::string& b_words);
+  /// A key that states a quantity, and in words what it would be: "a length of 0 or more, such as "0.2 mm"".
+  struct Alternative {
+    std::string key, words;
+  };
+  /// The one key of these that is there. Throws if none is, naming all with their words, or if there are several.
+  std::string exactly_one(const std::vector<Alternative>& alternatives);
+  /// The same for a quantity that may be left out: empty if none is there.
+  std::string at_most_one(const std::vector<Alternative>& alternatives);
 
  private:
   const Key& line(const std::string& key) const;

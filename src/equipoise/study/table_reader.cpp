@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/nearest_name.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/quantity_reader.hpp"
@@ -17,6 +18,7 @@
 #include "equipoise/toml/printable.hpp"
 #include "equipoise/toml/text_guard.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 
@@ -94,6 +96,10 @@ std::string key_here(const StudyValue& root, const std::string& key) {
   return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
 }
 
+bool holds_tables(const StudyValue& value) {
+  return value.array() && !value.array()->empty() && value.array()->front().table();
+}
+
 void apply_override(Document& document, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
@@ -109,19 +115,30 @@ void apply_override(Document& document, const std::string& text) {
   StudyValue parsed = parse_value(key, value);
   StudyValue* table = &document.root;
   std::size_t begin = 0;
+  const auto entry_of_array = [&](const std::string& part) {
+    const std::string name = printable(key.substr(0, begin - 1));
+    StudyValue* entry = table->find(part);
+    if (!entry)
+      throw InputError(overrides_name, printable(key), printable(value),
+                       fmt::format("{} has entries {}.1 to {}.{}", name, name, name, table->array()->size()));
+    return entry;
+  };
   for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
     const std::string part = key.substr(begin, dot - begin);
-    StudyValue* inner = table->find(part);
+    StudyValue* inner = table->array() ? entry_of_array(part) : table->find(part);
     if (!inner) {
       inner = &table->set(part, {});
       inner->set_line(line_of_override);
     }
     table = inner;
-    if (!table->table())
+    if (!table->table() && !holds_tables(*table))
       throw InputError(overrides_name, printable(key), printable(value),
                        fmt::format("\"{}\" is not a table", printable(key.substr(0, dot))));
   }
-  table->set(key.substr(begin), std::move(parsed));
+  if (table->array())
+    *entry_of_array(key.substr(begin)) = std::move(parsed);
+  else
+    table->set(key.substr(begin), std::move(parsed));
   document.overridden.insert(key);
 }
 
@@ -253,13 +270,14 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
     throw InputError(document_.where(dotted(key), &value), dotted(key), document_.value_text(dotted(key), value),
                      which + problem);
   };
-  if (!value.is_number())
+  const std::optional<double> percent = value.string() ? percentage(*value.string()) : std::nullopt;
+  if (!value.is_number() && !percent)
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
                        looks_physical(value) && !states_units() ? " (a study in physical units states rotor.mass)"
                        : value.table() && takes_distributions(prefix_)
                            ? fmt::format(", or a distribution, {}", distribution_forms)
                            : ""));
-  const double number = value.number();
+  const double number = percent.value_or(value.number());
   if (!range.contains(number)) {
     const bool too_large = std::isfinite(number) && std::abs(number) > unbounded;
     reject("must be " + range.text() + (too_large ? fmt::format(", at most {} in size", unbounded) : ""));
@@ -295,8 +313,22 @@ std::size_t TableReader::place_among(const std::string& key, std::span<const cha
   const std::string wanted = fmt::format("one of: {}", fmt::join(names, ", "));
   const std::string* value = require(key, wanted).string();
   const auto at = value ? std::find(names.begin(), names.end(), *value) : names.end();
-  if (at == names.end()) fail(key, "must be " + wanted);
+  if (at == names.end()) fail_among(key, {names.begin(), names.end()});
   return static_cast<std::size_t>(at - names.begin());
+}
+
+void TableReader::fail_among(const std::string& key, const std::vector<std::string>& names, const std::string& more) {
+  const StudyValue* value = find(key);
+  const std::string* given = value ? value->string() : nullptr;
+  fail(key,
+       fmt::format("must be one of: {}{}{}", fmt::join(names, ", "), more, given ? did_you_mean(*given, names) : ""));
+}
+
+std::optional<std::string> TableReader::text(const std::string& key) {
+  const StudyValue* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->string()) fail(key, fmt::format("is {}; must be a text in quotes", kind(*value)));
+  return *value->string();
 }
 
 bool TableReader::flag(const std::string& key, bool fallback) {

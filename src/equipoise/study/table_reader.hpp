@@ -74,6 +74,7 @@ class TableReader {
     return fallback && !has(key) ? *fallback : static_cast<Enumeration>(place_among(key, names));
   }
   bool flag(const std::string& key, bool fallback);
+  std::optional<std::string> text(const std::string& key);
   std::vector<double> numbers(const std::string& key, const Range& range);
   /// An array of strings; empty if absent.
   std::vector<std::string> texts(const std::string& key);
@@ -84,6 +85,10 @@ class TableReader {
 
   /// Throws an InputError about `key`.
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+
+  /// The same of a text that is none of these names, with the nearest. `more`: what else may be given.
+  [[noreturn]] void fail_among(const std::string& key, const std::vector<std::string>& names,
+                               const std::string& more = "");
 
   /// A dimensionless time or speed in the study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
   std::string time_text(double time) const;

@@ -11,9 +11,9 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/base/read_number.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/printable.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 
@@ -71,13 +71,10 @@ class DistributionReader {
     double result = entry.number();
     std::string unit;
     if (const std::string* text = entry.string()) {
-      const std::size_t first = std::min(text->find_first_not_of(" \t+"), text->size());
-      const char* end = text->data() + text->size();
-      const auto [after, error] = read_number(text->data() + first, end, result);
-      if (error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
-      unit.assign(after, end);
-      unit.erase(0, std::min(unit.find_first_not_of(" \t"), unit.size()));
-      unit.erase(unit.find_last_not_of(" \t") + 1);
+      const NumberAndUnit parts = split_quantity(*text);
+      if (parts.error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
+      result = parts.number;
+      unit = parts.unit;
       if (unit.empty())
         fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
     } else if (!entry.is_number()) {
@@ -133,20 +130,25 @@ bool takes_distributions(const std::string& dotted) {
                      [&](const KeyTable& table) { return table.drawn() && table.name == dotted; });
 }
 
+namespace {
+void take_from(const Document& document, const std::string& path, std::vector<UncertainValue>& values) {
+  const StudyValue* table = document.root.find_path(path);
+  if (!table || !table->table()) return;
+  for (const auto& [key, value] : *table->table()) {
+    const std::string dotted = path + "." + key;
+    // A key in quotes may contain dots; the reader knows no such key.
+    if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
+      continue;
+    values.push_back(DistributionReader(document, dotted, value).read());
+  }
+}
+}  // namespace
+
 std::vector<UncertainValue> take_uncertain(Document& document) {
   std::vector<UncertainValue> values;
-  for (const KeyTable& keys : key_tables()) {
-    const std::string& name = keys.name;
-    StudyValue* table = keys.drawn() ? find_table(document.root, name) : nullptr;
-    if (!table) continue;
-    for (const auto& [key, value] : *table->table()) {
-      const std::string dotted = name + "." + key;
-      // A key in quotes may contain dots; the reader knows no such key.
-      if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
-        continue;
-      values.push_back(DistributionReader(document, dotted, value).read());
-    }
-  }
+  for (const KeyTable& keys : key_tables())
+    if (keys.drawn())
+      for (const std::string& path : paths_of(document.root, keys.name)) take_from(document, path, values);
   for (const UncertainValue& value : values) {
     const StudyValue& there = *document.root.find_path(value.key);
     document.written.insert_or_assign(

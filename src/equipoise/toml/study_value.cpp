@@ -21,6 +21,16 @@ double StudyValue::number() const {
 }
 
 StudyValue* StudyValue::find(std::string_view key) {
+  if (auto* entries = std::get_if<Array>(&value_)) {
+    constexpr std::size_t most_digits = 9;
+    std::size_t number = 0;
+    if (key.size() > most_digits) return nullptr;
+    for (const char c : key) {
+      if (c < '0' || c > '9') return nullptr;
+      number = 10 * number + static_cast<std::size_t>(c - '0');
+    }
+    return number >= 1 && number <= entries->size() ? &(*entries)[number - 1] : nullptr;
+  }
   auto* members = std::get_if<Table>(&value_);
   if (!members) return nullptr;
   const auto at = std::find_if(members->begin(), members->end(), [&](const Member& m) { return m.key == key; });

@@ -50,10 +50,10 @@ class StudyValue {
   bool is_number() const { return integer() || real(); }
   double number() const;  ///< an integer as its nearest double; 0 if this is no number
 
-  /// A table's member; null if absent, or if this is no table.
+  /// A table's member, or an array's entry by its number from 1; null if absent, or if this is neither.
   const StudyValue* find(std::string_view key) const;
   StudyValue* find(std::string_view key);
-  /// A nested member by its dotted path, "speed.torque.target"; null if absent.
+  /// A nested member by its dotted path, "speed.torque.target", "place.2.mass"; null if absent.
   const StudyValue* find_path(std::string_view dotted) const;
   StudyValue* find_path(std::string_view dotted);
   /// Replaces a table's member in place, or appends it, and returns it. Throws std::logic_error if this is no table.

@@ -79,13 +79,20 @@ std::string value_text(const StudyValue& value) {
   return "[" + entries + "]";
 }
 
-// A table's own keys, then its tables, separated by a blank line.
-void append_table(std::string& text, const std::string& name, const StudyValue::Table& members) {
-  text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", name);
+void append_named(std::string& text, const std::string& name, const StudyValue::Table& members);
+
+// A table's own keys, then its tables, separated by a blank line. `head`: its name in brackets.
+void append_table(std::string& text, const std::string& head, const std::string& name,
+                  const StudyValue::Table& members) {
+  text += fmt::format("{}{}\n", text.empty() ? "" : "\n", head);
   for (const auto& [key, value] : members)
     if (!value.table()) text += fmt::format("{} = {}\n", key, value_text(value));
   for (const auto& [key, value] : members)
-    if (const auto* inner = value.table()) append_table(text, fmt::format("{}.{}", name, key), *inner);
+    if (const auto* inner = value.table()) append_named(text, fmt::format("{}.{}", name, key), *inner);
+}
+
+void append_named(std::string& text, const std::string& name, const StudyValue::Table& members) {
+  append_table(text, fmt::format("[{}]", name), name, members);
 }
 
 }  // namespace
@@ -109,9 +116,14 @@ std::string number_text(double v) {
 
 std::string toml_text(const StudyValue& tables) {
   std::string text;
-  if (const auto* members = tables.table())
-    for (const auto& [name, value] : *members)
-      if (const auto* table = value.table()) append_table(text, name, *table);
+  const auto* members = tables.table();
+  if (!members) return text;
+  for (const auto& [name, value] : *members) {
+    if (const auto* table = value.table()) append_named(text, name, *table);
+    if (!value.array()) continue;
+    for (const StudyValue& entry : *value.array())  // an array of tables
+      if (entry.table()) append_table(text, fmt::format("[[{}]]", name), name, *entry.table());
+  }
   return text;
 }
 

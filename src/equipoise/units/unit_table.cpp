@@ -29,9 +29,9 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     pound{0.45359237, 1, 0, 0, 0}, tonne{1000.0, 1, 0, 0, 0}, minute{60.0, 0, 0, 1, 0}, hour{3600.0, 0, 0, 1, 0},
     turn{2.0 * pi, 0, 0, 0, 1}, rpm{2.0 * pi / 60.0, 0, 0, -1, 1}, rps{2.0 * pi, 0, 0, -1, 1}, hertz{1.0, 0, 0, -1, 0},
     newton{1.0, 1, 1, -2, 0}, pascal{1.0, 1, -1, -2, 0}, joule{1.0, 1, 2, -2, 0}, watt{1.0, 1, 2, -3, 0},
-    stokes{1e-4, 0, 2, -1, 0};
+    stokes{1e-4, 0, 2, -1, 0}, kilogram_force{9.80665, 1, 1, -2, 0}, pound_force{0.45359237 * 9.80665, 1, 1, -2, 0};
 
-constexpr std::array<NamedUnit, 47> units{{
+constexpr std::array<NamedUnit, 51> units{{
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
@@ -78,6 +78,10 @@ constexpr std::array<NamedUnit, 47> units{{
     {"micron", {1e-6, 0, 1, 0, 0}, Form::word},
     {"bar", {1e5, 1, -1, -2, 0}, Form::alone},
     {"kmh", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
+    {"kgf", kilogram_force, Form::alone},
+    {"lbf", pound_force, Form::alone},
+    {"psi", {0.45359237 * 9.80665 / ((2.54 * 0.01) * (2.54 * 0.01)), 1, -1, -2, 0}, Form::alone},
+    {"poise", {0.1, 1, -1, -1, 0}, Form::word},
     {"gravity", {9.80665, 0, 1, -2, 0}, Form::alone},
 }};
 

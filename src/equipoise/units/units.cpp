@@ -11,6 +11,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/base/nearest_name.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/units/unit_library.hpp"
 #include "equipoise/units/unit_text.hpp"
@@ -19,7 +20,7 @@ namespace equipoise::study {
 
 namespace {
 
-constexpr std::array<DimensionWords, 19> all_words{{
+constexpr std::array<DimensionWords, 21> all_words{{
     {"a mass", "kg", "12 kg", "kg"},
     {"a length", "m", "0.2 mm", "mm", "R"},
     {"a time", "s", "10 s", "s", "1/omega_c"},
@@ -39,11 +40,31 @@ constexpr std::array<DimensionWords, 19> all_words{{
     {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
     {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
     {"an angle", "rad", "30 degree", "rad", "rad"},
+    {"a temperature", "K", "40 degC", "K"},
+    {"a weight times a diameter squared", "N m2", "0.3 kgf m2", "N m2"},
 }};
 
 bool names_hertz(std::string_view unit) {
   return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
 }
+
+// What everybody reads as turns a minute. A bare 1/s may be turns or radians.
+bool names_turns_a_minute(std::string_view unit) {
+  constexpr std::array<std::string_view, 3> spellings{"min-1", "min^-1", "1/min"};
+  return std::find(spellings.begin(), spellings.end(), unit) != spellings.end();
+}
+
+// Scales with a zero of their own: no product of units.
+struct TemperatureScale {
+  std::string_view name;
+  double kelvin, zero;  // of one degree; of 0 degrees
+};
+constexpr std::array<TemperatureScale, 6> temperature_scales{{{"degC", 1.0, 273.15},
+                                                              {"\u00B0C", 1.0, 273.15},
+                                                              {"\u2103", 1.0, 273.15},
+                                                              {"degF", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                              {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                              {"K", 1.0, 0.0}}};
 
 // One `unit` in the dimension's SI unit; 0 if it measures something else. The library treats angles as pure numbers, so
 // a frequency would otherwise pass for a speed.
@@ -51,7 +72,8 @@ double factor(const Unit& unit, std::string_view unit_text, Dimension wanted) {
   const double one = unit.worth_in(Unit(words(wanted).si));
   if (one == 0.0) return 0.0;
   if (wanted == Dimension::angle && !unit.counts_radians()) return 0.0;
-  if (wanted == Dimension::speed && !unit.counts_radians()) return names_hertz(unit_text) ? 2.0 * pi * one : 0.0;
+  if (wanted == Dimension::speed && !unit.counts_radians())
+    return names_hertz(unit_text) || names_turns_a_minute(unit_text) ? 2.0 * pi * one : 0.0;
   if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // turns or radians?
   return one;
 }
@@ -63,10 +85,47 @@ std::string wanted_text(const std::vector<Dimension>& wanted) {
   return text;
 }
 
-std::string trimmed(std::string_view text) {
+// " (did you mean "rpm"?)" of names that differ in small and capital letters, or in one letter of three or more.
+std::string unit_hint(const std::string& name) {
+  static const std::vector<std::string> usual{"kg",  "mm",  "um",  "rpm", "rad",    "Hz",    "min",    "kN",
+                                              "MN",  "Pa",  "mPa", "cSt", "degree", "degC",  "inch",   "gram",
+                                              "lbf", "kgf", "ozf", "psi", "metre",  "meter", "newton", "second"};
+  const std::string near = nearest_name(name, usual);
+  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+}
+
+std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return std::string(text);
+  return text;
+}
+
+// A whole number of up to four digits at the front; removes it. 0 if there is none.
+int take_whole(std::string_view& text) {
+  int number = 0;
+  std::size_t digits = 0;
+  for (; digits < text.size() && digits < 4 && text[digits] >= '0' && text[digits] <= '9'; ++digits)
+    number = 10 * number + (text[digits] - '0');
+  text.remove_prefix(digits);
+  return number;
+}
+
+// "/4 in" after 3, " 1/2 in" after 1: the value, and what is left of the text. A blank has to follow: "2 1/m" is none.
+bool take_fraction(double& value, std::string_view& text) {
+  std::string_view rest = text;
+  const bool whole_first = !rest.empty() && rest.front() == ' ';
+  rest = trimmed(rest);
+  const int over = whole_first ? take_whole(rest) : 1;
+  if (over == 0 || rest.empty() || rest.front() != '/') return false;
+  rest.remove_prefix(1);
+  const int under = take_whole(rest);
+  if (under == 0 || rest.empty() || rest.front() != ' ' || value != std::floor(value)) return false;
+  if (whole_first && value < 0.0)
+    value -= static_cast<double>(over) / under;
+  else
+    value = whole_first ? value + static_cast<double>(over) / under : value / under;
+  text = rest;
+  return true;
 }
 
 }  // namespace
@@ -119,18 +178,38 @@ double scale_of(Dimension dimension, const model::Scales& s) {
     case Dimension::density:
     case Dimension::viscosity:
     case Dimension::kinematic_viscosity:
+    case Dimension::temperature:
+    case Dimension::weight_inertia:
       break;
   }
   throw std::logic_error("no dimensionless study has this dimension");
 }
 
-Measured measure(const std::string& text, const std::vector<Dimension>& wanted) {
-  const std::string quantity = trimmed(text);
-  const std::string must_be = "must be " + wanted_text(wanted);
-  Measured result;
+NumberAndUnit split_quantity(std::string_view text) {
+  NumberAndUnit result;
+  const std::string_view quantity = trimmed(text);
   const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // read_number() accepts none
   const char* end = quantity.data() + quantity.size();
-  const auto [after, error] = read_number(quantity.data() + sign, end, result.value);
+  const auto [after, error] = read_number(quantity.data() + sign, end, result.number);
+  result.error = error;
+  if (error == std::errc::invalid_argument) return result;
+  std::string_view rest(after, static_cast<std::size_t>(end - after));
+  take_fraction(result.number, rest);
+  result.unit = trimmed(rest);
+  return result;
+}
+
+std::optional<double> percentage(std::string_view text) {
+  const NumberAndUnit parts = split_quantity(text);
+  if (parts.error != std::errc() || parts.unit != "%") return std::nullopt;
+  return parts.number / 100.0;
+}
+
+Measured measure(const std::string& text, const std::vector<Dimension>& wanted) {
+  const std::string must_be = "must be " + wanted_text(wanted);
+  Measured result;
+  const auto [number, unit_text, error] = split_quantity(text);
+  result.value = number;
   if (error == std::errc::invalid_argument) {
     result.problem = "does not begin with a number; " + must_be;
     return result;
@@ -139,11 +218,17 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.problem = "the number is out of range; " + must_be;
     return result;
   }
-  const std::string unit_text = trimmed({after, static_cast<std::size_t>(end - after)});
   if (unit_text.empty()) {
     result.problem = "has no unit; " + must_be;
     return result;
   }
+  if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) != wanted.end())
+    for (const TemperatureScale& scale : temperature_scales)
+      if (unit_text == scale.name) {
+        result.value = result.value * scale.kelvin + scale.zero;
+        result.dimension = Dimension::temperature;
+        return result;
+      }
   const UnitLibraryUse use;
   const UnitText checked(unit_text);
   if (!checked.is_product) {
@@ -152,7 +237,8 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   }
   for (const std::string& name : checked.names) {
     if (Unit(name).is_known()) continue;
-    result.problem = fmt::format("{} knows no unit \"{}\"; {}", Unit::reader(), display_text(name), must_be);
+    result.problem =
+        fmt::format("{} knows no unit \"{}\"{}; {}", Unit::reader(), display_text(name), unit_hint(name), must_be);
     return result;
   }
   const Unit unit(checked.text);
@@ -161,14 +247,14 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     return result;
   }
   for (const Dimension dimension : wanted) {
-    const double one = factor(unit, unit_text, dimension);
+    const double one = factor(unit, checked.text, dimension);
     if (one == 0.0) continue;
     result.value *= one;
     result.dimension = dimension;
     return result;
   }
   result.problem = fmt::format("\"{}\" does not measure that; {}", unit_text, must_be);
-  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, rad/s or Hz (turns a second)";
+  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns a second)";
   return result;
 }
 

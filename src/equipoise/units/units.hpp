@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "equipoise/model/scales.hpp"
@@ -30,6 +32,8 @@ enum class Dimension {
   viscosity,
   kinematic_viscosity,
   angle,
+  temperature,
+  weight_inertia,  ///< GD^2 as a weight times a diameter squared
 };
 
 /// A dimension's name, unit and display.
@@ -61,9 +65,22 @@ struct Measured {
   std::string problem;  ///< empty if the value is valid
 };
 
-/// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, and Hz as turns
-/// per second (UDUNITS would read 1 rad/s); a bare 1/s is refused. Any finite number passes: callers check ranges.
-/// Throws RunError if the library of units cannot be used.
+/// A text's number and the rest of it. The number may be a fraction, "3/4 in" or "1 1/2 in", and begin with a plus
+/// sign.
+struct NumberAndUnit {
+  double number = 0.0;
+  std::string unit;  ///< without blanks around it
+  std::errc error{};
+};
+NumberAndUnit split_quantity(std::string_view text);
+
+/// The number of "5 %", a hundredth of what is written; empty for any other text.
+std::optional<double> percentage(std::string_view text);
+
+/// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, Hz as turns per
+/// second (UDUNITS would read 1 rad/s) and 1/min or min-1 as turns a minute; a bare 1/s is refused. Temperatures: degC,
+/// degF and K, all to K. Any finite number passes: callers check ranges. Throws RunError if the library of units cannot
+/// be used.
 Measured measure(const std::string& text, const std::vector<Dimension>& wanted);
 
 /// The value in the dimension's display unit, with all its digits: "0.2 mm" from 0.0002 m.

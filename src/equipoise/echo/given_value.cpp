@@ -1,5 +1,5 @@
 // Units of values given beside a study.
-#include "equipoise/study/given_value.hpp"
+#include "equipoise/echo/given_value.hpp"
 
 #include <algorithm>
 #include <cmath>

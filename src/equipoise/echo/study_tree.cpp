@@ -72,6 +72,11 @@ void update_written(const Study& study, StudyValue& tree) {
 
 // Keys in a reader's order, so that the text does not depend on their order in the source.
 StudyValue sorted(const StudyValue& value) {
+  if (const StudyValue::Array* array = value.array()) {
+    StudyValue::Array entries;
+    for (const StudyValue& entry : *array) entries.push_back(sorted(entry));
+    return entries;
+  }
   const StudyValue::Table* members = value.table();
   if (!members) return value;
   std::vector<const StudyValue::Member*> order;

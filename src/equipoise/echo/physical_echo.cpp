@@ -1,5 +1,5 @@
 // The dimensionless echo with every quantity multiplied by its scale.
-#include "equipoise/study/physical_echo.hpp"
+#include "equipoise/echo/physical_echo.hpp"
 
 #include <utility>
 

@@ -1,0 +1,20 @@
+// The known name that somebody meant who wrote another.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace equipoise {
+
+/// Edits that make one text of the other: a letter more, less or another, or two neighbours that changed places.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The nearest of `known` whose letters differ at most in two places and in less than half of `given`, small and
+/// capital letters being alike; empty if there is none.
+std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
+
+/// "; did you mean "ramp"?", or nothing.
+std::string did_you_mean(std::string_view given, const std::vector<std::string>& known);
+
+}  // namespace equipoise

@@ -1,0 +1,31 @@
+// Densities of what balls are made of. Typical values of a material, within about 1 %: weigh a ball where that matters.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace equipoise::model {
+
+struct BallMaterial {
+  std::string_view name;
+  double density;       ///< kg/m^3
+  const char* meaning;  ///< the grade that this is the density of, and its source (docs/references.md)
+};
+
+inline constexpr std::array<BallMaterial, 5> ball_materials{{
+    {"steel", 7810.0, "bearing steel 100Cr6, AISI 52100 [52100]"},
+    {"stainless steel", 7700.0, "X105CrMo17, AISI 440C [EN 10088-1]"},
+    // By volumes: 94 % of tungsten carbide, 15.63 g/cm^3, and 6 % of cobalt, 8.90 g/cm^3, by mass.
+    {"tungsten carbide", 14950.0, "with 6 % of cobalt [CRC]"},
+    {"ceramic", 3200.0, "silicon nitride [SKF]"},
+    {"glass", 2500.0, "soda-lime glass [EN 572-1]"},
+}};
+
+/// Null if no material has the name.
+inline const BallMaterial* find_ball_material(std::string_view name) {
+  for (const BallMaterial& material : ball_materials)
+    if (material.name == name) return &material;
+  return nullptr;
+}
+
+}  // namespace equipoise::model
