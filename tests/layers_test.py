@@ -80,7 +80,8 @@ ROOMS = {
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
-    "reports": "model mechanics proof results drawing text",
+    "decision": "statistics units study columns results text",
+    "reports": "model mechanics proof units study results drawing text decision",
     "plots": "units study echo results drawing text reports",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "

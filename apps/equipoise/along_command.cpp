@@ -31,7 +31,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.progress = progress.listener();
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
-  put(a.json ? branches_json(result) : branches_text(result));
+  put(a.json ? branches_json(result) : branches_text(result, text_style()));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
   if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });

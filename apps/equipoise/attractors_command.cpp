@@ -74,7 +74,7 @@ int run_attractors(const AttractorsArguments& a) {
   options.progress = progress.listener();
   const AttractorsResult result = attractors(study, options);
   progress.finish();
-  put(a.json ? attractors_json(result) : attractors_text(result));
+  put(a.json ? attractors_json(result) : attractors_text(result, text_style()));
   return result.basin.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
 }
 
@@ -102,6 +102,7 @@ Command add_attractors(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot")
       ->type_name("FILE");
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");

@@ -126,7 +126,7 @@ int run_basin(const BasinArguments& a) {
                                         : write_machine_page(text, name, overrides, study, options, a.report).basin;
   if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
   progress.finish();
-  put(a.json ? basin_json(result) : basin_text(result));
+  put(a.json ? basin_json(result) : basin_text(result, text_style()));
   const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
   return partial && stop_flag() ? ended_early(progress.left(), kept_by_output, a.output) : done;
 }
@@ -160,6 +160,7 @@ Command add_basin(CLI::App& app) {
                "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");

@@ -84,7 +84,7 @@ int run_capacity(const CapacityArguments& a) {
   options.progress = progress.listener();
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
-  put_forms(a, {[&] { return capacity_text(result); }, [&] { return capacity_json(result); },
+  put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
                 [&](const std::string& file) {
                   return chart_plot_script(capacity_title(result), capacity_charts(result), file);
@@ -125,6 +125,7 @@ Command add_capacity(CLI::App& app) {
                  "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
       ->type_name("FILE");
   add_forms(app, *a, {"a line a cell (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_capacity(*a); };

@@ -62,7 +62,7 @@ int run_compare(const CompareArguments& a) {
   if (!second.stored) second.stored = basin_outcomes(*second.study, options);
   progress.finish();
   const ComparisonResult result = compare(*first.stored, *second.stored);
-  put(a.json ? comparison_json(result) : comparison_text(result));
+  put(a.json ? comparison_json(result) : comparison_text(result, text_style()));
   if (!result.partial || !(stop_flag() || time_is_limited())) return done;
   const Study& asked = second.study ? *second.study : first.study.value_or(result.first);
   WorkLeft left{result.starts, asked.sampling.starts, "starts of both"};
@@ -82,6 +82,7 @@ Command add_compare(CLI::App& app) {
   app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, "print one JSON object");

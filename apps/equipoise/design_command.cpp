@@ -63,7 +63,8 @@ int run_design(const DesignArguments& a) {
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
   put_forms(
-      a, {[&] { return design_text(result); }, [&] { return design_json(result); }, [&] { return design_csv(result); },
+      a, {[&] { return design_text(result, text_style()); }, [&] { return design_json(result); },
+          [&] { return design_csv(result); },
           [&](const std::string& file) { return chart_plot_script(design_title(result), design_charts(result), file); },
           [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
@@ -90,6 +91,7 @@ Command add_design(CLI::App& app) {
                  "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
       ->type_name("FILE");
   add_forms(app, *a, {"a line a member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_design(*a); };

@@ -35,7 +35,7 @@ int run_explain(const ExplainArguments& a) {
   } else if (a.within) {
     throw InputError("--within", "", display_text(*a.within), "goes with --cost only: nothing else takes time here");
   }
-  put(a.json ? explain_json(e) : explain_text(e));
+  put(a.json ? explain_json(e) : explain_text(e, text_style()));
   return done;
 }
 
@@ -47,6 +47,7 @@ Command add_explain(CLI::App& app) {
   app.add_flag("--cost", a->cost,
                "also what basin takes, measured on a piece of it: the search for attractors and the first starts");
   app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
+  add_text_style(app);
   add_overrides(app, a->overrides);
   app.add_flag("--json", a->json, "print one JSON object");
   return [a] { return run_explain(*a); };

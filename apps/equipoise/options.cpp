@@ -1,6 +1,10 @@
 // Options that several commands share.
 #include "options.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string_view>
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -81,6 +85,28 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
+}
+
+namespace {
+TextStyle& asked_style() {
+  static TextStyle style;
+  return style;
+}
+}  // namespace
+
+void add_text_style(CLI::App& app) {
+  app.add_flag_callback(
+      "--wide", [] { asked_style().width = 0; }, "every column, and lines as long as they come");
+  app.add_flag_callback(
+      "--details", [] { asked_style().details = true; },
+      "also grounds of decisions, and every figure of every outcome with its interval");
+}
+
+TextStyle text_style() {
+  TextStyle style = asked_style();
+  const char *off = std::getenv("NO_COLOR"), *terminal = std::getenv("TERM");
+  style.colour = isatty(STDOUT_FILENO) && !(off && *off) && terminal && std::string_view(terminal) != "dumb";
+  return style;
 }
 
 void add_computing(CLI::App& app, ComputingArguments& a) {

@@ -15,6 +15,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise::app {
 
@@ -64,6 +65,11 @@ void write_file(const std::string& path, const std::string& text);
 
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
+
+/// --wide and --details, which all commands have that print text.
+void add_text_style(CLI::App& app);
+/// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
+TextStyle text_style();
 
 /// --threads, --cpu, --within and --quiet, which all commands have that compute.
 struct ComputingArguments {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include <pybind11/pybind11.h>
+
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise::python {
 
@@ -17,11 +20,18 @@ struct Kept {
 };
 
 /// Its class, with what all results have: text, json, interrupted.
-template <class Result>
-py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, std::string (*text)(const Result&),
+/// `text`: for the terminal, in a style or in none.
+template <class Result, class Text>
+py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text text,
                                    std::string (*json)(const Result&)) {
   return py::class_<Kept<Result>>(module, name)
-      .def("text", [text](const Kept<Result>& kept) { return text(kept.result); })
+      .def("text",
+           [text](const Kept<Result>& kept) {
+             if constexpr (std::is_invocable_v<Text, const Result&>)
+               return text(kept.result);
+             else
+               return text(kept.result, TextStyle{});
+           })
       .def("json", [json](const Kept<Result>& kept) { return json(kept.result); })
       .def_readonly("interrupted", &Kept<Result>::interrupted);
 }

@@ -10,6 +10,13 @@ namespace equipoise {
 /// Valid UTF-8 on one line: other bytes become U+FFFD, control characters \u001B and the like.
 std::string display_text(std::string_view text);
 
+/// Characters of valid UTF-8: columns on a terminal, for the alphabets and signs used here.
+inline std::size_t display_width(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;
+  return count;
+}
+
 /// Bytes of the UTF-8 character that begins at `at`; 0 if none does.
 std::size_t character_length(std::string_view text, std::size_t at);
 

@@ -108,9 +108,9 @@ std::string section_text(const Study& study, const TableUnits& units) {
 
 }  // namespace
 
-std::string attractors_text(const AttractorsResult& r) {
+std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
   const int balls = r.basin.study.parameters.balls;
-  std::string text = study_heading(r.basin.study);
+  std::string text = lines_filled(study_heading(r.basin.study), style);
   const TableUnits units(r.basin.study.scales);
   DocumentTable table;
   table.header = {"id",
@@ -150,18 +150,22 @@ std::string attractors_text(const AttractorsResult& r) {
     put_motor(row, motor_texts(m, units));
     table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
   }
-  text += table_text(table) + "\n";
-  text += section_text(r.basin.study, units);
-  for (const Attractor& a : r.attractors) text += events_text(a, balls);
-  text += left_unbalance_text(r.basin.attractors, r.basin.study);
-  if (!r.basin.note.empty()) text += fmt::format("Note: {}.\n", r.basin.note);
+  // Without these in this order where the terminal is narrow.
+  for (const char* title : {"kind", "stability", "speed", "period", "mean", "r min", "power", "torque", "+-", "copies"})
+    for (std::size_t k = 0; k < table.header.size(); ++k)
+      if (table.header[k].starts_with(title)) table.spare.push_back(k);
+  text += table_text(table, style) + "\n";
+  std::string notes = section_text(r.basin.study, units);
+  for (const Attractor& a : r.attractors) notes += events_text(a, balls);
+  notes += left_unbalance_text(r.basin.attractors, r.basin.study);
+  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", r.basin.note);
   if (r.basin.partial)
-    text += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
-                        r.basin.starts, r.basin.asked);
-  text += search_text(r);
-  text +=
+    notes += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
+                         r.basin.starts, r.basin.asked);
+  notes += search_text(r);
+  notes +=
       fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
-  return text;
+  return text + lines_filled(notes, style);
 }
 
 std::string attractors_json(const AttractorsResult& r) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/attractors_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// A table for the terminal.
-std::string attractors_text(const AttractorsResult& result);
+std::string attractors_text(const AttractorsResult& result, const TextStyle& style = {});
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string attractors_json(const AttractorsResult& result);

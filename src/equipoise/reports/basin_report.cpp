@@ -10,6 +10,8 @@
 
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/plain_names.hpp"
+#include "equipoise/decision/verdict.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/sampling_text.hpp"
@@ -66,18 +68,18 @@ std::string contact_text(const Share& met) {
 }
 
 // What the balls are good for: the rotor without them, and which limits are kept with them.
-std::string balancer_text(const BasinResult& r) {
+std::string balancer_text(const BasinResult& r, const TextStyle& style) {
   std::string text;
   if (tells_without_balls(r)) {
-    text += table_text(without_balls_table(r));
-    for (const std::string& sentence : without_balls_words(r)) text += sentence + "\n";
+    text += table_text(without_balls_table(r), style);
+    for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
     text += "\n";
   }
   if (r.transients->groups.empty() || r.transients->groups.front().starts == 0) return text;
   const TransientGroup& all = r.transients->groups.front();
   if (const DocumentTable limits = limits_table(all, r.study); !limits.rows.empty()) {
-    text += table_text(limits);
-    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) text += hits + "\n";
+    text += table_text(limits, style);
+    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) text += filled("", hits, style);
     text += "\n";
   }
   return text;
@@ -96,47 +98,104 @@ std::string run_text(const BasinResult& r) {
 
 }  // namespace
 
-std::string basin_text(const BasinResult& r) {
-  std::string text = study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study));
-  if (r.starts == 0)
-    return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
+namespace {
+
+// Without rows for what no start came to: none_words() names those.
+DocumentTable outcome_table(const BasinResult& r) {
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
-  const bool open = r.undecided.count > 0;
-  const double second = r.study.scales ? r.study.scales->time() : 1.0;
-  std::size_t width = 28;
-  for (const OutcomeShare& a : r.attractors) width = std::max(width, title_of(a).size());
-  const auto row = [&](const std::string& name, const std::string& share, const std::string& within,
-                       const std::string& bounds, const std::string& starts, const std::string& time,
-                       const std::string& as_good) {
-    text += fmt::format("{:<{}}{:>11}  {:<24}{}{:>11}{:>14}{}\n", name, width, share, within,
-                        open ? fmt::format("{:<24}", bounds) : "", starts, time,
-                        even ? fmt::format("{:>16}", as_good) : "");
+  const bool open = r.undecided.count > 0, physical = r.study.scales.has_value();
+  const double second = physical ? r.study.scales->time() : 1.0;
+  const TransientResult* t = r.transients ? &*r.transients : nullptr;
+  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
+  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}, {}, "", false, {}};
+  const auto column = [&](bool there, const std::string& title, bool spare) {
+    if (!there) return;
+    if (spare) table.spare.push_back(table.header.size());
+    table.header.push_back(title);
   };
-  row("outcome", "share", "95 % interval", "surely within", "starts", r.study.scales ? "mean time, s" : "mean time",
-      "as good as");
-  const auto line = [&](const std::string& name, const OutcomeShare& o, const std::string& time) {
-    const Share& s = o.share;
-    row(name, s.total == 0 ? "-" : percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
-        o.id == undecided_code ? "-" : bounds_text(s), fmt::format("{}", s.count), time, as_good_as(s));
+  column(open, "surely within", false);
+  column(t, fmt::format("RMS at end, {}", velocity.name), false);
+  column(true, "starts", true);
+  column(true, physical ? "known after, s" : "known after", true);
+  column(even, "as good as", true);
+  const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
+    std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_text(o.share))};
+    if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
+    if (t) {
+      std::string rms = "-";
+      for (const TransientGroup& g : t->groups)
+        if (g.id == o.id && g.starts > 0)
+          rms = fmt::format("{:.3g}", g.figure(&TransientRow::rms_velocity).mean * velocity.size);
+      cells.push_back(number_cell(rms));
+    }
+    cells.push_back(number_cell(fmt::format("{}", o.share.count)));
+    cells.push_back(number_cell(timed ? fmt::format("{:.4g}", o.mean_time * second) : "-"));
+    if (even) cells.push_back(number_cell(as_good_as(o.share)));
+    table.rows.push_back(std::move(cells));
   };
   for (const OutcomeShare& a : r.attractors)
-    line(title_of(a), a, a.share.count == 0 ? "-" : fmt::format("{:.4g}", a.mean_time * second));
+    if (a.share.count > 0 || a.id == balanced_id) row(reader_title(a, physical), Tone::plain, a, a.share.count > 0);
   for (const OutcomeShare& o : r.others())
-    line(o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name, o, "-");
-  text += "\n";
-  if (open) text += "Surely within: with 95 % confidence, whatever the undecided starts would come to.\n";
-  text += fmt::format("Mean time: from the begin of the last branch, and release, to the decision{}.\n\n",
-                      r.study.scales ? "" : ", in 1/omega_c");
-  if (r.transients) text += balancer_text(r) + transient_text(*r.transients, r.study);
+    if (o.share.count > 0)
+      row(o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name,
+          Tone::open, o, false);
+  return table;
+}
+
+// "No start was undecided, diverged or failed (each below 0.19 %)."
+std::string none_words(const BasinResult& r) {
+  std::vector<std::string> names;
+  const Share* none = nullptr;
+  for (const OutcomeShare& a : r.attractors)
+    if (a.share.count == 0 && a.id != balanced_id) names.push_back("came to " + title_of(a));
+  for (const OutcomeShare& o : r.others()) {
+    if (o.share.count > 0) continue;
+    none = r.of(o.id);
+    names.push_back(o.id == stalled_code     ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed())
+                    : o.id == undecided_code ? "was undecided"
+                                             : o.name);
+  }
+  if (!none) return "";
+  std::string text = "No start ";
+  for (std::size_t k = 0; k < names.size(); ++k)
+    text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+  return text + fmt::format(" ({}{}).", names.size() > 1 ? "each " : "", interval(*none));
+}
+
+std::string outcome_text(const BasinResult& r, const TextStyle& style) {
+  std::string text = table_text(outcome_table(r), style) + "\n";
+  if (const std::string none = none_words(r); !none.empty()) text += filled("", none, style);
+  if (r.undecided.count > 0)
+    text += filled("", "Surely within: with 95 % confidence, whatever the undecided starts would come to.", style);
+  return text +
+         filled("",
+                fmt::format("Known after: mean time until the outcome is certain, from when the drive no longer "
+                            "changes and the balls are free{}.",
+                            r.study.scales ? "" : ", in 1/omega_c"),
+                style) +
+         "\n";
+}
+
+}  // namespace
+
+std::string basin_text(const BasinResult& r, const TextStyle& style) {
+  std::string text;
+  if (const auto verdict = verdict_of(r)) text += verdict_text(*verdict, style);
+  text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
+  if (r.starts == 0)
+    return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
+  text += outcome_text(r, style);
+  if (r.transients) text += balancer_text(r, style);
+  if (r.transients && style.details) text += transient_text(*r.transients, r.study);
   if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
-  text += sampling_text(r);
-  text += decided_text(r);
-  text += left_unbalance_text(r.attractors, r.study);
-  if (r.passed) text += passage_text(r);
-  if (r.met) text += contact_text(*r.met);
-  if (!r.note.empty()) text += fmt::format("Note: {}.\n", r.note);
-  if (r.partial) text += stopped_basin_text(r);
-  return text + run_text(r);
+  std::string notes = sampling_text(r);
+  if (style.details) notes += decided_text(r);
+  notes += left_unbalance_text(r.attractors, r.study);
+  if (r.passed) notes += passage_text(r);
+  if (r.met) notes += contact_text(*r.met);
+  if (!r.note.empty()) notes += fmt::format("Note: {}.\n", r.note);
+  if (r.partial) notes += stopped_basin_text(r);
+  return text + lines_filled(notes + run_text(r), style);
 }
 
 std::string basin_json(const BasinResult& r) {
@@ -177,6 +236,7 @@ std::string basin_json(const BasinResult& r) {
   if (r.stalled) json["units"]["below"] = "omega_c";
   if (r.met) json["balls_met"] = share(*r.met);
   if (r.passed) json["units"]["above"] = "omega_c";
+  if (const auto verdict = verdict_of(r)) json["verdict"] = verdict_json(*verdict);
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   if (r.without_balls) json["without_balls"] = without_balls_json(*r.without_balls, r.study);
   if (r.sensitivity) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/basin_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
-/// A table for the terminal; shares in percent.
-std::string basin_text(const BasinResult& result);
+/// For the terminal: verdict, shares in percent, the rotor without balls beside that with them.
+std::string basin_text(const BasinResult& result, const TextStyle& style = {});
 
 /// One JSON object; shares are fractions of one. docs/guide/command-line.md lists the keys.
 std::string basin_json(const BasinResult& result);

@@ -123,8 +123,8 @@ Json point_json(const BranchPoint& point, int balls) {
 
 }  // namespace
 
-std::string branches_text(const BranchesResult& r) {
-  std::string text = study_heading(r.study);
+std::string branches_text(const BranchesResult& r, const TextStyle& style) {
+  std::string text = lines_filled(study_heading(r.study), style);
   text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
                       r.values.front(), r.values.back(), r.values.size());
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
@@ -140,18 +140,19 @@ std::string branches_text(const BranchesResult& r) {
   for (const auto& [e, b] : events)
     table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id), title_of(*b),
                                            name_of(e->change), name_of(e->cause)}));
-  text += table_text(branches) + "\n" + table_text(table);
+  table.spare = {2, 5, 1};
+  text += table_text(branches, style) + "\n" + table_text(table, style);
   if (events.empty()) text += "  none\n";
-  text += fmt::format(
+  std::string notes = fmt::format(
       "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
       "random starts and the pilot were searched: an attractor to which fewer come, or that lives between two of these "
       "values only, is not listed; states of one's own are followed too.\n",
       r.values.front(), r.values.back(), r.starts);
   if (r.partial)
-    text += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
-  text += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
-                      r.cpu_target, version_string);
-  return text;
+    notes += "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
+  notes += fmt::format("{:.1f} s on {} thread{} ({}); equipoise {}\n", r.seconds, r.threads, r.threads == 1 ? "" : "s",
+                       r.cpu_target, version_string);
+  return text + lines_filled(notes, style);
 }
 
 std::string branches_json(const BranchesResult& r) {

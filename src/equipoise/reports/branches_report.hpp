@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/branches_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// Tables of branches and events for the terminal.
-std::string branches_text(const BranchesResult& result);
+std::string branches_text(const BranchesResult& result, const TextStyle& style = {});
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string branches_json(const BranchesResult& result);

@@ -78,20 +78,21 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
   return table;
 }
 
-std::string capacity_text(const CapacityResult& r) {
+std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
-  std::string text = study_heading(r.study) + uncertain_text(r.study, set);
+  std::string text = lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
   text += fmt::format("The largest {} at which {:.4g} % of starts end balanced, looked for from {}.\n\n", r.key,
                       100.0 * r.at_least, sought_text(r));
-  text += table_text(capacity_table(r, key_itself));
-  text +=
+  text += table_text(capacity_table(r, key_itself), style);
+  std::string notes =
       fmt::format("Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n",
                   in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete()) text += "PARTIAL: stopped before all cells were done.\n";
-  if (r.resumed_trials > 0) text += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
-  return text + fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
-                            r.study.sampling.seed, computed_text(r), version_string);
+  if (!r.complete()) notes += "PARTIAL: stopped before all cells were done.\n";
+  if (r.resumed_trials > 0) notes += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
+  notes += fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
+                       r.study.sampling.seed, computed_text(r), version_string);
+  return text + lines_filled(notes, style);
 }
 
 std::string capacity_json(const CapacityResult& r) {

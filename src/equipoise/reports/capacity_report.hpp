@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/capacity_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// A line a cell for the terminal.
-std::string capacity_text(const CapacityResult& result);
+std::string capacity_text(const CapacityResult& result, const TextStyle& style = {});
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string capacity_json(const CapacityResult& result);

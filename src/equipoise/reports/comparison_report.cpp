@@ -34,27 +34,28 @@ std::string verdict(const ComparisonResult& r) {
   return fmt::format("No difference in balanced starts is shown: {} points.", interval_text(d));
 }
 
-std::string comparison_text(const ComparisonResult& r) {
-  std::string text = fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
-                                 study_heading(r.second) + uncertain_text(r.second));
-  text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", "outcome", "first", "second", "difference",
-                      "95 % interval, points");
+std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
+  std::string text = filled("", verdict(r), style) + "\n";
+  text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
+                                   study_heading(r.second) + uncertain_text(r.second)),
+                       style);
+  DocumentTable table{{"outcome", "first", "second", "difference", "95 % interval, points"}, {}, "", false, {}};
   for (const ComparedShare& s : r.shares) {
     if (s.first.count == 0 && s.second.count == 0) continue;
-    text += fmt::format("{:<44}{:>10}{:>10}{:>12}  {}\n", title_of(s), percent(s.first.share, 2),
-                        percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference));
+    table.rows.push_back(row_of("lnnnn", {title_of(s), percent(s.first.share, 2), percent(s.second.share, 2),
+                                          points(s.difference.difference), interval_text(s.difference)}));
   }
-  text += "\n";
+  text += table_text(table, style) + "\n";
+  std::string notes;
   if (r.changed && r.starts > 0) {
-    text += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
-                        percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
-    for (const ChangedFate& c : r.changes) text += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
+    notes += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
+                         percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
+    for (const ChangedFate& c : r.changes) notes += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
   } else if (!r.common) {
-    text += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
+    notes += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
   }
-  text += verdict(r) + "\n";
-  if (r.partial) text += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
-  return text + fmt::format("equipoise {}\n", version_string);
+  if (r.partial) notes += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
+  return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
 }
 
 std::string comparison_json(const ComparisonResult& r) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/comparison_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// Shares, differences, changes and a verdict for the terminal.
-std::string comparison_text(const ComparisonResult& result);
+std::string comparison_text(const ComparisonResult& result, const TextStyle& style = {});
 
 /// The difference in balanced starts, in one sentence.
 std::string verdict(const ComparisonResult& result);

@@ -252,19 +252,18 @@ std::string stopped_design_text(const DesignResult& r) {
 
 }  // namespace
 
-std::string design_text(const DesignResult& r) {
-  std::string text = study_heading(r.study) + uncertain_text(r.study);
-  text += design_answer(r) + "\n\n";
+std::string design_text(const DesignResult& r, const TextStyle& style) {
+  std::string text = lines_filled(design_answer(r) + "\n\n" + study_heading(r.study) + uncertain_text(r.study), style);
   if (r.front.empty()) return text;
   text += fmt::format(
       "{}, * the chosen one:\n",
       r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
-  text += table_text(front_table(r, key_itself)) + "\n" + table_text(figure_table(r));
+  text += table_text(front_table(r, key_itself), style) + "\n" + table_text(figure_table(r), style);
   if (!r.limited_by.empty()) {
     text += "\nWhat limits it:\n";
-    for (const std::string& words : r.limited_by) text += "  " + words + "\n";
+    for (const std::string& words : r.limited_by) text += filled("  ", words, style);
   }
-  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, key_itself));
+  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, key_itself), style);
   if (r.partial) text += stopped_design_text(r);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
   return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,

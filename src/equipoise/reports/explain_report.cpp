@@ -329,7 +329,10 @@ std::string verdict_text(const Explanation& e) {
   return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
 }
 
-std::string explain_text(const Explanation& e) { return Text(e).all(); }
+std::string explain_text(const Explanation& e, const TextStyle& style) {
+  constexpr std::size_t labels = 22;
+  return lines_filled(Text(e).all(), style, labels);
+}
 
 std::string explain_json(const Explanation& e) {
   const auto& scales = e.study.scales;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "equipoise/results/explanation.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
@@ -11,7 +12,7 @@ namespace equipoise {
 std::string verdict_text(const Explanation& e);
 
 /// Text; in physical units wherever the study has scales.
-std::string explain_text(const Explanation& e);
+std::string explain_text(const Explanation& e, const TextStyle& style = {});
 
 /// JSON.
 std::string explain_json(const Explanation& e);

@@ -156,6 +156,7 @@ struct Limits {
   std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
   std::optional<double> residual;      ///< unbalance left in the end over the rotor's mass, U/M in R
   std::optional<double> grade;         ///< U/M times the speed in the end, e omega, in R omega_c
+  std::optional<double> share;         ///< of starts that have to keep all of these, for the verdict
   std::optional<double> clearance;     ///< radial, between rotor and housing where the rotor rests, in R
 
   bool any() const { return displacement || force || velocity || settled || residual || grade || clearance; }

@@ -1,0 +1,168 @@
+// Judges an ensemble against limits and against the rotor without balls.
+#include "equipoise/decision/verdict.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/percent_text.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/text/transient_report.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::size_t median = 0, ninety = 1;
+static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
+
+class Judge {
+ public:
+  explicit Judge(const BasinResult& r)
+      : r_(r), with_(r.transients->groups.front()), bare_(r.without_balls->bare), none_(bare_.figures) {}
+
+  Verdict verdict() {
+    const auto& kept = with_.within[static_cast<std::size_t>(Within::both)];
+    if (kept)
+      by_limits(*kept);
+    else
+      by_comparison();
+    verdict_.change = verdict_.decision == Decision::fit          ? "Nothing has to change."
+                      : verdict_.decision == Decision::not_needed ? "Leave the balancer out."
+                      : verdict_.decision == Decision::open       ? more_starts()
+                                                            : "\"equipoise design\" searches for a better balancer.";
+    return std::move(verdict_);
+  }
+
+ private:
+  void say(Decision decision, std::string words) {
+    verdict_.decision = decision;
+    verdict_.words = std::move(words);
+  }
+
+  // "98.2 % (97.9 to 98.5 %)"
+  static std::string share_words(const Share& s) {
+    return fmt::format("{} ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
+  }
+
+  double required() const { return r_.study.limits.share.value_or(usual_required_share); }
+
+  void by_limits(const Share& kept) {
+    const double needed = required();
+    const auto& bare = none_.within[static_cast<std::size_t>(Within::both)];
+    const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
+    verdict_.because =
+        fmt::format("{} of starts keep every limit, on the way and at the end{}", share_words(kept), bare_words(bare));
+    if (with_.within[0] && with_.within[1] && kept.share < needed)
+      verdict_.because += fmt::format(" ({} on the way, {} at the end)", percent_text(with_.within[1]->share),
+                                      percent_text(with_.within[0]->share));
+    verdict_.because += ".";
+    const std::string asked = percent_text(needed);
+    if (kept.least >= needed) {
+      if (bare_keeps)
+        say(Decision::not_needed, "Not needed: the rotor keeps every limit without a balancer too.");
+      else if (const std::string more = larger_peaks(); !more.empty())
+        say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
+      else
+        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked));
+    } else if (kept.most < needed) {
+      if (bare_keeps)
+        say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
+      else if (worse_at_end())
+        say(Decision::do_not_fit,
+            fmt::format("Do not fit it as it is: too few starts keep the limits ({} are asked), and "
+                        "half of them end shaking more than without balls.",
+                        asked));
+      else
+        say(Decision::change, fmt::format("Change it: too few starts keep every limit; {} are asked.", asked));
+    } else {
+      say(Decision::open, fmt::format("Not decided yet: whether {} of starts keep every limit.", asked));
+    }
+  }
+
+  std::string bare_words(const std::optional<Share>& bare) const {
+    if (!bare || bare->total == 0) return "";
+    if (!bare_.one) return fmt::format("; without balls {}", share_words(*bare));
+    return bare->count > 0 ? "; so does the rotor without balls" : "; the rotor without balls does not";
+  }
+
+  void by_comparison() {
+    const SampleSummary &end = with_.figure(&TransientRow::rms_velocity), &bare = bare_end();
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
+    const QuantileEstimate &most = end.quantiles[ninety], &half = end.quantiles[median];
+    const double without = bare.quantiles[median].value;
+    const auto number = [&](double v) { return fmt::format("{:.3g}", v * unit.size); };
+    verdict_.because = fmt::format(
+        "RMS velocity at the end in 90 % of starts at most {} {} ({} to {}); without balls {}.", number(most.value),
+        unit.name, number(most.low), std::isfinite(most.high) ? number(most.high) : "?", number(without));
+    if (most.high <= quieter_end * without) {
+      if (const std::string more = larger_peaks(); !more.empty())
+        say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
+      else
+        say(Decision::fit, "Fit it: in 90 % of starts it ends with at most half the vibration.");
+    } else if (half.low >= without) {
+      say(Decision::do_not_fit, "Do not fit it as it is: half of the starts end shaking more than without balls.");
+    } else if (most.low > quieter_end * without) {
+      say(Decision::change, "Change it: too many starts end with more than half of the vibration without balls.");
+    } else {
+      say(Decision::open, "Not decided yet: whether 90 % of starts end with at most half the vibration.");
+    }
+  }
+
+  const SampleSummary& bare_end() const { return none_.figure(&TransientRow::rms_velocity); }
+
+  bool worse_at_end() const {
+    return with_.figure(&TransientRow::rms_velocity).quantiles[median].low > bare_end().quantiles[median].value;
+  }
+
+  // "its peak is 26.6 mm in 90 % of starts, 18.2 mm without balls"; empty if it is not surely larger.
+  std::string larger_peaks() const {
+    const QuantileEstimate& peak = with_.figure(&TransientRow::peak_radial).quantiles[ninety];
+    const double bare = none_.figure(&TransientRow::peak_radial).quantiles[median].value;
+    if (!(peak.low > larger_peak * bare)) return "";
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::length, r_.study.scales);
+    return fmt::format("the peak reaches {:.3g} {} in one start of ten, {:.3g} {} without balls",
+                       peak.value * unit.size, unit.name, bare * unit.size, unit.name);
+  }
+
+  std::string more_starts() const {
+    const Share& undecided = r_.undecided;
+    if (undecided.count > 0)
+      return fmt::format("{} of starts are undecided: a longer numerics.horizon may tell.",
+                         percent_text(undecided.share));
+    return fmt::format("More starts decide: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
+  }
+
+  const BasinResult& r_;
+  const TransientGroup& with_;
+  const OneBodyRuns& bare_;
+  const TransientGroup& none_;
+  Verdict verdict_;
+};
+
+}  // namespace
+
+std::optional<Verdict> verdict_of(const BasinResult& r) {
+  if (!tells_without_balls(r) || r.without_balls->bare.figures.starts == 0) return std::nullopt;
+  return Judge(r).verdict();
+}
+
+std::string verdict_text(const Verdict& v, const TextStyle& style) {
+  const Tone tone = v.decision == Decision::fit || v.decision == Decision::not_needed ? Tone::good
+                    : v.decision == Decision::do_not_fit                              ? Tone::bad
+                                                                                      : Tone::open;
+  return in_tone(filled("verdict  ", v.words, style), tone, style) + filled("because  ", v.because, style) +
+         filled("change   ", v.change, style) + "\n";
+}
+
+nlohmann::ordered_json verdict_json(const Verdict& v) {
+  return {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
+          {"words", v.words},
+          {"because", v.because},
+          {"change", v.change}};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,49 @@
+// What an ensemble comes to for those who have to decide whether to fit the balancer: the first lines of every answer.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/text/table_text.hpp"
+
+namespace equipoise {
+
+enum class Decision {
+  fit,         ///< it does what is asked
+  not_needed,  ///< so does the rotor without balls
+  caution,     ///< it does in the end, but shakes more on the way than the rotor without balls
+  change,      ///< too seldom, but it is of use
+  do_not_fit,  ///< the rotor is better off without it
+  open,        ///< too few starts, or too many undecided, to say
+};
+inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
+                                                           "change", "do_not_fit", "open"};
+
+/// The least share of starts that have to keep all limits where [limits] states no `share`.
+inline constexpr double usual_required_share = 0.95;
+
+/// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
+/// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
+/// the end is at most half of that without balls. Peaks count as larger from a tenth on.
+struct Verdict {
+  Decision decision = Decision::open;
+  std::string words;    ///< "Fit it.", with a reason
+  std::string because;  ///< the deciding number with its interval, and that without balls
+  std::string change;   ///< the most useful change; a hint where none was tried
+};
+
+/// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
+inline constexpr double larger_peak = 1.1, quieter_end = 0.5;
+
+/// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures.
+std::optional<Verdict> verdict_of(const BasinResult& result);
+
+/// Three lines, "verdict  Fit it...", and the empty line after them.
+std::string verdict_text(const Verdict& verdict, const TextStyle& style = {});
+nlohmann::ordered_json verdict_json(const Verdict& verdict);
+
+}  // namespace equipoise
