@@ -55,7 +55,7 @@ foreach(header
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
       reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
     plots/map_plot.hpp plots/sweep_plot.hpp
-    explain/explain.hpp
+    explain/explain.hpp explain/study_check.hpp
     html/answer.hpp html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
       html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
     literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp

@@ -12,7 +12,7 @@ equipoise_test(reporting_test unit unit/reporting_test.cpp)
 equipoise_test(form_test unit unit/form_test.cpp)
 equipoise_test(drawn_rules_test equivalence equivalence/drawn_rules_test.cpp)
 equipoise_test(explain_test unit unit/explain_test.cpp unit/explain_balance_test.cpp
-  unit/explain_motor_test.cpp unit/rules_of_thumb_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+  unit/explain_motor_test.cpp unit/rules_of_thumb_test.cpp unit/study_check_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)

@@ -88,12 +88,14 @@ int run(int given, char** arguments) {
   add("basin", "shares of starts that end in each attractor, with intervals", add_basin);
   add("capacity", "the largest unbalance, or other parameter, that is balanced as often as asked", add_capacity);
   add("certify", "a proof that trajectories near balance end balanced, or the check of one", add_certify);
+  add("check", "what was understood of a study, what was assumed, and which estimate matters most", add_check);
   add("compare", "two studies or results on common starts: how much more often the second balances", add_compare);
   add("design", "the best balancer or spin-up within what may be chosen, with margins and evidence", add_design);
   add("explain", "a study in physical and dimensionless form, and what follows without simulation", add_explain);
   add("inspect", "what a file of results holds, how complete and whether damaged", add_inspect);
   add("map", "the outcome of a start at every pixel of a plane of two quantities", add_map);
   add("merge", "files of one sweep, from several machines or runs, put together", add_merge);
+  add("new", "a study to begin with, commented: of a washing machine, a fan, any machine", add_new);
   add("report", "a page for one machine: its shares, motions, peaks and runs, to be printed on two sheets", add_report);
   add("reproduce", "the tables and figures of Wright and Peng (2019), computed again and judged", add_reproduce);
   add("simulate", "one trajectory at stated times", add_simulate);

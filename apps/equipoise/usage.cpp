@@ -2,7 +2,6 @@
 #include "usage.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,28 +9,11 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/nearest_name.hpp"
 
 namespace equipoise::app {
 
 namespace {
-
-// Edits between two names: characters to add, drop, change (V. I. Levenshtein, Soviet Physics Doklady 10 (1966) 707),
-// or exchange with the next.
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> before, row(b.size() + 1), next(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    next[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        next[j] = std::min(next[j], before[j - 2] + 1);
-    }
-    before = row;
-    row = next;
-  }
-  return row.back();
-}
 
 // " (is "basin" meant?)", or nothing if no name is near.
 std::string meant(const std::string& typed, const std::vector<std::string>& names) {
@@ -39,7 +21,7 @@ std::string meant(const std::string& typed, const std::vector<std::string>& name
   std::size_t least = 1 + std::min<std::size_t>(2, typed.size() / 2);
   for (const std::string& name : names) {
     const bool begins = typed.size() >= 3 && name.starts_with(typed);
-    const std::size_t away = begins ? 0 : distance(typed, name);
+    const std::size_t away = begins ? 0 : edit_distance(typed, name);
     if (away >= least) continue;
     least = away;
     best = name;

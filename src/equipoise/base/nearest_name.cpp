@@ -1,4 +1,4 @@
-// Edit distances of Levenshtein, with neighbours that changed places as one edit.
+// Edit distances of V. I. Levenshtein (Soviet Physics Doklady 10 (1966) 707), with neighbours that changed places as one edit.
 #include "equipoise/base/nearest_name.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // [balancer] in SI units: race, balls, drag, rolling and contact.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,11 +65,11 @@ class OilReader : public QuantityReader {
   // The viscosity in mm^2/s at 40 degC of a class named by the whole number nearest to it.
   double class_viscosity() const {
     const std::string number = grade_.substr(std::min(grade_.find_last_not_of("0123456789.") + 1, grade_.size()));
+    const double said = split_quantity(number).number;
     double nearest = 0.0;
     for (const double middle : model::iso_viscosity_grades) {
       const std::string name = fmt::format("ISO VG {:.0f}", middle);
       if (grade_ == name || "ISO " + grade_ == name) return middle;
-      const double said = number.empty() ? 0.0 : std::strtod(number.c_str(), nullptr);
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }

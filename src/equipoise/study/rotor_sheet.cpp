@@ -125,7 +125,7 @@ class RotorReader {
   void read_damping() {
     const std::string from =
         reader_.exactly_one({{"damping", "a damping coefficient of 0 or more, such as \"200 N s/m\""},
-                             {"damping_ratio", "a plain number, c/(2 sqrt(k M)), or \"5 %\""},
+                             {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
                              {"logarithmic_decrement", "a plain number, of free vibration a cycle, such as 0.3"},
                              {"quality_factor", "a plain number, sqrt(k M)/c, such as 8"}});
     if (from == "damping")

@@ -1,0 +1,296 @@
+// Each quantity changed by a fifth, and what that does to capacity and to the way into balance.
+#include "equipoise/explain/study_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/study/table_reader.hpp"
+#include "equipoise/text/engineering.hpp"
+#include "equipoise/text/grade_text.hpp"
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+using study::Dimension;
+
+// "12 kg" of a study with scales, else "0.05 R".
+std::string quantity(const Study& s, double value, Dimension dimension) {
+  if (s.scales) return engineering(value * study::scale_of(dimension, *s.scales), dimension);
+  return fmt::format("{:.5g} {}", value, study::words(dimension).dimensionless);
+}
+
+std::string time_of(const Study& s, double time) {
+  if (!s.scales) return fmt::format("{:.3g}/omega_c", time);
+  const double seconds = time * s.scales->time();
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1000.0 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+std::string speed_of(const Study& s, double speed) {
+  return s.scales ? rotor_speed_text(s, speed) : fmt::format("{:.5g} omega_c", speed);
+}
+
+// Two values, told once if they are alike.
+template <class Text>
+std::string of_both(const std::array<double, 2>& values, Text&& text) {
+  return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));
+}
+
+std::string machine_line(const Explanation& e) {
+  const Study& s = e.study;
+  std::string line = s.scales ? fmt::format("{} on ", engineering(s.scales->mass, Dimension::mass)) : "supports of ";
+  const auto stiffness = [&](double kappa) {
+    return s.scales ? engineering(kappa * study::scale_of(Dimension::stiffness, *s.scales), Dimension::stiffness)
+                    : fmt::format("{:.5g} k", kappa);
+  };
+  line += of_both(s.parameters.stiffness, stiffness);
+  line += fmt::format(", critical speed {}", of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
+  const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
+  if (e.speed)
+    line += fmt::format(" with its balls; runs at {}, {:.3g} times that", speed_of(s, *e.speed),
+                        std::abs(*e.speed) / critical);
+  else
+    line += " with its balls; no speed is held in the end";
+  return line;
+}
+
+std::string unbalance_line(const Explanation& e) {
+  const Study& s = e.study;
+  const double eccentricity = s.parameters.eccentricity;
+  std::string line = quantity(s, eccentricity, Dimension::unbalance);
+  if (s.scales) {
+    line += fmt::format(", its centre of mass {} from the shaft", quantity(s, eccentricity, Dimension::length));
+    if (e.speed) {
+      const double grade = 1000.0 * eccentricity * s.scales->length * std::abs(*e.speed) * s.scales->frequency;
+      line += fmt::format("; {} at {}", grade_text(grade), speed_of(s, *e.speed));
+    }
+  }
+  return line;
+}
+
+std::string balls_line(const Explanation& e) {
+  const Study& s = e.study;
+  const model::Parameters& p = s.parameters;
+  const auto [least, most] = std::minmax_element(p.mass.begin(), p.mass.begin() + p.balls);
+  std::string masses = quantity(s, *least, Dimension::mass);
+  if (!s.scales) masses = fmt::format("{:.5g} M", *least);
+  if (*least != *most)
+    masses += s.scales ? " to " + quantity(s, *most, Dimension::mass) : fmt::format(" to {:.5g} M", *most);
+  std::string line = fmt::format("{} of {} {}", p.balls, masses, p.balls == 1 ? "" : "each");
+  if (line.back() == ' ') line.pop_back();
+  if (s.scales) line += fmt::format(" on a circle of {}", engineering(s.scales->length, Dimension::length));
+  const std::string least_cancelled =
+      e.least_unbalance == 0.0 ? "0" : quantity(s, e.least_unbalance, Dimension::unbalance);
+  const std::string range =
+      fmt::format("from {} to {}", least_cancelled, quantity(s, e.largest_unbalance, Dimension::unbalance));
+  if (e.unbalance == 0.0) return line + fmt::format("; they cancel {}, and there is nothing to cancel", range);
+  const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
+  return line + fmt::format("; they cancel {}, {} {:.3g} times what there is{}", range, can ? "up to" : "at most",
+                            e.largest_unbalance / e.unbalance, can ? "" : ": balance is impossible");
+}
+
+// Quantities that are estimated rather than known, as factors on a study.
+struct Estimate {
+  std::string_view name;
+  void (*scale)(model::Parameters&, double);
+};
+constexpr std::string_view drag_name = "the drag of the balls";
+constexpr std::array<Estimate, 5> estimates{{
+    {"the unbalance", [](model::Parameters& p, double f) { p.eccentricity *= f; }},
+    {"the stiffness of the supports",
+     [](model::Parameters& p, double f) {
+       for (double& kappa : p.stiffness) kappa *= f;
+     }},
+    {"the damping of the supports",
+     [](model::Parameters& p, double f) {
+       for (double& zeta : p.damping) zeta *= f;
+     }},
+    {drag_name,
+     [](model::Parameters& p, double f) {
+       for (double& beta : p.drag) beta *= f;
+     }},
+    {"the mass of the balls",  // whose drag stays
+     [](model::Parameters& p, double f) {
+       for (int i = 0; i < p.balls; ++i) {
+         p.mass[static_cast<std::size_t>(i)] *= f;
+         p.drag[static_cast<std::size_t>(i)] /= f;
+       }
+     }},
+}};
+
+// What a change is judged by, each a number that is better if larger.
+struct Measures {
+  bool can_balance = false, stable = false;
+  double margin = 0.0;            // what the balls can cancel over what there is
+  std::optional<double> settles;  // rate of the way into balance
+  std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
+};
+
+Measures measures_of(const Study& study, const BallDetails& balls) {
+  const Explanation e = explain(study, balls);
+  Measures m;
+  m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
+  m.margin = e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
+  if (e.motion) {
+    m.stable = e.motion->stable;
+    if (e.motion->stable) m.settles = -e.motion->slowest_rate;
+  }
+  if (e.speed) {
+    const double needed = rules::drag_against_capture(study.parameters, std::abs(*e.speed));
+    if (needed > 0.0) m.passes = rules::mean_drag(study.parameters) / needed;
+  }
+  return m;
+}
+
+// How much a change matters, and in words what it does.
+struct Effect {
+  double size = 0.0;
+  std::string words;
+};
+
+constexpr double decides = 1e3;  // a change from yes to no outweighs any other
+
+Effect effect_of(const Study& study, const Measures& before, const Measures& after) {
+  Effect worst;
+  const auto consider = [&](double size, std::string words) {
+    if (size > worst.size) worst = {size, std::move(words)};
+  };
+  if (before.can_balance != after.can_balance)
+    consider(2.0 * decides, after.can_balance ? "makes balance possible" : "makes balance impossible");
+  if (before.can_balance && after.can_balance && before.stable != after.stable)
+    consider(decides, after.stable ? "makes balance stable" : "makes balance unstable");
+  if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
+    consider(0.5 * decides, *after.passes < 1.0
+                                ? "leaves the balls so little drag that they may stay at the critical speed"
+                                : "gives the balls the drag that takes them past the critical speed");
+  consider(
+      std::abs(std::log(after.margin / before.margin)),
+      fmt::format("lets the balls cancel {:.3g} instead of {:.3g} times what there is", after.margin, before.margin));
+  if (before.settles && after.settles)
+    consider(std::abs(std::log(*after.settles / *before.settles)),
+             fmt::format("lets a deviation from balance fade with a time constant of {} instead of {}",
+                         time_of(study, 1.0 / *after.settles), time_of(study, 1.0 / *before.settles)));
+  return worst;
+}
+
+std::string most_line(const Study& study, const BallDetails& balls) {
+  constexpr double part = 0.2;
+  const Measures before = measures_of(study, balls);
+  Effect worst;
+  std::string which;
+  for (const Estimate& estimate : estimates)
+    for (const double sign : {-1.0, 1.0}) {
+      Study changed = study;
+      estimate.scale(changed.parameters, 1.0 + sign * part);
+      Effect effect = effect_of(study, before, measures_of(changed, balls));
+      if (effect.size <= worst.size) continue;
+      worst = std::move(effect);
+      const bool stokes = balls.oil_viscosity && estimate.name == drag_name;
+      which = fmt::format("{}{}: 20 % {} of it {}", estimate.name, stokes ? ", here of a formula" : "",
+                          sign < 0.0 ? "less" : "more", worst.words);
+    }
+  if (which.empty()) return "nothing that these rules see";
+  return which +
+         " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls "
+         "can "
+         "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
+}
+
+class Assumptions {
+ public:
+  Assumptions(const StudyValue& given, const Study& s, const BallDetails& balls)
+      : given_(given), s_(s), balls_(balls) {}
+
+  std::vector<std::string> list() {
+    add_release();
+    add_balls();
+    add_drag();
+    add_supports();
+    return std::move(list_);
+  }
+
+ private:
+  bool states(const char* key) const { return given_.find_path(key) != nullptr; }
+  void add(const char* key, const std::string& words) {
+    if (!states(key)) list_.push_back(words);
+  }
+
+  void add_release() {
+    if (states("release.time") || states("release.speed") || s_.speed.profile == Profile::constant) return;
+    list_.push_back(s_.release_time() == 0.0 ? "balls free from t = 0" : "balls held until the run-up is over");
+  }
+
+  void add_balls() {
+    const model::Parameters& p = s_.parameters;
+    const bool sized = !balls_.diameter.empty();
+    if (!states("balancer.contact") && !states("balancer.contact_angle") && p.balls > 1)
+      list_.push_back(p.contact_angle > 0.0 ? "balls touch" : "balls pass through each other");
+    if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format("restitution {:.3g}", p.restitution));
+    add("balancer.rolls", p.rolls ? "balls roll without sliding" : "balls are points that slide");
+    add("balancer.rolling", "no rolling resistance");
+    add("balancer.race_offset", "race centred on the shaft");
+    if (const StudyValue* material = given_.find_path("balancer.ball_material");
+        material && material->string() && sized)
+      list_.push_back(fmt::format("typical density of {}", *material->string()));
+  }
+
+  void add_drag() {
+    if (!balls_.oil_viscosity) return;
+    const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *balls_.oil_viscosity);
+    if (const StudyValue* grade = given_.find_path("balancer.oil.grade"); grade && grade->string()) {
+      const bool mineral = grade->string()->find("VG") != std::string::npos;
+      list_.push_back(!mineral                               ? fmt::format("oil of {}, a silicone's law", eta)
+                      : states("balancer.oil.viscosity_100") ? fmt::format("oil of {}, in the middle of its class", eta)
+                                                             : fmt::format("oil of {}, in the middle of its class, "
+                                                                           "viscosity index 95",
+                                                                           eta));
+    }
+    list_.push_back(states("balancer.channel_diameter") ? "drag of a ball on the axis of a tube"
+                                                        : "drag of Stokes, without walls");
+  }
+
+  void add_supports() {
+    if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back("supports alike in x and y");
+    list_.push_back("viscous damping");
+    add("rotor.gravity", "no gravity across the shaft");
+    if (!s_.uncertain.empty()) list_.push_back("uncertain values at their medians");
+  }
+
+  const StudyValue& given_;
+  const Study& s_;
+  const BallDetails& balls_;
+  std::vector<std::string> list_;
+};
+
+}  // namespace
+
+std::string StudyCheck::text() const {
+  return fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n", machine, unbalance,
+                     balls, fmt::join(assumed, "; "), most);
+}
+
+StudyCheck check_study(const std::string& toml_text, const std::string& name,
+                       const std::vector<std::string>& overrides) {
+  const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
+  const BallDetails balls = parse_ball_details(toml_text, name, overrides);
+  const StudyValue given = study::parse_document(toml_text, name, overrides).root;
+  const Explanation e = explain(medians, balls);
+  StudyCheck check;
+  check.machine = machine_line(e);
+  check.unbalance = unbalance_line(e);
+  check.balls = balls_line(e);
+  check.assumed = Assumptions(given, study, balls).list();
+  check.most = most_line(medians, balls);
+  return check;
+}
+
+}  // namespace equipoise

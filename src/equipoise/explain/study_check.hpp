@@ -1,0 +1,23 @@
+// What was understood of a study, in a few lines: before anything is computed of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace equipoise {
+
+struct StudyCheck {
+  std::string machine, unbalance, balls;  ///< as understood, in the study's units
+  /// What the study does not state and what matters, each a few words: "balls free from t = 0".
+  std::vector<std::string> assumed;
+  /// Which of the estimated quantities matters most, and how that was judged.
+  std::string most;
+
+  std::string text() const;  ///< at most five lines
+};
+
+/// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians.
+StudyCheck check_study(const std::string& toml_text, const std::string& name,
+                       const std::vector<std::string>& overrides = {});
+
+}  // namespace equipoise

@@ -1,0 +1,91 @@
+// What "check" says of a study: understood, assumed, and which estimate matters most.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/explain/study_check.hpp"
+#include "../support/studies.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string checked = with(with(ramp_machine, "mass = \"60 g\"\ndrag = \"2e-4 N m s\"\n",
+                                      "ball_diameter = \"10 mm\"\nball_material = \"steel\"\n"
+                                      "oil = { grade = \"ISO VG 32\", at = \"40 degC\" }\n"),
+                                 "eccentricity = \"0.2 mm\"", "unbalance = \"120 g mm\"");
+
+StudyCheck check_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return check_study(text, "m.toml", overrides);
+}
+
+bool assumes(const std::string& text, const std::string& words, const std::vector<std::string>& overrides = {}) {
+  const std::vector<std::string> all = check_of(text, overrides).assumed;
+  return std::any_of(all.begin(), all.end(), [&](const std::string& one) { return holds(one, words); });
+}
+
+TEST(StudyCheck, SaysWhatItUnderstood) {
+  const StudyCheck c = check_of(ramp_machine);
+  EXPECT_EQ(c.machine, "12 kg on 48 kN/m, critical speed 600.95 rpm with its balls; runs at 3000 rpm, 4.99 times that");
+  EXPECT_EQ(c.unbalance,
+            "2.4 kg mm, its centre of mass 200 um from the shaft; G 62.8 (within grade G 100) at 3000 rpm");
+  EXPECT_EQ(c.balls,
+            "2 of 60 g each on a circle of 30 mm; they cancel from 0 to 3.6 kg mm, up to 1.5 times what there is");
+  const std::string text = c.text();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+  EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0.4 mm"}).balls,
+                    "at most 0.75 times what there is: balance is impossible"));
+  EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0 mm"}).balls, "there is nothing to cancel"));
+  EXPECT_TRUE(holds(check_of(constant_speed).machine, "2.4 omega_c"));
+}
+
+TEST(StudyCheck, ListsWhatTheStudyLeavesOpen) {
+  EXPECT_TRUE(assumes(checked, "balls free from t = 0"));
+  EXPECT_FALSE(assumes(checked, "balls free", {"release.time=2 s"}));
+  EXPECT_FALSE(assumes(constant_machine, "balls free"));  // nothing is run up
+  EXPECT_TRUE(assumes(checked, "balls touch"));
+  EXPECT_FALSE(assumes(checked, "balls touch", {"balancer.contact=true"}));
+  EXPECT_TRUE(assumes(ramp_machine, "balls pass through each other"));
+  EXPECT_TRUE(assumes(checked, "restitution 0.5"));
+  EXPECT_FALSE(assumes(checked, "restitution", {"balancer.restitution=0.8"}));
+  EXPECT_TRUE(assumes(checked, "balls roll without sliding"));
+  EXPECT_TRUE(assumes(ramp_machine, "balls are points that slide"));
+  EXPECT_TRUE(assumes(checked, "no rolling resistance"));
+  EXPECT_FALSE(assumes(checked, "no rolling resistance", {"balancer.rolling=0.1 %"}));
+  EXPECT_TRUE(assumes(checked, "race centred on the shaft"));
+  EXPECT_TRUE(assumes(checked, "typical density of steel"));
+  EXPECT_FALSE(assumes(ramp_machine, "typical density"));
+  EXPECT_TRUE(assumes(checked, "oil of 27.8 mPa s, in the middle of its class, viscosity index 95"));
+  EXPECT_FALSE(assumes(checked, "viscosity index", {"balancer.oil.viscosity_100=5.4 cSt"}));
+  EXPECT_TRUE(assumes(checked, "drag of Stokes, without walls"));
+  EXPECT_TRUE(assumes(checked, "axis of a tube", {"balancer.channel_diameter=16 mm"}));
+  EXPECT_FALSE(assumes(ramp_machine, "drag of"));
+  EXPECT_TRUE(assumes(checked, "supports alike in x and y"));
+  EXPECT_FALSE(assumes(checked, "supports alike", {"rotor.stiffness=['40 kN/m', '50 kN/m']"}));
+  EXPECT_TRUE(assumes(checked, "no gravity across the shaft"));
+  EXPECT_FALSE(assumes(checked, "no gravity", {"rotor.gravity=9.81 m/s2"}));
+  EXPECT_TRUE(assumes(checked, "at their medians", {"rotor.unbalance={uniform=['90 g mm', '120 g mm']}"}));
+  EXPECT_FALSE(assumes(checked, "at their medians"));
+}
+
+// The balls cancel 1.1 times the unbalance: a fifth more of it, or less of the balls, and they do not.
+TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
+  const std::string most = check_of(ramp_machine, {"rotor.eccentricity=0.27 mm"}).most;
+  EXPECT_TRUE(holds(most, "the unbalance: 20 % more of it makes balance impossible")) << most;
+  const std::string spare = check_of(ramp_machine, {"rotor.eccentricity=0.02 mm"}).most;
+  EXPECT_FALSE(holds(spare, "impossible")) << spare;
+  EXPECT_TRUE(holds(spare, "judged by what the balls can cancel, linear theory at the final speed")) << spare;
+  // Twice what the balls can cancel stays too much.
+  const std::string far = check_of(ramp_machine, {"rotor.eccentricity=0.6 mm"}).most;
+  EXPECT_FALSE(holds(far, "possible")) << far;
+}
+
+TEST(StudyCheck, SaysWhereDragIsOfAFormula) {
+  const std::string most = check_of(checked).most;
+  EXPECT_TRUE(holds(most, "the drag of the balls, here of a formula")) << most;
+  EXPECT_FALSE(holds(check_of(ramp_machine).most, "of a formula"));
+}
+
+}  // namespace
+}  // namespace equipoise
