@@ -90,14 +90,32 @@ std::string stopped_basin_text(const BasinResult& r) {
 
 std::string run_text(const BasinResult& r) {
   const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
+  if (r.study.parameters.balls == 0) return fmt::format("{}; equipoise {}\n", computed_text(r), version_string);
   return fmt::format("{} starts{}; {}, {:.0f} starts/s; equipoise {}\n", r.starts, seed, computed_text(r),
                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
 }
 
+// The rotor alone.
+std::string bare_text(const BasinResult& r) {
+  if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
+  const OneBodyRuns& bare = r.without_balls->bare;
+  std::string text = bare_words(r) + "\n\n" + table_text(bare_table(r));
+  for (const std::string& sentence : without_balls_words(r)) text += sentence + "\n";
+  if (const std::string hits = clearance_words(bare.figures, r.study); !hits.empty()) text += hits + "\n";
+  return text + "\n";
+}
+
 }  // namespace
+
+std::string bare_words(const BasinResult& r) {
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (bare.one) return "There are no balls: nothing is drawn, and one run tells all.";
+  return fmt::format("There are no balls: {} runs draw what else is uncertain.", bare.runs);
+}
 
 std::string basin_text(const BasinResult& r) {
   std::string text = study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study));
+  if (r.study.parameters.balls == 0) return text + bare_text(r) + run_text(r);
   if (r.starts == 0)
     return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
   const bool even = r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random;
