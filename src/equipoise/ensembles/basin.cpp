@@ -379,6 +379,7 @@ BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* ca
                   WarmStartLevels* warm_start_levels) {
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const BasinOptions& o) {
+    if (study.parameters.balls == 0) return bare_basin(study, o);
     BasinRun run(study, o);
     BasinResult result = run.run();
     if (catalogue) *catalogue = run.catalogue();

@@ -2,14 +2,21 @@
 #include "equipoise/ensembles/without_balls.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/rotor_family/study_family.hpp"
+#include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/spin_up/held_run.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -117,6 +124,43 @@ std::optional<WithoutBalls> without_balls(const OneBodyTask& task) {
   result.held = runner.run(true, count);
   result.bare.one = !differ;
   if (is_set(task.stop)) return std::nullopt;
+  return result;
+}
+
+namespace {
+void refuse_starts(const Study& study, const BasinOptions& options) {
+  const auto refuse = [&](const char* what) {
+    throw InputError(study.name, "balancer.balls", "0",
+                     fmt::format("leaves no starts for {}; must be 1 to {} with that", what, model::max_balls));
+  };
+  if (!options.output.empty()) refuse("an output file");
+  if (!options.initial.empty()) refuse("starts of one's own");
+  if (options.half_width > 0.0) refuse("a half-width");
+  if (study.sampling.method == SamplingMethod::grid) refuse("sampling.method = \"grid\"");
+}
+}  // namespace
+
+BasinResult bare_basin(const Study& study, const BasinOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = cpu_seconds();
+  check(study);
+  refuse_starts(study, options);
+  BasinResult result;
+  result.study = with_horizon(study);
+  result.study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
+  const Sampler sampler = sampler_of(result.study);
+  result.threads = thread_count(options.threads);
+  result.cpu_target = cpu_target();
+  result.note = "there are no balls";
+  if (options.keep_starts) result.every_start.emplace();
+  const OneBodyTask task{result.study, sampler, 0, {}, result.threads, options.stop};
+  const bool differ = rotors_differ(task);
+  OneBodyRuns runs = OneBodyRunner(task).run(false, differ ? std::min(study.sampling.starts, most_bare_runs) : 1);
+  runs.one = !differ;
+  result.partial = is_set(options.stop);
+  if (!result.partial) result.without_balls = WithoutBalls{std::move(runs), {}};
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.cpu_seconds = cpu_seconds() - cpu_begin;
   return result;
 }
 

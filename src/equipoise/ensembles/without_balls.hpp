@@ -6,6 +6,7 @@
 #include <span>
 
 #include "equipoise/base/stop_flag.hpp"
+#include "equipoise/ensembles/basin.hpp"
 #include "equipoise/results/without_balls.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/study/study.hpp"
@@ -23,5 +24,11 @@ struct OneBodyTask {
 
 /// Depends neither on threads nor on an earlier run. Empty if stopped.
 std::optional<WithoutBalls> without_balls(const OneBodyTask& task);
+
+/// basin() of a study without balls: starts draw what else is uncertain, up to most_bare_runs of them; else one run
+/// tells all. Throws InputError for what needs starts of balls: an output file, starts of one's own, a half-width, a
+/// grid.
+BasinResult bare_basin(const Study& study, const BasinOptions& options);
+inline constexpr std::uint64_t most_bare_runs = 10000;
 
 }  // namespace equipoise

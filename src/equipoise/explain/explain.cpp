@@ -56,10 +56,15 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   if (study.speed.driven() && e.speed) e.run_up = run_up(study, *e.speed);
   e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
   e.ball_width = ball_widths(study, balls);
-  balance(e);
+  if (p.balls > 0) {
+    balance(e);
+  } else {
+    e.unbalance = p.eccentricity;
+    e.balanced.reason = e.no_motion = "there are no balls";
+  }
   e.sag = 0.0 - model::static_sag(p);
-  if (p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
-  linearise(e);
+  if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
+  if (p.balls > 0) linearise(e);
   if (e.speed) e.bare = bare_vibration(p, *e.speed);
   // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
@@ -70,7 +75,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
     e.reynolds =
         model::reynolds_number(*balls.oil_density, slip * study.scales->velocity(), largest, *balls.oil_viscosity);
   }
-  e.advice = advice(e);
+  if (p.balls > 0) e.advice = advice(e);
   add_warnings(e);
   return e;
 }

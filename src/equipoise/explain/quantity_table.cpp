@@ -68,6 +68,7 @@ class QuantityTable {
 
   void balancer() {
     add("n", "balls", p_.balls, std::nullopt);
+    if (p_.balls == 0) return;
     add_balls("m, mu", "ball mass", p_.mass, Dimension::mass);
     add("N", "mass of all balls", p_.total_mass(), Dimension::mass);
     add_balls("beta", "ball drag D/(m R^2 omega_c)", p_.drag, std::nullopt);
@@ -144,15 +145,19 @@ class QuantityTable {
 
   void conditions() {
     if (study_.release.speed) add("Omega_r", "release at speed", *study_.release.speed, Dimension::speed);
-    if (study_.release.time || !study_.speed.driven())
+    if (p_.balls > 0 && (study_.release.time || !study_.speed.driven()))
       add("t_r", "release at time", study_.release.time ? *study_.release.time : study_.release_time(),
           Dimension::time);
     const Horizon horizon = choose_horizon(study_);
-    add("horizon", horizon.given ? "undecided after" : "undecided after (chosen)", horizon.time, Dimension::time);
+    if (p_.balls > 0)
+      add("horizon", horizon.given ? "undecided after" : "undecided after (chosen)", horizon.time, Dimension::time);
     const Limits& l = study_.limits;
     if (l.displacement) add("limit", "displacement", *l.displacement, Dimension::length);
     if (l.force) add("limit", "support force", *l.force, Dimension::force);
     if (l.velocity) add("limit", "velocity, rms", *l.velocity, Dimension::velocity);
+    if (l.residual) add("limit", "unbalance left", *l.residual, Dimension::unbalance);
+    if (l.grade) add("limit", "e omega of that", *l.grade, Dimension::velocity);
+    if (l.clearance) add("limit", "clearance", *l.clearance, Dimension::length);
     if (l.settled) add("settled", "displacement below", *l.settled, Dimension::length);
   }
 

@@ -32,6 +32,7 @@ class Warnings {
     if (e.speeds_up) warn("{}; in balance the rotor speeds up without end", e.speed_words);
     torque();
     if (e.run_up) run_up(*e.run_up);
+    if (p_.balls == 0) return;
     patience();
     release();
     room();
@@ -59,7 +60,7 @@ class Warnings {
     const double w = std::abs(*e_.speed);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     const double highest = std::max(e_.critical_alone[0], e_.critical_alone[1]);
-    if (w < lowest)
+    if (w < lowest && p_.balls > 0)
       warn(
           "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance");
     if (w >= 0.9 * lowest && w <= 1.1 * highest)
@@ -67,7 +68,8 @@ class Warnings {
     else if (w >= lowest && w < root_two * highest)
       warn(
           "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
-          "eccentricity unless damping is strong, and balance is often unstable");
+          "eccentricity unless damping is strong{}",
+          p_.balls > 0 ? ", and balance is often unstable" : "");
   }
 
   void contact() {

@@ -44,6 +44,18 @@ std::string limit_words(const BasinResult& r) {
   return text;
 }
 
+// Of a rotor that has no balls.
+std::string bare_answer(const BasinResult& r) {
+  const PageQuantities shown(r.study);
+  const TransientGroup& g = r.without_balls->bare.figures;
+  const auto figure = [&](float TransientRow::*value) {
+    return shown.text(g.figure(value).quantiles[0].value, *transient_figures[figure_place(value)].dimension);
+  };
+  return fmt::format("There are no balls: the rotor's peak displacement is {}, and its RMS velocity at the end {}{}.",
+                     figure(&TransientRow::peak_radial), figure(&TransientRow::rms_velocity),
+                     r.without_balls->bare.one ? "" : ", in the median");
+}
+
 std::string point_words(const Share& s) { return percent(s.share, digits_for(s)); }
 
 }  // namespace
@@ -83,6 +95,7 @@ std::string after_what_is_drawn(std::vector<std::string> keys, std::string sente
 }
 
 std::string answer_sentence(const BasinResult& r) {
+  if (r.study.parameters.balls == 0 && r.without_balls) return bare_answer(r);
   if (r.starts == 0 || r.attractors.empty()) return "Nothing is known: stopped before any start was decided.";
   std::string text = balance_words(r);
   if (r.stalled && r.stalled->count > 0) text += fmt::format("; {} never come up to speed", share_words(*r.stalled));

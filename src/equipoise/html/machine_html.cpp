@@ -14,6 +14,7 @@
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/drawings.hpp"
 #include "equipoise/plots/quantities.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/sampling_text.hpp"
@@ -42,6 +43,13 @@ class MachineDocument {
     document_ = page_with(study_, answer_sentence(basin_));
     if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
     if (!basin_.note.empty()) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    if (study_.parameters.balls == 0 && basin_.without_balls) {
+      add(Heading{2, "The rotor alone", ""});
+      add(bare_table(basin_));
+      std::string words = bare_words(basin_);
+      for (const std::string& sentence : without_balls_words(basin_)) words += " " + sentence;
+      add(Paragraph{on_one_line(words)});
+    }
     if (basin_.starts > 0) {
       ends();
       way();
@@ -255,10 +263,13 @@ class MachineDocument {
   // How that is known.
   void origin() {
     add(Heading{2, "How it was computed", ""});
-    std::string text = fmt::format("{} starts {}, each followed until it is known where it ends (undecided after {}). ",
-                                   basin_.starts, starts_words(study_, drawn_keys(study_)),
-                                   shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
-    text += on_one_line(sampling_text(basin_));
+    std::string text =
+        study_.parameters.balls == 0
+            ? std::string()
+            : fmt::format("{} starts {}, each followed until it is known where it ends (undecided after {}). ",
+                          basin_.starts, starts_words(study_, drawn_keys(study_)),
+                          shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
+    if (study_.parameters.balls > 0) text += on_one_line(sampling_text(basin_));
     text += model_words(study_, {basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds});
     if (basin_.resumed_from > 0) text += fmt::format("; {} starts from an earlier run's file", basin_.resumed_from);
     add(Paragraph{text + "."});

@@ -92,11 +92,28 @@ std::string stopped_basin_text(const BasinResult& r) {
 
 std::string run_text(const BasinResult& r) {
   const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
+  if (r.study.parameters.balls == 0) return fmt::format("{}; equipoise {}\n", computed_text(r), version_string);
   return fmt::format("{} starts{}; {}, {:.0f} starts/s; equipoise {}\n", r.starts, seed, computed_text(r),
                      static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
 }
 
+// The rotor alone.
+std::string bare_text(const BasinResult& r, const TextStyle& style) {
+  if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
+  const OneBodyRuns& bare = r.without_balls->bare;
+  std::string text = filled("", bare_words(r), style) + "\n" + table_text(bare_table(r), style);
+  for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
+  if (const std::string hits = clearance_words(bare.figures, r.study); !hits.empty()) text += filled("", hits, style);
+  return text + "\n";
+}
+
 }  // namespace
+
+std::string bare_words(const BasinResult& r) {
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (bare.one) return "There are no balls: nothing is drawn, and one run tells all.";
+  return fmt::format("There are no balls: {} runs draw what else is uncertain.", bare.runs);
+}
 
 namespace {
 
@@ -182,6 +199,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style) {
   std::string text;
   if (const auto verdict = verdict_of(r)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
+  if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r), style);
   if (r.starts == 0)
     return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
   text += outcome_text(r, style);

@@ -11,6 +11,9 @@ namespace equipoise {
 /// For the terminal: verdict, shares in percent, the rotor without balls beside that with them.
 std::string basin_text(const BasinResult& result, const TextStyle& style = {});
 
+/// Of a rotor without balls: how many runs tell of it.
+std::string bare_words(const BasinResult& result);
+
 /// One JSON object; shares are fractions of one. docs/guide/command-line.md lists the keys.
 std::string basin_json(const BasinResult& result);
 

@@ -105,13 +105,17 @@ class Text {
   }
 
   void speeds() {
-    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
-                               by_direction(e_.critical_with_balls, Dimension::speed) + " with the balls in the race");
+    const bool balls = e_.study.parameters.balls > 0;
+    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) +
+                               (balls ? " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) +
+                                            " with the balls in the race"
+                                      : ""));
     if (!e_.speed) return item("final speed", "none: " + e_.speed_words);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     item("final speed",
-         fmt::format("{}, {:.3g} times the {}critical speed with balls", either(*e_.speed, Dimension::speed),
-                     std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower "));
+         fmt::format("{}, {:.3g} times the {}critical speed{}", either(*e_.speed, Dimension::speed),
+                     std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower ",
+                     balls ? " with balls" : ""));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
     if (e_.run_up) run_up(*e_.run_up);
   }
@@ -144,10 +148,13 @@ class Text {
 
   void balance() {
     item("can balance", verdict_text(e_));
-    item("",
-         fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
-                     both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
-                     e_.ball_width.empty() ? "" : " side by side"));
+    if (e_.study.parameters.balls == 0)
+      item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
+    else
+      item("",
+           fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
+                       both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
+                       e_.ball_width.empty() ? "" : " side by side"));
     if (e_.unbalance != e_.study.parameters.eccentricity)
       item("", fmt::format("the rotor's own is {}; the race off the shaft makes that of it at the final speed",
                            both(e_.study.parameters.eccentricity, Dimension::unbalance)));
@@ -158,7 +165,7 @@ class Text {
                        both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
     if (e_.gravity_ratio)
       item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
-    if (!e_.motion) item("way into balance", "not linearised: " + e_.no_motion);
+    if (!e_.motion && e_.study.parameters.balls > 0) item("way into balance", "not linearised: " + e_.no_motion);
   }
 
   void motion(const BalancedMotion& m) {
@@ -235,6 +242,7 @@ class Text {
   }
 
   void rules() {
+    if (e_.advice.empty()) return;
     text_ +=
         "\nRules of thumb: estimates by formulas; docs/rules-of-thumb.md derives them and says how often each is "
         "right\n";

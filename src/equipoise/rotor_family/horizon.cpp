@@ -97,9 +97,13 @@ SettlingRates settling_rates(const model::Parameters& parameters, double speed) 
 
 Horizon choose_horizon(const Study& study) {
   Horizon horizon;
+  horizon.given = study.numerics.horizon.has_value();
+  if (study.parameters.balls == 0) {  // a rotor alone is followed until it is steady
+    horizon.time = study.numerics.horizon.value_or(shortest);
+    return horizon;
+  }
   horizon.rates = settling_rates(study.parameters, study.speed_profile().final_speed());
   horizon.asked = e_foldings / horizon.rates.slowest();
-  horizon.given = study.numerics.horizon.has_value();
   // If not even one e-folding fits, the longest horizon would decide nothing more.
   const bool hopeless = horizon.rates.slowest() * longest < 1.0;
   const double for_all = study.system().smooth() ? shortest_for_all : shortest_with_events;

@@ -121,6 +121,7 @@ void check_watchable(const Study& study) {
 
 void check_decidable(const Study& study) {
   check(study);
+  check_has_balls(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
   if (std::fabs(speed) > fastest_speed)
@@ -137,8 +138,18 @@ void check_proof(const Study& study) {
     throw InputError(study.name, "numerics.decide", "proof", lack->reason + "; must be \"validated\" or \"horizon\"");
 }
 
+void check_has_balls(const Study& study) {
+  if (study.parameters.balls == 0)
+    throw InputError(
+        study.name, "balancer.balls", "0",
+        fmt::format("leaves nothing to balance with; must be 1 to {} here: only basin, report, simulate and "
+                    "explain take a rotor without balls",
+                    model::max_balls));
+}
+
 void check_offers(const Study& study, model::ResultKind answer) {
   check(study);
+  check_has_balls(study);
   reject_if_lacking(study, answer);
 }
 

@@ -11,6 +11,8 @@ void check_decidable(const Study& study);
 /// The same at the medians and ends of uncertain values, if there are any. With `transients`, also throws for a study
 /// whose transients cannot be watched.
 void check_runnable(const Study& study, bool transients);
+/// Throws InputError for a rotor without balls.
+void check_has_balls(const Study& study);
 /// Throws InputError if a study asks for decisions by proof but proofs are not possible.
 void check_proof(const Study& study);
 

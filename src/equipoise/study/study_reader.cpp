@@ -274,6 +274,34 @@ void read_grade(Document& document) {
   limits.erase("residual");
 }
 
+// A rotor without balls is read as one with a ball, whose keys do not count, and then loses it.
+bool take_no_balls(Document& document) {
+  StudyValue* balancer = find_table(document.root, "balancer");
+  const StudyValue* balls = balancer ? balancer->find("balls") : nullptr;
+  if (!balls || !balls->integer() || *balls->integer() != 0) return false;
+  const bool physical = is_physical(document);
+  StudyValue none;
+  none.set("balls", 1);
+  if (const StudyValue* radius = balancer->find("race_radius")) none.set("race_radius", *radius);
+  if (const StudyValue* offset = balancer->find("race_offset")) none.set("race_offset", *offset);
+  none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
+  none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
+  *balancer = std::move(none);
+  for (const char* key : {"phi", "phi_dot"})
+    if (StudyValue* initial = find_table(document.root, "initial")) initial->erase(key);
+  StudyValue released;
+  released.set("time", physical ? StudyValue("0 s") : StudyValue(0.0));
+  document.root.set("release", std::move(released));
+  return true;
+}
+
+void take_ball(Study& study) {
+  study.parameters.balls = 0;
+  study.parameters.mass = study.parameters.drag = {};
+  study.initial.phi = study.initial.phi_dot = {};
+  study.angles_stated = false;
+}
+
 Study read(Document document, Source source) {
   check_tables(document);
   read_grade(document);
@@ -284,6 +312,7 @@ Study read(Document document, Source source) {
   if (is_physical(document)) uncertain.physical = document.root;
   uncertain.values = take_uncertain(document);
   const StudyValue medians = uncertain.empty() ? StudyValue() : document.root;
+  const bool bare = take_no_balls(document);
   make_dimensionless(document);
   Study result;
   result.name = document.name;
@@ -293,6 +322,7 @@ Study read(Document document, Source source) {
   read_release(document, result);
   read_initial(document, result);
   read_sampling(document, result);
+  if (bare) take_ball(result);
   rest_under_gravity(document, result);
   for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
   read_units(document, result);
@@ -324,7 +354,7 @@ namespace {
 BallDetails ball_details_of(Document document) {
   check_keys(document, is_physical(document));  // misspellings are reported first, whichever function is called first
   take_uncertain(document);
-  return ball_details(document);
+  return take_no_balls(document) ? BallDetails{} : ball_details(document);
 }
 }  // namespace
 

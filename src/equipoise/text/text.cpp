@@ -148,10 +148,14 @@ std::string study_heading(const Study& study) {
   std::string text = fmt::format("{}\n", study.name);
   const Shown shown(study);
   const bool same = p.equal_balls();
-  text += fmt::format("{} ball{}: mass {}, drag {}; rotor: eccentricity {}, damping {}\n", p.balls,
-                      p.balls == 1 ? "" : "s", shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
-                      shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain),
-                      shown(p.eccentricity, Dimension::length), shown(p.damping[0], Dimension::damping));
+  if (p.balls == 0)
+    text += "no balls; ";
+  else
+    text += fmt::format("{} ball{}: mass {}, drag {}; ", p.balls, p.balls == 1 ? "" : "s",
+                        shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
+                        shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
+  text += fmt::format("rotor: eccentricity {}, damping {}\n", shown(p.eccentricity, Dimension::length),
+                      shown(p.damping[0], Dimension::damping));
   if (study.scales)
     text +=
         fmt::format("critical speed {}, 1/omega_c = {}\n", shown(1.0, Dimension::speed), shown(1.0, Dimension::time));

@@ -140,6 +140,21 @@ std::string times_words(const TransientGroup& with, const TransientGroup& bare, 
                      transient_figures[figure_place(figure)].title, median, most);
 }
 
+// Whether the rotor without balls keeps the limits; empty if none is stated.
+std::string limit_words(const OneBodyRuns& bare) {
+  const auto &end = bare.figures.within[static_cast<std::size_t>(Within::at_end)],
+             &way = bare.figures.within[static_cast<std::size_t>(Within::on_the_way)];
+  if (!end || bare.figures.starts == 0) return "";
+  if (bare.one)
+    return fmt::format("without balls the rotor ends {}{}", end->count > 0 ? "within all limits" : "over a limit",
+                       !way             ? ""
+                       : way->count > 0 ? ", and never is over one on the way"
+                                        : ", and is over one on the way");
+  const auto share = [](const Share& s) { return percent(s.share, digits_for(s)); };
+  return fmt::format("without balls {} of the rotors end within all limits{}", share(*end),
+                     way ? fmt::format(", and {} never are over one on the way", share(*way)) : "");
+}
+
 std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
   return runs.one ? "" : fmt::format(" in {} of {} runs", count, runs.runs);
 }
@@ -183,6 +198,21 @@ bool tells_without_balls(const BasinResult& r) {
          r.transients->groups.front().starts >= fewest_for_figures;
 }
 
+DocumentTable bare_table(const BasinResult& r) {
+  const OneBodyRuns& bare = r.without_balls->bare;
+  DocumentTable table{{"", bare.one ? "one run" : "median"}, {}, "", false, {}};
+  if (!bare.one) table.header.emplace_back("90 % below");
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!f.of_bare_rotor || (f.needs && !(r.study.limits.*f.needs))) continue;
+    const Unit unit = unit_of(r.study, f.told_in());
+    table.rows.push_back(
+        row_of("ln", {fmt::format("{}, {}", f.title, unit.name), quantile_text(bare.figures, k, 0, unit.size)}));
+    if (!bare.one) table.rows.back().push_back(number_cell(quantile_text(bare.figures, k, 1, unit.size)));
+  }
+  return table;
+}
+
 DocumentTable without_balls_table(const BasinResult& r) {
   const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
                        &held = r.without_balls->held.figures;
@@ -216,15 +246,16 @@ DocumentTable without_balls_table(const BasinResult& r) {
 }
 
 std::vector<std::string> without_balls_words(const BasinResult& r) {
-  const TransientGroup &with = r.transients->groups.front(), &none = r.without_balls->bare.figures;
   std::vector<std::string> words;
   const auto say = [&](std::string sentence) {
     if (sentence.empty()) return;
     if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
     words.push_back(sentence + ".");
   };
-  say(times_words(with, none, &TransientRow::peak_radial));
-  say(times_words(with, none, &TransientRow::rms_velocity));
+  if (tells_without_balls(r))
+    for (const auto figure : {&TransientRow::peak_radial, &TransientRow::rms_velocity})
+      say(times_words(r.transients->groups.front(), r.without_balls->bare.figures, figure));
+  say(limit_words(r.without_balls->bare));
   const auto tell = [&](const OneBodyRuns& body, const char* how) {
     if (body.stalled > 0)
       say(fmt::format("{} the motor does not bring the rotor up to speed{}{}", how, of_runs(body.stalled, body),
@@ -242,7 +273,9 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
 }
 
 Json without_balls_json(const WithoutBalls& without, const Study& study) {
-  return {{"no_balls", one_body_json(without.bare, study)}, {"balls_held", one_body_json(without.held, study)}};
+  Json json = {{"no_balls", one_body_json(without.bare, study)}};
+  if (without.held.runs > 0) json["balls_held"] = one_body_json(without.held, study);
+  return json;
 }
 
 DocumentTable limits_table(const TransientGroup& group, const Study& study) {

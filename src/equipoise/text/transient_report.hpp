@@ -24,7 +24,9 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
 bool tells_without_balls(const BasinResult& result);
 /// A row a figure: without balls, with balls held, with balls. Only where tells_without_balls().
 DocumentTable without_balls_table(const BasinResult& result);
-/// What to read from it, a sentence each.
+/// The same of a rotor that has no balls at all.
+DocumentTable bare_table(const BasinResult& result);
+/// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
 /// The object "without_balls" of basin_json(), in the units of transient_json().
 nlohmann::ordered_json without_balls_json(const WithoutBalls& without, const Study& study);
