@@ -81,6 +81,7 @@ ROOMS = {
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
     "decision": "statistics units study columns results text",
+    "changes": "running model study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision",
     "plots": "units study echo results drawing text reports",
     "explain":

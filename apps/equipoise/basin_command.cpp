@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/changes/try_changes.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/analyses/sensitivity.hpp"
 #include "equipoise/reports/basin_report.hpp"
@@ -28,7 +29,7 @@ struct BasinArguments : ComputingArguments {
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed, start_index, half_width, decide, rows;
   std::string output, report;
-  bool json = false, transients = false, sensitivity = false;
+  bool json = false, transients = false, sensitivity = false, no_changes = false;
 };
 
 std::vector<std::string> overrides_from(const BasinArguments& a) {
@@ -91,6 +92,16 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   return done;
 }
 
+// Tried only where the balancer is of no use as it is.
+std::vector<TriedChange> changes_for(const BasinResult& result, const BasinOptions& options) {
+  const auto verdict = verdict_of(result);
+  std::vector<TriedChange> tried;
+  if (verdict && (verdict->decision == Decision::caution || verdict->decision == Decision::change ||
+                  verdict->decision == Decision::do_not_fit))
+    tried = try_changes(result.study, options);
+  return tried;
+}
+
 int run_basin(const BasinArguments& a) {
   begin_computing(a);
   require_ending("--report", a.report, ".html");
@@ -125,8 +136,10 @@ int run_basin(const BasinArguments& a) {
   BasinResult result = a.report.empty() ? basin(study, options)
                                         : write_machine_page(text, name, overrides, study, options, a.report).basin;
   if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
+  std::vector<TriedChange> tried;
+  if (!a.no_changes && !result.partial) tried = changes_for(result, options);
   progress.finish();
-  put(a.json ? basin_json(result) : basin_text(result, text_style()));
+  put(a.json ? basin_json(result, tried) : basin_text(result, text_style(), tried));
   const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
   return partial && stop_flag() ? ended_early(progress.left(), kept_by_output, a.output) : done;
 }
@@ -160,6 +173,8 @@ Command add_basin(CLI::App& app) {
                "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
+  app.add_flag("--no-changes", a->no_changes,
+               "do not try changes of a balancer that does not do (up to eleven, 200 starts each)");
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

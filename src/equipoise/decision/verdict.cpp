@@ -24,7 +24,7 @@ class Judge {
   explicit Judge(const BasinResult& r)
       : r_(r), with_(r.transients->groups.front()), bare_(r.without_balls->bare), none_(bare_.figures) {}
 
-  Verdict verdict() {
+  Verdict verdict(std::span<const TriedChange> tried) {
     const auto& kept = with_.within[static_cast<std::size_t>(Within::both)];
     if (kept)
       by_limits(*kept);
@@ -33,7 +33,8 @@ class Judge {
     verdict_.change = verdict_.decision == Decision::fit          ? "Nothing has to change."
                       : verdict_.decision == Decision::not_needed ? "Leave the balancer out."
                       : verdict_.decision == Decision::open       ? more_starts()
-                                                            : "\"equipoise design\" searches for a better balancer.";
+                      : !tried.empty()                            ? best_words(tried)
+                                       : "\"equipoise design\" searches for a better balancer.";
     return std::move(verdict_);
   }
 
@@ -128,6 +129,23 @@ class Judge {
                        peak.value * unit.size, unit.name, bare * unit.size, unit.name);
   }
 
+  // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 200 starts keep every limit."
+  std::string best_words(std::span<const TriedChange> tried) const {
+    const TriedChange* best = &tried.front();
+    for (const TriedChange& t : tried)
+      if (serves_better(t, *best)) best = &t;
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
+    const std::string figure =
+        best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
+                   : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
+                                 best->end_velocity.value * unit.size, unit.name, best->starts);
+    if (best->decision == Decision::fit) return fmt::format("With {}: {}.", best->words, figure);
+    if (best->decision == Decision::caution)
+      return fmt::format("With {}: {}, but the peak on the way stays larger than without balls.", best->words, figure);
+    return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
+                       tried.size(), best->words, figure);
+  }
+
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
     if (undecided.count > 0)
@@ -145,9 +163,36 @@ class Judge {
 
 }  // namespace
 
-std::optional<Verdict> verdict_of(const BasinResult& r) {
+std::optional<Verdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
   if (!tells_without_balls(r) || r.without_balls->bare.figures.starts == 0) return std::nullopt;
-  return Judge(r).verdict();
+  return Judge(r).verdict(tried);
+}
+
+std::optional<TriedChange> tried_change(std::string words, const BasinResult& r) {
+  const auto verdict = verdict_of(r);
+  if (!verdict) return std::nullopt;
+  const TransientGroup& all = r.transients->groups.front();
+  return TriedChange{std::move(words),
+                     r.study,
+                     r.starts,
+                     verdict->decision,
+                     all.within[static_cast<std::size_t>(Within::both)],
+                     all.figure(&TransientRow::rms_velocity).quantiles[ninety],
+                     all.figure(&TransientRow::peak_radial).quantiles[ninety]};
+}
+
+namespace {
+// Lower is better.
+int standing(Decision d) {
+  return d == Decision::fit || d == Decision::not_needed ? 0 : d == Decision::caution ? 1 : d == Decision::open ? 2 : 3;
+}
+}  // namespace
+
+bool serves_better(const TriedChange& a, const TriedChange& b) {
+  if (standing(a.decision) != standing(b.decision)) return standing(a.decision) < standing(b.decision);
+  if (a.kept && b.kept && a.kept->share != b.kept->share) return a.kept->share > b.kept->share;
+  if (a.end_velocity.value != b.end_velocity.value) return a.end_velocity.value < b.end_velocity.value;
+  return a.peak.value < b.peak.value;
 }
 
 std::string verdict_text(const Verdict& v, const TextStyle& style) {
@@ -158,11 +203,30 @@ std::string verdict_text(const Verdict& v, const TextStyle& style) {
          filled("change   ", v.change, style) + "\n";
 }
 
-nlohmann::ordered_json verdict_json(const Verdict& v) {
-  return {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
-          {"words", v.words},
-          {"because", v.because},
-          {"change", v.change}};
+nlohmann::ordered_json verdict_json(const Verdict& v, std::span<const TriedChange> tried) {
+  nlohmann::ordered_json json = {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
+                                 {"words", v.words},
+                                 {"because", v.because},
+                                 {"change", v.change}};
+  if (tried.empty()) return json;
+  json["tried"] = nlohmann::ordered_json::array();
+  for (const TriedChange& t : tried) {
+    const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
+      const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
+      const auto shown = [&](double value) {
+        return std::isfinite(value) ? nlohmann::ordered_json(value * unit.size) : nlohmann::ordered_json(nullptr);
+      };
+      return nlohmann::ordered_json{
+          {"unit", unit.name}, {"value", shown(e.value)}, {"low", shown(e.low)}, {"high", shown(e.high)}};
+    };
+    nlohmann::ordered_json one = {
+        {"words", t.words}, {"starts", t.starts}, {"decision", decision_names[static_cast<std::size_t>(t.decision)]}};
+    if (t.kept) one["kept"] = sure_share_json(*t.kept);
+    one["rms_velocity_90"] = figure(t.end_velocity, study::Dimension::velocity);
+    one["peak_radial_90"] = figure(t.peak, study::Dimension::length);
+    json["tried"].push_back(one);
+  }
+  return json;
 }
 
 }  // namespace equipoise

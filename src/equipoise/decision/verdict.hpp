@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -39,11 +40,28 @@ struct Verdict {
 /// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
 inline constexpr double larger_peak = 1.1, quieter_end = 0.5;
 
-/// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures.
-std::optional<Verdict> verdict_of(const BasinResult& result);
+/// One change of the balancer, tried on starts of its own.
+struct TriedChange {
+  std::string words;                   ///< "twice the drag"
+  Study study;                         ///< with it
+  std::uint64_t starts = 0;            ///< tried
+  Decision decision = Decision::open;  ///< on it
+  std::optional<Share> kept;           ///< of starts that keep every limit; empty without limits
+  QuantileEstimate end_velocity;       ///< RMS, 90 % of starts below; R omega_c
+  QuantileEstimate peak;               ///< displacement, 90 % of starts below; R
+};
+/// What is told of a result with the change, if it can be judged.
+std::optional<TriedChange> tried_change(std::string words, const BasinResult& with_it);
+/// Whether `a` serves better: by decision, then by the share that keeps the limits, else by velocity at the end.
+bool serves_better(const TriedChange& a, const TriedChange& b);
+
+/// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
+/// the verdict's last line tells the best of them.
+std::optional<Verdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 /// Three lines, "verdict  Fit it...", and the empty line after them.
 std::string verdict_text(const Verdict& verdict, const TextStyle& style = {});
-nlohmann::ordered_json verdict_json(const Verdict& verdict);
+/// The verdict's lines, and every change that was tried, in the study's shown units.
+nlohmann::ordered_json verdict_json(const Verdict& verdict, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

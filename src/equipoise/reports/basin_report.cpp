@@ -136,7 +136,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   column(true, physical ? "known after, s" : "known after", true);
   column(even, "as good as", true);
   const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
-    std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_text(o.share))};
+    std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
     if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
     if (t) {
       std::string rms = "-";
@@ -195,9 +195,9 @@ std::string outcome_text(const BasinResult& r, const TextStyle& style) {
 
 }  // namespace
 
-std::string basin_text(const BasinResult& r, const TextStyle& style) {
+std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<const TriedChange> tried) {
   std::string text;
-  if (const auto verdict = verdict_of(r)) text += verdict_text(*verdict, style);
+  if (const auto verdict = verdict_of(r, tried)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
   if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r), style);
   if (r.starts == 0)
@@ -216,7 +216,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style) {
   return text + lines_filled(notes + run_text(r), style);
 }
 
-std::string basin_json(const BasinResult& r) {
+std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried) {
   Json json;
   json["starts"] = r.starts;
   json["starts_asked"] = r.asked > 0 ? Json(r.asked) : Json(nullptr);
@@ -254,7 +254,7 @@ std::string basin_json(const BasinResult& r) {
   if (r.stalled) json["units"]["below"] = "omega_c";
   if (r.met) json["balls_met"] = share(*r.met);
   if (r.passed) json["units"]["above"] = "omega_c";
-  if (const auto verdict = verdict_of(r)) json["verdict"] = verdict_json(*verdict);
+  if (const auto verdict = verdict_of(r, tried)) json["verdict"] = verdict_json(*verdict, tried);
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   if (r.without_balls) json["without_balls"] = without_balls_json(*r.without_balls, r.study);
   if (r.sensitivity) {

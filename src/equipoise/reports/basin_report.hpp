@@ -1,20 +1,23 @@
 // The result of an ensemble as text and as JSON.
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "equipoise/decision/verdict.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// For the terminal: verdict, shares in percent, the rotor without balls beside that with them.
-std::string basin_text(const BasinResult& result, const TextStyle& style = {});
+std::string basin_text(const BasinResult& result, const TextStyle& style = {}, std::span<const TriedChange> tried = {});
 
 /// Of a rotor without balls: how many runs tell of it.
 std::string bare_words(const BasinResult& result);
 
-/// One JSON object; shares are fractions of one. docs/guide/command-line.md lists the keys.
-std::string basin_json(const BasinResult& result);
+/// `tried`: changes for the verdict to tell of. One JSON object; shares are fractions of one.
+/// docs/guide/command-line.md lists the keys.
+std::string basin_json(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

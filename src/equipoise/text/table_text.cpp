@@ -14,7 +14,7 @@ namespace equipoise {
 
 DocumentCell share_cell(const Share& s) { return number_cell(percent(s.share, s.count == 0 ? 0 : digits_for(s))); }
 
-std::string share_text(const Share& s) {
+std::string share_with_interval(const Share& s) {
   if (s.total == 0) return "-";
   if (s.count == 0 || s.count == s.total) return fmt::format("{} % ({})", s.count == 0 ? "0" : "100", interval(s));
   const int digits = digits_for(s);
