@@ -19,14 +19,21 @@ namespace {
 constexpr std::size_t median = 0, ninety = 1;
 static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
 
+// Of the limits stated: on the way and at the end, or one of the two where no limit is on the other.
+const std::optional<Share>& kept_of(const TransientGroup& group) {
+  const auto share = [&](Within w) -> const std::optional<Share>& { return group.within[static_cast<std::size_t>(w)]; };
+  return share(Within::both)     ? share(Within::both)
+         : share(Within::at_end) ? share(Within::at_end)
+                                 : share(Within::on_the_way);
+}
+
 class Judge {
  public:
   explicit Judge(const BasinResult& r)
       : r_(r), with_(r.transients->groups.front()), bare_(r.without_balls->bare), none_(bare_.figures) {}
 
   Verdict verdict(std::span<const TriedChange> tried) {
-    const auto& kept = with_.within[static_cast<std::size_t>(Within::both)];
-    if (kept)
+    if (const auto& kept = kept_of(with_))
       by_limits(*kept);
     else
       by_comparison();
@@ -53,10 +60,9 @@ class Judge {
 
   void by_limits(const Share& kept) {
     const double needed = required();
-    const auto& bare = none_.within[static_cast<std::size_t>(Within::both)];
+    const auto& bare = kept_of(none_);
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
-    verdict_.because =
-        fmt::format("{} of starts keep every limit, on the way and at the end{}", share_words(kept), bare_words(bare));
+    verdict_.because = fmt::format("{} of starts keep every limit{}", share_words(kept), bare_words(bare));
     if (with_.within[0] && with_.within[1] && kept.share < needed)
       verdict_.because += fmt::format(" ({} on the way, {} at the end)", percent_text(with_.within[1]->share),
                                       percent_text(with_.within[0]->share));
@@ -176,7 +182,7 @@ std::optional<TriedChange> tried_change(std::string words, const BasinResult& r)
                      r.study,
                      r.starts,
                      verdict->decision,
-                     all.within[static_cast<std::size_t>(Within::both)],
+                     kept_of(all),
                      all.figure(&TransientRow::rms_velocity).quantiles[ninety],
                      all.figure(&TransientRow::peak_radial).quantiles[ninety]};
 }

@@ -1,0 +1,196 @@
+// The verdict on an ensemble: each decision where its reason holds and not where it does not; changes that are tried
+// are what their words say; text within its width.
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "../support/studies.hpp"
+#include "../support/study_difference.hpp"
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/changes/try_changes.hpp"
+#include "equipoise/decision/plain_names.hpp"
+#include "equipoise/decision/verdict.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/reports/basin_report.hpp"
+
+namespace equipoise {
+namespace {
+
+const std::string machine = R"([rotor]
+mass = "4 kg"
+stiffness = "10 kN/m"
+damping_ratio = 0.05
+unbalance = "300 g mm"
+[balancer]
+balls = 4
+race_radius = "60 mm"
+ball_diameter = "8 mm"
+ball_density = "7800 kg/m3"
+oil_viscosity = "100 mPa s"
+[speed]
+final = "1800 rpm"
+run_up = "4 s"
+[sampling]
+starts = 60
+)";
+const std::string limits = "[limits]\ndisplacement = \"2 mm\"\nvelocity = \"5 mm/s\"\n";
+
+// An ensemble with everything a verdict is made of; its figures are then set by hand.
+const BasinResult& ensemble(bool limited) {
+  const auto run = [](const std::string& text) {
+    BasinOptions options;
+    options.transients = true;
+    return basin(parse_study(text, "machine"), options);
+  };
+  static const BasinResult plain = run(machine), with_limits = run(machine + limits);
+  return limited ? with_limits : plain;
+}
+
+struct Numbers {
+  std::uint64_t kept = 0, total = 1000;
+  bool bare_keeps = false;
+  double end = 0.0, bare_end = 1.0;    // RMS velocities; with balls in every start
+  double peak = 1.0, bare_peak = 1.0;  // 90 % of starts below; without balls
+};
+
+void set(TransientGroup& group, float TransientRow::*figure, double value) {
+  SampleSummary& s = group.figures[figure_place(figure)];
+  s.quantiles.fill({value, value, value});
+  s.mean = s.mean_low = s.mean_high = value;
+}
+
+BasinResult with_numbers(bool limited, const Numbers& n) {
+  BasinResult r = ensemble(limited);
+  TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  set(with, &TransientRow::rms_velocity, n.end);
+  set(bare, &TransientRow::rms_velocity, n.bare_end);
+  set(with, &TransientRow::peak_radial, n.peak);
+  set(bare, &TransientRow::peak_radial, n.bare_peak);
+  if (!limited) return r;
+  for (auto& share : with.within) share = wilson_share(n.kept, n.total);
+  for (auto& share : bare.within) share = wilson_share(n.bare_keeps, 1);
+  return r;
+}
+
+Decision decided(bool limited, const Numbers& n) { return verdict_of(with_numbers(limited, n))->decision; }
+
+TEST(Verdict, ByLimitsIsTheShareThatKeepsThem) {
+  EXPECT_EQ(decided(true, {.kept = 1000}), Decision::fit);
+  EXPECT_EQ(decided(true, {.kept = 980}), Decision::fit);  // 97.0 to 98.7 %
+  EXPECT_EQ(decided(true, {.kept = 955}), Decision::open);
+  EXPECT_EQ(decided(true, {.kept = 900}), Decision::change);
+  EXPECT_EQ(decided(true, {.kept = 1000, .bare_keeps = true}), Decision::not_needed);
+  EXPECT_EQ(decided(true, {.kept = 900, .bare_keeps = true}), Decision::do_not_fit);
+  EXPECT_EQ(decided(true, {.kept = 400, .end = 2.0}), Decision::do_not_fit);
+  EXPECT_EQ(decided(true, {.kept = 400, .end = 0.5}), Decision::change);
+  EXPECT_EQ(decided(true, {.kept = 1000, .peak = 1.2}), Decision::caution);
+  EXPECT_EQ(decided(true, {.kept = 1000, .peak = 1.05}), Decision::fit);
+}
+
+TEST(Verdict, WithoutLimitsComparesWithTheBareRotor) {
+  EXPECT_EQ(decided(false, {.end = 0.0}), Decision::fit);
+  EXPECT_EQ(decided(false, {.end = 0.49}), Decision::fit);
+  EXPECT_EQ(decided(false, {.end = 0.51}), Decision::change);
+  EXPECT_EQ(decided(false, {.end = 1.01}), Decision::do_not_fit);
+  EXPECT_EQ(decided(false, {.end = 0.1, .peak = 2.9}), Decision::caution);
+}
+
+TEST(Verdict, AsksForTheShareThatLimitsState) {
+  BasinResult r = with_numbers(true, {.kept = 900});
+  EXPECT_EQ(verdict_of(r)->decision, Decision::change);
+  r.study.limits.share = 0.8;
+  EXPECT_EQ(verdict_of(r)->decision, Decision::fit);
+}
+
+TEST(Verdict, ComesFirstInTextAndStandsInJson) {
+  const BasinResult r = with_numbers(true, {.kept = 1000, .peak = 2.9});
+  const std::string text = basin_text(r);
+  EXPECT_TRUE(text.starts_with("verdict  Fit it only if it may shake more on the way:"));
+  EXPECT_EQ(nlohmann::json::parse(basin_json(r))["verdict"]["decision"], "caution");
+  EXPECT_TRUE(holds(basin_text(r, {80, false, true}), "\x1b[33mverdict"));
+  EXPECT_FALSE(holds(text, "\x1b["));
+}
+
+TEST(Verdict, IsNotGivenWithoutTransients) {
+  BasinOptions options;
+  options.transients = false;
+  EXPECT_FALSE(verdict_of(basin(parse_study(machine, "machine"), options)));
+}
+
+TEST(Verdict, TellsTheBestChangeThatWasTried) {
+  const BasinResult r = with_numbers(true, {.kept = 400});
+  std::vector<TriedChange> tried{{"half the drag", r.study, 200, Decision::change, wilson_share(150, 200), {}, {}},
+                                 {"twice the drag", r.study, 200, Decision::change, wilson_share(180, 200), {}, {}}};
+  EXPECT_TRUE(holds(verdict_of(r, tried)->change, "None of 2 changes tried is enough; best is twice the drag: 90.0 %"));
+  tried.push_back({"6 balls", r.study, 200, Decision::fit, wilson_share(200, 200), {}, {}});
+  EXPECT_TRUE(verdict_of(r, tried)->change.starts_with("With 6 balls: 100.0 % (above 98.12 %) of 200 starts keep"));
+}
+
+TEST(BasinText, KeepsToEightyColumns) {
+  for (const bool limited : {false, true}) {
+    std::istringstream lines(basin_text(ensemble(limited)));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80u) << line;
+  }
+  EXPECT_TRUE(holds(basin_text(ensemble(true), wide_style), "Decided by:"));
+  EXPECT_FALSE(holds(basin_text(ensemble(true)), "Decided by:"));
+}
+
+// Each as the same change made in the study's text.
+TEST(Changes, AreWhatTheirWordsSay) {
+  const Study study = parse_study(machine, "machine");
+  const auto expect = [&](const std::string& words, const std::vector<std::string>& overrides) {
+    for (const Change& change : usual_changes(study))
+      if (change.words == words) {
+        const Study same = parse_study(machine, "machine", overrides);
+        EXPECT_EQ(first_difference(change.study, same, 1e-12), "") << words;
+        return;
+      }
+    ADD_FAILURE() << words;
+  };
+  expect("twice the drag", {"balancer.oil_viscosity=200 mPa s"});
+  expect("a quarter of the drag", {"balancer.oil_viscosity=25 mPa s"});
+  expect("6 balls", {"balancer.balls=6"});
+  expect("3 balls", {"balancer.balls=3"});
+  expect("balls of 10 mm", {"balancer.ball_diameter=10 mm"});
+  expect("balls of 6 mm", {"balancer.ball_diameter=6 mm"});
+  expect("a run-up in half the time", {"speed.run_up=2 s"});
+  const double latch = 0.5 * (std::sqrt(2.0) + study.speed.final);
+  expect("a latch that holds the balls until " +
+             std::to_string(latch * study.scales->frequency * 30 / M_PI).substr(0, 6) + " rpm",
+         {"release={speed='" + std::to_string(latch * study.scales->frequency) + " rad/s'}"});
+}
+
+TEST(Changes, LeaveUncertainRotorsAlone) {
+  EXPECT_TRUE(
+      usual_changes(parse_study(with(machine, "\"300 g mm\"", "{ uniform = [\"100 g mm\", \"300 g mm\"] }"), "machine"))
+          .empty());
+}
+
+TEST(Changes, AreTriedUntilOneFits) {
+  Study study = parse_study(machine + limits, "machine");
+  RunOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const auto tried = try_changes(study, one), again = try_changes(study, two);
+  ASSERT_FALSE(tried.empty());
+  ASSERT_EQ(tried.size(), again.size());
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    EXPECT_EQ(tried[k].starts, starts_of_a_change);
+    EXPECT_EQ(tried[k].kept->count, again[k].kept->count);
+    EXPECT_EQ(tried[k].decision == Decision::fit, k + 1 == tried.size() && tried.size() < usual_changes(study).size());
+  }
+}
+
+TEST(PlainNames, SayWhatBallsDo) {
+  EXPECT_EQ(plain_name("co-drifting"), "balls circulate together");
+  EXPECT_EQ(plain_name("drifting apart (2 together), quasi-periodic"),
+            "balls circulate apart (2 together), quasi-periodic");
+  EXPECT_EQ(plain_name("2 captured, 1 drifting"), "balls: 2 staying, 1 circulating");
+  EXPECT_EQ(plain_name("balanced"), "");
+}
+
+}  // namespace
+}  // namespace equipoise
