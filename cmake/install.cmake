@@ -29,7 +29,7 @@ foreach(header
     periodic_orbits/orbit.hpp
     attractors/catalogue.hpp attractors/motion.hpp
     proof/certificate.hpp proof/member_certificate.hpp
-    columns/column.hpp columns/slice_figures.hpp columns/transient_figures.hpp
+    columns/column.hpp columns/slice_figures.hpp columns/standard_levels.hpp columns/transient_figures.hpp
     results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp results/branch.hpp
       results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp results/comparison_result.hpp
       results/design_result.hpp results/explanation.hpp results/inspection.hpp results/machine_page.hpp

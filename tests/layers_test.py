@@ -41,7 +41,7 @@ ROOMS = {
     "trapping_regions":
         "running math drives model types mechanics batch classification kernels periodic_orbits attractors "
         "balanced_regions",
-    "columns": "types units study",
+    "columns": "types standards units study",
     "results": "drives model types mechanics statistics sampling units toml study proof columns",
     "io": "running",
     "result_files": "running model types statistics sampling study columns results io",
@@ -80,7 +80,7 @@ ROOMS = {
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
-    "decision": "statistics units study columns results text",
+    "decision": "statistics standards units study columns results text",
     "changes": "running model study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision",
     "plots": "units study echo results drawing text reports",

@@ -11,6 +11,7 @@
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/decision/plain_names.hpp"
+#include "equipoise/decision/standards_text.hpp"
 #include "equipoise/decision/verdict.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
@@ -203,7 +204,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (r.starts == 0)
     return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
   text += outcome_text(r, style);
-  if (r.transients) text += balancer_text(r, style);
+  if (r.transients) text += balancer_text(r, style) + standards_text(r, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);
   if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
   std::string notes = sampling_text(r);
@@ -255,6 +256,7 @@ std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried)
   if (r.met) json["balls_met"] = share(*r.met);
   if (r.passed) json["units"]["above"] = "omega_c";
   if (const auto verdict = verdict_of(r, tried)) json["verdict"] = verdict_json(*verdict, tried);
+  if (Json judged = standards_json(r); !judged.is_null()) json["standards"] = std::move(judged);
   if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
   if (r.without_balls) json["without_balls"] = without_balls_json(*r.without_balls, r.study);
   if (r.sensitivity) {

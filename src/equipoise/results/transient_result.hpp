@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/columns/standard_levels.hpp"
 #include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
@@ -25,6 +26,7 @@ struct TransientGroup {
   std::array<std::optional<Share>, transient_limits.size()>
       exceeded{};  ///< of the starts in this group; empty without a limit
   std::array<std::optional<Share>, transient_limits.size()> exceeded_at_end{};  ///< by their motion at the end
+  std::array<std::optional<Share>, standard_levels.size()> beyond{};  ///< starts that exceed a standard's level
   /// Starts within all limits (Within); empty where no such limit is stated.
   std::array<std::optional<Share>, within_names.size()> within{};
 

@@ -30,7 +30,9 @@ TransientTally::TransientTally(const Study& study, const Sampler& sampler)
       sampler_(sampler),
       final_speed_(std::fabs(study.speed_profile().final_speed())),
       driven_(study.speed.driven()),
-      seed_(study.sampling.seed) {}
+      seed_(study.sampling.seed) {
+  for (std::size_t k = 0; k < standard_levels.size(); ++k) levels_[k] = standard_levels[k].level(study);
+}
 
 void TransientTally::add(const Fate& fate, const TransientRow& row) {
   const double weight = sampler_.weight(seed_, total_++);
@@ -74,6 +76,12 @@ void TransientTally::count_limits(const Fate& fate, const TransientRow& row, dou
     end = end && !ends_beyond;
     way = way && (l.at_end || !exceeds);
   }
+  for (std::size_t k = 0; k < standard_levels.size(); ++k) {
+    if (!levels_[k]) continue;
+    const StandardLevel& l = standard_levels[k];
+    const bool exceeds = !(row.*l.value <= *levels_[k]);
+    line.beyond[k].add(exceeds, open && (l.at_end || !exceeds), weight);
+  }
   line.within[static_cast<std::size_t>(Within::at_end)].add(end, open, weight);
   line.within[static_cast<std::size_t>(Within::on_the_way)].add(way, open && way, weight);
   line.within[static_cast<std::size_t>(Within::both)].add(way && end, open && way, weight);
@@ -102,6 +110,7 @@ void TransientTally::Line::merge(const Line& other) {
   add(exceeding, other.exceeding);
   add(exceeding_at_end, other.exceeding_at_end);
   add(within, other.within);
+  add(beyond, other.beyond);
 }
 
 // Bounded by what the undecided starts of the group could still do.
@@ -128,6 +137,8 @@ TransientGroup TransientTally::group(const Line& line) const {
       result.exceeded[k] = share(line, line.exceeding[k]);
       result.exceeded_at_end[k] = share(line, line.exceeding_at_end[k]);
     }
+  for (std::size_t k = 0; k < standard_levels.size(); ++k)
+    if (levels_[k]) result.beyond[k] = share(line, line.beyond[k]);
   for (std::size_t k = 0; k < result.within.size(); ++k)
     if (kept(static_cast<Within>(k))) result.within[k] = share(line, line.within[k]);
   return result;

@@ -66,6 +66,7 @@ class TransientTally {
     std::uint64_t never = 0;    ///< starts whose motion exceeds limits.settled
     std::array<Having, transient_limits.size()> exceeding{}, exceeding_at_end{};
     std::array<Having, within_names.size()> within{};
+    std::array<Having, standard_levels.size()> beyond{};
 
     void merge(const Line& other);
   };
@@ -75,6 +76,7 @@ class TransientTally {
   static Share share(const Line& line, const Having& having);
 
   Limits limits_;
+  std::array<std::optional<double>, standard_levels.size()> levels_{};
   TransientSettings settings_;
   Sampler sampler_;
   double final_speed_;  // of a prescribed one

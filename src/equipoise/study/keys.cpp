@@ -31,6 +31,7 @@ constexpr auto draws = &Study::sampling;
 constexpr auto box = &Sampling::box;
 constexpr auto num = &Study::numerics;
 constexpr auto lim = &Study::limits;
+constexpr auto norms = &Study::standards;
 
 template <auto... path>
 Member at(Study& study) {
@@ -60,6 +61,8 @@ bool resisted(const Study& study) {
   return std::any_of(p.rolling.begin(), p.rolling.begin() + balls, on) ||
          std::any_of(p.stiction.begin(), p.stiction.begin() + balls, on);
 }
+bool has_class(const Study& study) { return study.standards.severity_class.has_value(); }
+bool is_hand_held(const Study& study) { return study.standards.hand_held; }
 bool rolls(const Study& study) { return study.parameters.rolls; }
 bool touches(const Study& study) { return study.parameters.contact_angle != 0.0; }
 bool rebounds(const Study& study) { return touches(study) || study.parameters.restitution != P{}.restitution; }
@@ -258,6 +261,22 @@ std::vector<Key> all_keys() {
        "e omega in the end: unbalance left over the rotor's mass times the speed, in R omega_c"},
       {"limits.clearance", at<lim, &L::clearance>, positive, D::length, none,
        "radial, between rotor and housing, all around where the rotor rests, in R"},
+      {"standards.severity_class", at<norms, &Standards::severity_class>, any, bare, none,
+       "of ISO 10816-1:1995, for zones of severity: I small machines, up to 15 kW; II up to 75 kW; III large ones, "
+       "rigid; "
+       "IV large ones, on soft supports",
+       nullptr, has_class},
+      {"standards.hand_held", at<norms, &Standards::hand_held>, any, bare, none,
+       "`true`: hands hold what the rotor shakes; daily exposure by ISO 5349-1 and Directive 2002/44/EC", nullptr,
+       is_hand_held},
+      {"standards.standing_mass", at<norms, &Standards::standing_mass>, positive, D::mass, none,
+       "of all that stands on its feet; tells whether the machine may slide"},
+      {"standards.friction",
+       at<norms, &Standards::friction>,
+       {0.0, 10.0, true},
+       bare,
+       none,
+       "coefficient between feet and floor"},
       {"sweep.over", at<&Study::sweep, &SweepSetting::over>, any, bare, none,
        "as of `--over`: `[\"speed.final=1.5:6:0.1\", \"balancer.drag=0.01,0.05\"]`"},
       {"sweep.zip", at<&Study::sweep, &SweepSetting::zip>, any, bare, none,

@@ -22,11 +22,12 @@ namespace equipoise::study {
 using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
                             std::array<double, model::max_balls>*, std::vector<double>*, std::vector<std::string>*,
                             std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
-                            std::optional<SamplingMethod>*, ClassificationMode*>;
+                            std::optional<SamplingMethod>*, std::optional<SeverityClassName>*, ClassificationMode*>;
 
 inline std::span<const char* const> names_of(Profile) { return profile_names; }
 inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }
 inline std::span<const char* const> names_of(SamplingMethod) { return sampling_method_names; }
+inline std::span<const char* const> names_of(SeverityClassName) { return severity_class_names; }
 inline std::span<const char* const> names_of(ClassificationMode) { return classification_mode_names; }
 
 struct Key {

@@ -162,6 +162,20 @@ struct Limits {
   bool any() const { return displacement || force || velocity || settled || residual || grade || clearance; }
 };
 
+/// Classes of machines of ISO 10816-1:1995, Annex B (standards/severity.hpp).
+enum class SeverityClassName { i, ii, iii, iv };
+inline constexpr std::array<const char*, 4> severity_class_names{"I", "II", "III", "IV"};
+
+/// [standards]: what results are judged by beside the limits; only in a study with scales.
+struct Standards {
+  std::optional<SeverityClassName> severity_class;
+  bool hand_held = false;               ///< hands hold what the rotor shakes
+  std::optional<double> standing_mass;  ///< of all that stands on the floor, in M
+  std::optional<double> friction;       ///< between its feet and the floor
+
+  bool any() const { return severity_class || hand_held || standing_mass; }
+};
+
 /// [sweep]: what `equipoise sweep` varies by default. No other result depends on it, and it is not echoed: a sweep's
 /// result states what was varied.
 struct SweepSetting {
@@ -180,6 +194,7 @@ struct Study {
   Sampling sampling;
   Numerics numerics;
   Limits limits;
+  Standards standards;
   SweepSetting sweep;
   std::optional<model::Scales> scales;  ///< of a study in physical units
   Uncertainty uncertain;                ///< what each start draws for itself; everything else here uses the medians

@@ -203,6 +203,20 @@ void read_units(const Document& document, Study& study) {
   read_table(document, "units", study);
 }
 
+void read_standards(const Document& document, Study& study) {
+  read_table(document, "standards", study);
+  TableReader reader(document, "standards");
+  const Standards& s = study.standards;
+  const auto needs = [&](const char* key, bool met, const char* what) {
+    if (!met) reader.fail(key, std::string("needs ") + what);
+  };
+  if (s.any() && !study.scales)
+    for (const Key& key : key_table("standards").keys)
+      if (reader.has(key.name)) needs(key.name, false, "a study in physical units, or with [units]");
+  if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
+  if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
+}
+
 // Whether the study does not say where the rotor starts.
 bool states_no_place(const Document& document, const SamplingBox& box) {
   TableReader initial(document, "initial");
@@ -326,6 +340,7 @@ Study read(Document document, Source source) {
   rest_under_gravity(document, result);
   for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
   read_units(document, result);
+  read_standards(document, result);
   if (uncertain.empty()) return result;
   check_ends(document, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;

@@ -1,0 +1,184 @@
+// Standards in sentences and as JSON, each figure with the standard that it is from.
+#include "equipoise/decision/standards_text.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/angles.hpp"
+#include "equipoise/base/percent_text.hpp"
+#include "equipoise/standards/hand_arm.hpp"
+#include "equipoise/standards/severity.hpp"
+#include "equipoise/text/grade_text.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/text/transient_report.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
+
+Share complement(const Share& s) {
+  Share other = s;
+  other.count = s.total - s.count;
+  other.share = 1.0 - s.share;
+  other.low = 1.0 - s.high;
+  other.high = 1.0 - s.low;
+  other.least = 1.0 - s.most;
+  other.most = 1.0 - s.least;
+  return other;
+}
+
+// The speed in the end, Hz.
+double turns_a_second(const BasinResult& r, const TransientGroup& group) {
+  const double speed =
+      r.study.speed.driven() && group.mean_speed ? *group.mean_speed : r.study.speed_profile().final_speed();
+  return std::fabs(speed) * r.study.scales->frequency / two_pi;
+}
+
+struct HandArm {
+  double median, ninety, bare;  // m/s^2
+};
+
+std::optional<HandArm> hand_arm(const BasinResult& r) {
+  if (!r.study.standards.hand_held) return std::nullopt;
+  const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  const auto acceleration = [&](const TransientGroup& group, std::size_t quantile) {
+    const double velocity = group.figure(&TransientRow::rms_velocity).quantiles[quantile].value;
+    return standards::hand_arm_acceleration(turns_a_second(r, group), velocity * r.study.scales->velocity());
+  };
+  return HandArm{acceleration(with, 0), acceleration(with, 1), acceleration(bare, 0)};
+}
+
+std::string hours_text(double acceleration, double value) {
+  const double hours = standards::hours_to_exposure(acceleration, value);
+  return !(hours < 24.0) ? "never within a day"
+         : hours >= 1.0  ? fmt::format("after {:.2g} h", hours)
+                         : fmt::format("after {:.2g} min", 60.0 * hours);
+}
+
+std::string hand_arm_text(const HandArm& a) {
+  std::string text = fmt::format(
+      "Hand-arm vibration a_hv [ISO 5349-1]: {:.3g} m/s2 in the median, {:.3g} at most in 90 % of starts; without "
+      "balls "
+      "{:.3g}.",
+      a.median, a.ninety, a.bare);
+  text += fmt::format(
+      " A day's exposure A(8) reaches the action value of {} m/s2 {} in the median, {} at 90 %, and the limit value of "
+      "{} "
+      "m/s2 {}, {} [2002/44/EC]; without balls {} and {}.",
+      standards::exposure_action_value, hours_text(a.median, standards::exposure_action_value),
+      hours_text(a.ninety, standards::exposure_action_value), standards::exposure_limit_value,
+      hours_text(a.median, standards::exposure_limit_value), hours_text(a.ninety, standards::exposure_limit_value),
+      hours_text(a.bare, standards::exposure_action_value), hours_text(a.bare, standards::exposure_limit_value));
+  return text +
+         " An estimate: the handles as the race's centre, all of it at the speed of rotation; no declared value.";
+}
+
+const standards::SeverityClass& class_of(const Study& study) {
+  return standards::severity_classes[static_cast<std::size_t>(*study.standards.severity_class)];
+}
+
+std::string bare_zone(const BasinResult& r) {
+  const TransientGroup& bare = r.without_balls->bare.figures;
+  const double velocity = 1000.0 * bare.figure(&TransientRow::rms_velocity).quantiles[0].value *
+                          r.study.scales->velocity() * share_of_one_direction(r.study);
+  return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
+}
+
+std::string severity_text(const BasinResult& r, const TextStyle& style) {
+  const TransientGroup& all = r.transients->groups.front();
+  if (!all.beyond[0])
+    return filled(
+        "",
+        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} "
+                    "Hz.",
+                    turns_a_second(r, all), standards::lowest_severity_frequency),
+        style);
+  const auto& machine = class_of(r.study);
+  DocumentTable table{{"severity zone", "ends there", "RMS velocity"}, {}, "", false, {}};
+  constexpr const char* names[] = {"A, as new", "A or B, for long operation", "A to C, not D, damage"};
+  for (std::size_t k = 0; k < zones; ++k)
+    table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*all.beyond[k])),
+                                        fmt::format("to {} mm/s", machine.boundaries[k])}));
+  table.caption = fmt::format(
+      "Without balls: zone {}. Zones of ISO 10816-1:1995, class {} ({}), of {}. ISO 20816-1:2016 took its place; ISO "
+      "20816-3 begins at 15 kW.",
+      bare_zone(r), machine.name, machine.machines,
+      share_of_one_direction(r.study) < 1.0 ? "one direction" : "both directions together, which is more than one has");
+  return table_text(table, style);
+}
+
+std::string sliding_text(const BasinResult& r) {
+  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  const Share& slides = *all.beyond[sliding];
+  const double level = *sliding_level(r.study), force = r.study.scales->force();
+  const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
+  return fmt::format(
+      "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports: so it is in {} of "
+      "starts; without balls the peak is {:.4g} N{}. It may twist on its feet at less [PP].",
+      *r.study.standards.standing_mass * r.study.scales->mass, *r.study.standards.friction, level * force,
+      share_with_interval(slides), without * force, without > level ? ", enough too" : "");
+}
+
+bool told(const BasinResult& r) {
+  return r.study.scales && tells_without_balls(r) && r.without_balls->bare.figures.starts > 0;
+}
+
+}  // namespace
+
+std::string standards_text(const BasinResult& r, const TextStyle& style) {
+  if (!told(r)) return "";
+  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  std::string text;
+  const auto with = left_grade(all, r.study), without = left_grade(bare, r.study);
+  if (with && without)
+    text += filled("",
+                   fmt::format("Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.",
+                               grade_text(*with), grade_text(*without)),
+                   style);
+  if (r.study.standards.severity_class) text += severity_text(r, style);
+  if (const auto arms = hand_arm(r)) text += filled("", hand_arm_text(*arms), style);
+  if (all.beyond[sliding]) text += filled("", sliding_text(r), style);
+  return text.empty() ? text : text + "\n";
+}
+
+nlohmann::ordered_json standards_json(const BasinResult& r) {
+  if (!told(r)) return nullptr;
+  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  Json json = Json::object();
+  if (const auto with = left_grade(all, r.study), without = left_grade(bare, r.study); with && without)
+    json["balance_quality"] = {
+        {"mean", *with}, {"without_balls", *without}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}};
+  if (all.beyond[0]) {
+    Json severity = {
+        {"class", class_of(r.study).name}, {"without_balls", bare_zone(r)}, {"source", "ISO 10816-1:1995"}};
+    for (std::size_t k = 0; k < zones; ++k)
+      severity["within"][standards::zone_names[k]] = sure_share_json(complement(*all.beyond[k]));
+    json["severity"] = severity;
+  }
+  if (const auto arms = hand_arm(r)) {
+    const auto times = [](double a) {
+      return Json{{"acceleration", a},
+                  {"hours_to_action_value", standards::hours_to_exposure(a, standards::exposure_action_value)},
+                  {"hours_to_limit_value", standards::hours_to_exposure(a, standards::exposure_limit_value)}};
+    };
+    json["hand_arm"] = {{"median", times(arms->median)},
+                        {"at_most_in_90_percent", times(arms->ninety)},
+                        {"without_balls", times(arms->bare)},
+                        {"unit", "m/s2"},
+                        {"source", "ISO 5349-1:2001, Directive 2002/44/EC"}};
+  }
+  if (all.beyond[sliding])
+    json["slides"] = {{"force", *sliding_level(r.study) * r.study.scales->force()},
+                      {"unit", "N"},
+                      {"share", sure_share_json(*all.beyond[sliding])}};
+  return json;
+}
+
+}  // namespace equipoise

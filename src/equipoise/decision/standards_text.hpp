@@ -1,0 +1,18 @@
+// What standards make of an ensemble: balance quality, severity zones, hand-arm exposure, whether the machine slides.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/basin_result.hpp"
+#include "equipoise/text/table_text.hpp"
+
+namespace equipoise {
+
+/// Of a study with scales whose result tells of the rotor without balls; else empty. With an empty line at its end.
+std::string standards_text(const BasinResult& result, const TextStyle& style = {});
+/// The object "standards" of basin_json(); null where standards_text() is empty.
+nlohmann::ordered_json standards_json(const BasinResult& result);
+
+}  // namespace equipoise
