@@ -9,7 +9,7 @@ namespace equipoise {
 
 namespace {
 // By how a name begins; longer beginnings first.
-constexpr std::array<std::pair<const char*, const char*>, 11> words{{
+constexpr std::array<std::pair<const char*, const char*>, 11> plain_words{{
     {"co-drifting", "balls circulate together"},
     {"drifting apart", "balls circulate apart"},
     {"drifting at different rates", "balls circulate at different rates"},
@@ -26,7 +26,7 @@ constexpr std::array<std::pair<const char*, const char*>, 11> words{{
 
 std::string plain_name(const std::string& name) {
   // What follows says which balls move as one and when the motion comes back: (2 together), quasi-periodic, period 3.
-  for (const auto& [beginning, plain] : words)
+  for (const auto& [beginning, plain] : plain_words)
     if (name.starts_with(beginning)) return plain + name.substr(std::string_view(beginning).size());
   // "2 captured, 1 drifting"
   const std::size_t stay = name.find(" captured"), go = name.find(" drifting");
