@@ -6,7 +6,7 @@ import json
 import math
 import numbers
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import Any, Optional
 
@@ -88,7 +88,8 @@ class Study:
     **sections
         The same tables as keywords: ``rotor=dict(eccentricity=0.01, damping=0.5)``. Values are numbers (dimensionless),
         text with units (``"200 g mm"``, ``"900 rpm"``), pint quantities, lists, or distributions
-        (``{"uniform": [0.005, 0.015]}``). The keys are those of the study file.
+        (``{"uniform": [0.005, 0.015]}``). The keys are those of the study file; unbalance in places is a list of tables,
+        ``place=[dict(mass="5 g", radius="80 mm", angle="90 degree")]``.
 
     Raises
     ------
@@ -105,7 +106,12 @@ class Study:
     """
 
     def __init__(
-        self, tables: Optional[Mapping[str, Any]] = None, /, *, name: str = "study", **sections: Mapping[str, Any]
+        self,
+        tables: Optional[Mapping[str, Any]] = None,
+        /,
+        *,
+        name: str = "study",
+        **sections: Mapping[str, Any] | Sequence[Mapping[str, Any]],
     ) -> None:
         self._core: _core.Study = _core.Study.from_tree(plain({**_tables(tables, "tables"), **sections}), str(name))
 

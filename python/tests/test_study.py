@@ -26,6 +26,31 @@ def test_a_file_its_text_and_its_tables_are_the_same_study():
     assert eq.Study(PLAIN) == eq.Study(**PLAIN)
 
 
+def test_a_machine_may_be_stated_as_its_data_sheet_states_it():
+    sheet = eq.Study(
+        rotor=dict(mass="10 kg", natural_frequency="8 Hz", damping_ratio="5 %", unbalance="1500 g mm"),
+        place=[
+            dict(mass="5 g", radius="80 mm", angle="90 degree"),
+            dict(mass={"uniform": ["1 g", "9 g"]}, radius="3 1/4 in", angle={"uniform": ["0 degree", "360 degree"]}),
+        ],
+        balancer=dict(
+            balls=2,
+            race_radius="80 mm",
+            ball_diameter="18 mm",
+            ball_material="steel",
+            oil=dict(grade="ISO VG 320", at="40 degC"),
+        ),
+        speed=dict(profile="constant", speed="1500 1/min"),
+    )
+    assert eq.Study.from_toml(sheet.to_toml()) == sheet
+    assert eq.Study(sheet.to_dict()) == sheet
+    one = sheet.replace({"place.2.mass": "4 g", "place.2.angle": "180 degree"})
+    unbalance = 1500 - 4 * 3.25 * 25.4 + 400j  # g mm
+    assert one["rotor.eccentricity"] == pytest.approx(abs(unbalance) * 1e-6 / 10 / 0.08, rel=1e-12)
+    with pytest.raises(eq.StudyError, match="entries place.1 to place.2"):
+        sheet.replace({"place.3.mass": "4 g"})
+
+
 def test_values_are_replaced_by_dotted_key_without_touching_the_original():
     study = eq.Study(**PLAIN)
     other = study.replace(**{"speed.final": 2.6, "initial.phi": np.array([1.0, 4.0])})

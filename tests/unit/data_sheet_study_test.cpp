@@ -175,6 +175,32 @@ TEST(DataSheet, LeadsToADimensionlessStudyThatReadsBack) {
   EXPECT_EQ(first_difference(s, parse_sheet(to_physical_toml(s)), 1e-12), "");
 }
 
+TEST(DataSheet, AsksForTheInertiaOfADrivenRotorInItsWays) {
+  const Overrides motor{"speed={profile='torque', torque={stall='2 N m', no_load_speed='3000 rpm'}}"};
+  const std::string said = refusal_of(sheet, motor);
+  EXPECT_TRUE(holds(said,
+                    "rotor.inertia: must be a moment of inertia greater than 0, such as \"0.02 kg m2\", for a driven "
+                    "rotor (profile \"torque\"), or give rotor.radius_of_gyration or rotor.gd2"))
+      << said;
+  Overrides with_gd2 = motor;
+  with_gd2.push_back("rotor.gd2=0.2 kgf m2");
+  EXPECT_NEAR(parse_sheet(sheet, with_gd2).parameters.inertia, 0.05 / (12.0 * 0.03 * 0.03), 1e-13);
+}
+
+// A result carries the study as written, whatever its keys hold.
+TEST(DataSheet, KeepsKeysInQuotes) {
+  const Study s = parse_sheet(sheet + "[design.vary]\n\"balancer.drag\" = [\"1e-4 N m s\", \"1e-3 N m s\"]\n",
+                              {"rotor.eccentricity={uniform=['0.1 mm', '0.2 mm']}"});
+  EXPECT_TRUE(holds(to_toml(s), "\"balancer.drag\" = [")) << to_toml(s);
+  EXPECT_EQ(to_toml(parse_sheet(to_toml(s))), to_toml(s));
+}
+
+TEST(DataSheet, RefusesAGravityThatNoNumberFollows) {
+  EXPECT_TRUE(
+      holds(refusal_of(constant_speed, {"rotor.gravity=1e300"}), "rotor.gravity = 1e+300: pulls the rotor farther"));
+  EXPECT_EQ(refusal_of(constant_speed, {"rotor.gravity=1e290"}), "");
+}
+
 // Balls and oil.
 
 const std::string oiled = sheet_with("mass = \"60 g\"\ndrag = \"2e-4 N m s\"\n", "ball_diameter = \"8 mm\"\n");

@@ -142,7 +142,10 @@ void read_speed(const Document& document, Study& study) {
       reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
     if (!(study.parameters.inertia > 0.0)) {
       TableReader rotor(document, "rotor");
-      rotor.fail("inertia", "must be a finite number greater than 0 for a driven rotor (profile \"torque\")");
+      rotor.fail("inertia", fmt::format("must be {} for a driven rotor (profile \"torque\"){}",
+                                        document.scales ? "a moment of inertia greater than 0, such as \"0.02 kg m2\","
+                                                        : "a finite number greater than 0",
+                                        document.scales ? ", or give rotor.radius_of_gyration or rotor.gd2" : ""));
     }
   }
   reader.finish();
@@ -230,6 +233,10 @@ void rest_under_gravity(const Document& document, Study& study) {
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
   InitialState& s = study.initial;
+  if (!any_number.contains(rest[0]) || !any_number.contains(rest[1])) {
+    TableReader rotor(document, "rotor");
+    rotor.fail("gravity", fmt::format("pulls the rotor farther than {} race radii; must be less", unbounded));
+  }
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
   const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes

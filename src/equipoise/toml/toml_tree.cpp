@@ -79,6 +79,12 @@ std::string value_text(const StudyValue& value) {
   return "[" + entries + "]";
 }
 
+// "balancer.drag" as one key, of [design.vary], has quotes.
+std::string key_text(const std::string& key) {
+  constexpr std::string_view bare = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+  return key.empty() || key.find_first_not_of(bare) != std::string::npos ? in_quotes(key) : key;
+}
+
 void append_named(std::string& text, const std::string& name, const StudyValue::Table& members);
 
 // A table's own keys, then its tables, separated by a blank line. `head`: its name in brackets.
@@ -86,9 +92,9 @@ void append_table(std::string& text, const std::string& head, const std::string&
                   const StudyValue::Table& members) {
   text += fmt::format("{}{}\n", text.empty() ? "" : "\n", head);
   for (const auto& [key, value] : members)
-    if (!value.table()) text += fmt::format("{} = {}\n", key, value_text(value));
+    if (!value.table()) text += fmt::format("{} = {}\n", key_text(key), value_text(value));
   for (const auto& [key, value] : members)
-    if (const auto* inner = value.table()) append_named(text, fmt::format("{}.{}", name, key), *inner);
+    if (const auto* inner = value.table()) append_named(text, fmt::format("{}.{}", name, key_text(key)), *inner);
 }
 
 void append_named(std::string& text, const std::string& name, const StudyValue::Table& members) {

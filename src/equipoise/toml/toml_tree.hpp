@@ -14,7 +14,7 @@ StudyValue parse_toml(std::string_view text);
 /// The shortest text that reads back to the same number, always as a TOML float.
 std::string number_text(double v);
 
-/// Text of a study's tables, in the order of its members; keys are written verbatim.
+/// Text of a study's tables and arrays of tables, in the order of its members.
 std::string toml_text(const StudyValue& tables);
 
 }  // namespace equipoise::study
