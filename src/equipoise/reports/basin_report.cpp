@@ -98,10 +98,8 @@ std::string run_text(const BasinResult& r) {
 // The rotor alone.
 std::string bare_text(const BasinResult& r) {
   if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
-  const OneBodyRuns& bare = r.without_balls->bare;
   std::string text = bare_words(r) + "\n\n" + table_text(bare_table(r));
   for (const std::string& sentence : without_balls_words(r)) text += sentence + "\n";
-  if (const std::string hits = clearance_words(bare.figures, r.study); !hits.empty()) text += hits + "\n";
   return text + "\n";
 }
 
