@@ -48,7 +48,7 @@ equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp L
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
 equipoise_test(verdict_test equivalence equivalence/verdict_test.cpp equivalence/standards_of_starts_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(without_balls_test equivalence equivalence/without_balls_test.cpp unit/limits_kept_test.cpp
-  LIBRARIES nlohmann_json::nlohmann_json)
+  unit/no_balls_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(drive_work_test equivalence equivalence/drive_work_test.cpp)
 equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp literature/table_7_protocol.cpp LIBRARIES equipoise_paper)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed

@@ -15,6 +15,7 @@
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/map_html.hpp"
 #include "equipoise/reports/map_report.hpp"
+#include "equipoise/start_runs/checks.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
@@ -53,6 +54,7 @@ int run_map(const MapArguments& a) {
   begin_computing(a);
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = at_medians(parse_study(text, name, a.overrides));
+  check_has_balls(study);
   const SliceSize size = map_size(a.size, "--size");
   BasinSliceSettings settings;
   settings.x = slice_axis(study, a.x, a.x_range, size.width, "--x-range");

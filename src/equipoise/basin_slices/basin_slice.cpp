@@ -261,6 +261,7 @@ class Mapper {
 }  // namespace
 
 BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings) {
+  check_has_balls(study);
   const ChosenCpuTarget chosen(settings.cpu_target);
   return reported(settings, [&](const BasinSliceSettings& s) { return Mapper(study, s).run(); });
 }

@@ -101,10 +101,8 @@ std::string run_text(const BasinResult& r) {
 // The rotor alone.
 std::string bare_text(const BasinResult& r, const TextStyle& style) {
   if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
-  const OneBodyRuns& bare = r.without_balls->bare;
   std::string text = filled("", bare_words(r), style) + "\n" + table_text(bare_table(r), style);
   for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
-  if (const std::string hits = clearance_words(bare.figures, r.study); !hits.empty()) text += filled("", hits, style);
   return text + "\n";
 }
 

@@ -138,9 +138,9 @@ class Text {
                            : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
     if (!r.alone) return;
     item("", r.shaken
-                 ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds; what "
-                               "the balls add to that is left out",
-                               either(*r.shaken, Dimension::time))
+                 ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds{}",
+                               either(*r.shaken, Dimension::time),
+                               e_.study.parameters.balls > 0 ? "; what the balls add to that is left out" : "")
                  : fmt::format(
                        "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
                        either(r.stalls_at, Dimension::speed)));

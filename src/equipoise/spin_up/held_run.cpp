@@ -25,6 +25,27 @@ namespace {
 
 using OneBody = HWY_NAMESPACE::HeldFlow<double>;
 
+// What is left of the way of a number that comes to rest: differences that shrink from d1 to d2 leave d2^2/(d1 - d2).
+class Approach {
+ public:
+  void add(double value) {
+    earlier_ = before_;
+    before_ = last_;
+    last_ = value;
+    ++count_;
+  }
+  double left() const {
+    if (count_ < 3) return std::numeric_limits<double>::infinity();
+    const double d1 = std::fabs(before_ - earlier_), d2 = std::fabs(last_ - before_);
+    // Differences that do not shrink are the noise of windows without a whole number of turns, if they are small.
+    return d2 < d1 ? std::min(d2 * d2 / (d1 - d2), 10.0 * d1) : 10.0 * d2;
+  }
+
+ private:
+  double earlier_ = 0.0, before_ = 0.0, last_ = 0.0;
+  int count_ = 0;
+};
+
 class HeldFollower {
  public:
   HeldFollower(const Study& study, const InitialState& start, const TransientSettings& settings, const StopFlag* stop)
@@ -34,6 +55,8 @@ class HeldFollower {
         stop_(stop),
         window_(settings.window),
         watched_(by_hand(settings)),
+        fixed_axes_(model::depends_on_rotor_angle(p_)),
+        sag_(model::static_sag(p_)),
         watch_(watched_) {
     for (const model::DrivePiece& piece : drive_.pieces) systems_.emplace_back(p_, piece);
     const model::System& first = systems_.front();
@@ -45,7 +68,7 @@ class HeldFollower {
     if (first.layout().error >= 0) state[first.layout().error] = 0.0;
     model::hold_balls(first, state.data(), y_.data());
     unbalance_ = std::abs(model::unbalance(p_, &full_[model::index::phi(0)]));
-    size_ = std::max({p_.all_unbalances(), std::fabs(model::static_sag(p_)), std::hypot(start.x, start.y)});
+    size_ = std::max({p_.all_unbalances(), std::fabs(sag_), std::hypot(start.x, start.y)});
     if (size_ == 0.0) size_ = 1.0;
   }
 
@@ -86,11 +109,21 @@ class HeldFollower {
     return layout().psi >= 0 ? y[layout().psi] : 0.0;
   }
 
+  // In fixed axes, where supports are simple; nothing sampled depends on the axes.
   TransientSample sample(double t, const double* y) const {
-    std::array<double, max_dimension> z = full_;
-    std::copy_n(y, 4, z.begin());
-    const double angle = psi(t, y);
-    TransientSample here = transient_sample(p_, angle, t, z.data());
+    using namespace model::index;
+    const double angle = fixed_axes_ ? psi(t, y) : 0.0, c = std::cos(angle), s = std::sin(angle);
+    const std::array<double, 2> centre = model::in_fixed_axes(c, s, y[x], y[model::index::y]),
+                                rate = model::in_fixed_axes(c, s, y[u], y[v]);
+    const double up = centre[1] - sag_;
+    const std::array<double, 2> force{p_.damping[0] * rate[0] + p_.stiffness[0] * centre[0],
+                                      p_.damping[1] * rate[1] + p_.stiffness[1] * centre[1]};
+    TransientSample here;
+    here.r2 = centre[0] * centre[0] + up * up;
+    here.slope = 2.0 * (centre[0] * rate[0] + up * rate[1]);
+    here.force2 = force[0] * force[0] + force[1] * force[1];
+    here.velocity2 = rate[0] * rate[0] + rate[1] * rate[1];
+    here.t = t;
     here.unbalance = unbalance_;
     return here;
   }
@@ -150,8 +183,9 @@ class HeldFollower {
         state_at(t, y);
         return sample(t, y);
       });
-      const double middle = speed_then(0.5 * (from + until)), last = speed_then(until);
-      turned_ += (until - from) * (v + 4.0 * middle + last) / 6.0;
+      const double last = speed_then(until);
+      // Simpson's rule; where a motor's speed is constant enough for long steps, so is the middle.
+      turned_ += (until - from) * (v + 4.0 * speed_then(0.5 * (from + until)) + last) / 6.0;
       v = last;
       return until;
     };
@@ -187,26 +221,27 @@ class HeldFollower {
     }
   }
 
-  // Until speed and displacement stay the same over windows, each twice as long as the one before.
+  // Until what is left of the way to steady speed and displacement, as the differences of windows tell it, is small.
+  // Windows grow, so that a slow change shows in them.
   void come_to_rest(double horizon) {
-    constexpr double alike = 1e-4, turns = 16.0;
-    double length = 4.0 * window_, speed_before = 0.0, peak_before = -1.0;
+    constexpr double alike = 3e-4, growth = 1.3, turns = 16.0;
+    double length = 4.0 * window_;
+    Approach speeds, peaks;
     if (drive_.release_time < horizon) advance(std::max(t_, drive_.release_time));
-    while (going() && t_ < horizon) {
+    while (going() && !run_.steady && t_ < horizon) {
       open_window();
       const double from = t_;
       advance(std::min(t_ + length, horizon));
       if (!(t_ > from)) break;
       run_.speed = turned_ / (t_ - from);
       const double peak = std::sqrt(watch_.sums().window.peak);
-      const bool whole = t_ - from >= 0.999 * length;
-      run_.steady = whole && peak_before >= 0.0 &&
-                    std::fabs(run_.speed - speed_before) <= alike * std::max(std::fabs(run_.speed), 0.01) &&
-                    std::fabs(peak - peak_before) <= 10.0 * alike * (peak + 1e-6 * size_);
-      if (run_.steady) break;
-      speed_before = run_.speed;
-      peak_before = peak;
-      length *= 2.0;
+      speeds.add(run_.speed);
+      peaks.add(peak);
+      // A rotor that lingers at its resonance has to rest there more surely.
+      const bool slow = study_.speed.driven() && std::fabs(run_.speed) < study_.stall_speed();
+      run_.steady = speeds.left() <= (slow ? 0.1 : 1.0) * alike * std::max(std::fabs(run_.speed), 0.01) &&
+                    peaks.left() <= 10.0 * alike * (peak + 1e-6 * size_);
+      length *= growth;
     }
     if (!going() || !run_.steady) return;
     // Whole turns, over which what gravity and unequal supports do to the motion comes back.
@@ -217,7 +252,7 @@ class HeldFollower {
   }
 
   // A tight one, since figures are compared to a part in ten thousand.
-  static constexpr double held_tolerance = 1e-10;
+  static constexpr double held_tolerance = 1e-9;
 
   const Study& study_;
   const model::Parameters& p_;
@@ -228,6 +263,8 @@ class HeldFollower {
   std::vector<model::System> systems_;        // one a piece
   std::array<double, max_dimension> full_{};  // the balls' angles, in a state of the system
   std::array<double, OneBody::dimension> y_{};
+  const bool fixed_axes_;
+  const double sag_;
   double unbalance_ = 0.0, size_ = 1.0;
   TransientWatch watch_;
   std::size_t piece_ = 0;

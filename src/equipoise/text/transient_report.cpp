@@ -151,7 +151,7 @@ std::string limit_words(const OneBodyRuns& bare) {
                        : way->count > 0 ? ", and never is over one on the way"
                                         : ", and is over one on the way");
   const auto share = [](const Share& s) { return percent(s.share, digits_for(s)); };
-  return fmt::format("without balls {} of the rotors end within all limits{}", share(*end),
+  return fmt::format("without balls {} of the runs end within all limits{}", share(*end),
                      way ? fmt::format(", and {} never are over one on the way", share(*way)) : "");
 }
 
@@ -166,11 +166,9 @@ Json figures_json(const TransientGroup& group, bool one, const Study& study) {
     const SampleSummary& s = group.figures[k];
     if (!f.of_bare_rotor || (f.needs && !(study.limits.*f.needs))) continue;
     const Unit unit = unit_of(study, f.told_in());
+    figures[f.name] = figure_json(s, unit);
     if (one)  // without an interval, and null without an end
-      figures[f.name] = {{"unit", unit.name},
-                         {"value", s.count > 0 ? json_number(s.quantiles[0].value, unit.size) : Json(nullptr)}};
-    else
-      figures[f.name] = figure_json(s, unit);
+      figures[f.name] = {{"unit", unit.name}, {"value", figures[f.name]["quantiles"][0]["value"]}};
   }
   return figures;
 }
@@ -179,13 +177,12 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   const TransientGroup& g = body.figures;
   Json json = {{"runs", body.runs},       {"one_for_all", body.one}, {"stalled", body.stalled},
                {"not_steady", body.open}, {"lost", body.lost},       {"figures", figures_json(g, body.one, study)}};
+  const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : Json(sure_share_json(s)); };
   json["exceeded"] = json["within"] = Json::object();
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
-    if (const auto& share = g.exceeded[k])
-      json["exceeded"][transient_limits[k].name] = body.one ? Json(share->count > 0) : sure_share_json(*share);
+    if (g.exceeded[k]) json["exceeded"][transient_limits[k].name] = told(*g.exceeded[k]);
   for (std::size_t k = 0; k < within_names.size(); ++k)
-    if (const auto& share = g.within[k])
-      json["within"][within_names[k]] = body.one ? Json(share->count > 0) : sure_share_json(*share);
+    if (g.within[k]) json["within"][within_names[k]] = told(*g.within[k]);
   if (const auto grade = left_grade(g, study); grade && g.starts > 0) json["balance_grade"] = *grade;
   if (g.mean_speed) json["mean_speed"] = *g.mean_speed;
   return json;
