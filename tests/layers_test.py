@@ -60,7 +60,7 @@ ROOMS = {
         "running model types statistics sampling study kernels attractors results result_files spin_up "
         "rotor_family attractor_search start_runs",
     "analyses":
-        "running drives types mechanics sampling study batch kernels periodic_orbits attractors proof "
+        "running drives types mechanics sampling units study batch kernels periodic_orbits attractors proof "
         "balanced_regions columns results result_files spin_up rotor_family attractor_search start_runs "
         "ensembles",
     "continuation":

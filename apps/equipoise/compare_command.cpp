@@ -21,7 +21,7 @@ struct CompareArguments : ComputingArguments {
   std::string first, second;
   std::vector<std::string> overrides, second_overrides;
   std::optional<std::string> starts, seed;
-  bool json = false;
+  bool json = false, transients = false;
 };
 
 // Read and checked before any work starts.
@@ -58,8 +58,11 @@ int run_compare(const CompareArguments& a) {
   RunOptions of_first = options;
   if (!second.stored) of_first.stop_asked = half_of_the_time();
   const auto begin = std::chrono::steady_clock::now();
-  if (!first.stored) first.stored = basin_outcomes(*first.study, of_first);
-  if (!second.stored) second.stored = basin_outcomes(*second.study, options);
+  // Figures of both, if either is asked for them.
+  const auto asks = [](const Side& s) { return s.study ? s.study->limits.any() : !s.stored->transients[0].empty(); };
+  const bool transients = a.transients || asks(first) || asks(second);
+  if (!first.stored) first.stored = basin_outcomes(*first.study, of_first, transients);
+  if (!second.stored) second.stored = basin_outcomes(*second.study, options, transients);
   progress.finish();
   const ComparisonResult result = compare(*first.stored, *second.stored);
   put(a.json ? comparison_json(result) : comparison_text(result, text_style()));
@@ -82,6 +85,8 @@ Command add_compare(CLI::App& app) {
   app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
+  app.add_flag("--transients", a->transients,
+               "also compare peaks, forces, settling time and their like (default where a study has [limits])");
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

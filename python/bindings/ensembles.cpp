@@ -140,7 +140,8 @@ py::list grounds_of_decision() {
 
 using Compared = Kept<ComparisonResult>;
 
-Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::dict& settings) {
+Compared compare_studies(const PyStudy& first, const PyStudy& second, std::optional<bool> transients,
+                         const py::dict& settings) {
   Call call(settings);
   RunOptions options;
   call.set(options);
@@ -149,8 +150,9 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, const py::
   RunOptions of_first = options;
   of_first.stop_asked = [&] { return call.half_over() || options.stop_asked(); };
   ComparisonResult result = Call::run([&] {
-    const BasinOutcomes one = basin_outcomes(first.study, of_first);
-    return compare(one, basin_outcomes(second.study, options));
+    const bool gather = transients.value_or(first.study.limits.any() || second.study.limits.any());
+    const BasinOutcomes one = basin_outcomes(first.study, of_first, gather);
+    return compare(one, basin_outcomes(second.study, options, gather));
   });
   return {std::move(result), call.interrupted()};
 }
@@ -177,7 +179,8 @@ void bind_ensembles(py::module_& module) {
   module.def("grounds_of_decision", &grounds_of_decision);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", [](const Compared& c) { return verdict(c.result); });
-  module.def("compare", &compare_studies, py::arg("first"), py::arg("second"), py::arg("settings"));
+  module.def("compare", &compare_studies, py::arg("first"), py::arg("second"), py::arg("transients").none(true),
+             py::arg("settings"));
 }
 
 }  // namespace equipoise::python

@@ -399,6 +399,12 @@ class Comparison(Result):
         ]
 
     @property
+    def figures(self) -> list[dict[str, Any]]:
+        """A transient figure each: ``name``, ``unit``, means ``first`` and ``second``, their ``difference`` with ``low``
+        and ``high`` (95 %), ``counts`` and ``open`` starts of both; empty without transients."""
+        return list(self.data["figures"])
+
+    @property
     def changed(self) -> Optional[int]:
         return self.data["changed"]
 
@@ -436,6 +442,7 @@ def compare(
     starts: Optional[int] = None,
     *,
     seed: Optional[int] = None,
+    transients: Optional[bool] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -448,6 +455,8 @@ def compare(
     first, second : Study
     starts, seed : int, optional
         Of both.
+    transients : bool, optional
+        Compare peaks, forces and settling times too; by default where either study has limits.
     threads, progress, cpu, within
         As for :func:`basin`.
 
@@ -460,5 +469,5 @@ def compare(
     checked_study(second, "second")
     one, other = with_starts(first, starts, seed), with_starts(second, starts, seed)
     with settings(threads, progress, cpu, within) as how:
-        core = _core.compare(one._core, other._core, how)
+        core = _core.compare(one._core, other._core, transients, how)
     return unless_interrupted(Comparison(core, one), core.interrupted)

@@ -2,6 +2,8 @@
 #include "equipoise/analyses/comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,6 +120,46 @@ TEST(Comparison, RefusesGrids) {
   EXPECT_THROW(compare(first, second), InputError);
   EXPECT_THROW(check_comparable(second.study), InputError);
   EXPECT_NO_THROW(check_comparable(first.study));
+}
+
+// Means by hand: of pairs, what both have in common cancels.
+TEST(ComparedFigures, ArePairsOfCommonStarts) {
+  auto [before, after] = pair();
+  std::vector<float>&a = before.transients[0], &b = after.transients[0];
+  for (int i = 0; i < 1000; ++i) {
+    a.push_back(static_cast<float>(i % 100));
+    b.push_back(static_cast<float>(i % 100) + 2.0f + (i % 2 ? 0.5f : -0.5f));
+  }
+  b[3] = std::numeric_limits<float>::infinity();
+  const ComparisonResult r = compare(before, after);
+  ASSERT_EQ(r.figures.size(), 1u);
+  const ComparedFigure& f = r.figures.front();
+  EXPECT_EQ(f.name, "peak_radial");
+  EXPECT_EQ(f.mean.first_count, 999u);
+  EXPECT_EQ(f.second_open, 1u);
+  EXPECT_NEAR(f.mean.difference, 2.0, 1e-3);
+  // 1.962 of Student, deviation 0.5 over sqrt(999).
+  EXPECT_NEAR(f.mean.high - f.mean.low, 2.0 * 1.962 * 0.5 / std::sqrt(999.0), 1e-4);
+  after.study.sampling.seed = 7;
+  const ComparedFigure apart = compare(before, after).figures.front();
+  // Independent: deviations of 28.9 each.
+  EXPECT_NEAR(apart.mean.high - apart.mean.low, 2.0 * 1.961 * 28.9 * std::sqrt(2.0 / 1000.0), 0.02);
+  EXPECT_TRUE(holds(comparison_text(r), "second - first"));
+}
+
+TEST(ComparedFigures, NeedTransientsAndOneUnit) {
+  auto [before, after] = pair();
+  EXPECT_TRUE(compare(before, after).figures.empty());
+  EXPECT_FALSE(holds(comparison_text(compare(before, after)), "second - first"));
+  before.transients[0].assign(1000, 1.0f);
+  after.transients[0].assign(1000, 2.0f);
+  after.study.scales = model::Scales{2.0, 0.1, 50.0};
+  EXPECT_TRUE(compare(before, after).figures.empty());  // R and mm
+  before.study.scales = model::Scales{2.0, 0.2, 50.0};
+  const MeanDifference d = compare(before, after).figures.at(0).mean;
+  EXPECT_NEAR(d.first, 200.0, 1e-9);  // mm, each by its own R
+  EXPECT_NEAR(d.second, 200.0, 1e-9);
+  EXPECT_NEAR(d.difference, 0.0, 1e-9);
 }
 
 }  // namespace

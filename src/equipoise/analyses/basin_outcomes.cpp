@@ -3,13 +3,16 @@
 
 namespace equipoise {
 
-BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options) {
+BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options, std::optional<bool> transients) {
   BasinOutcomes outcomes;
   BasinOptions run;
   static_cast<RunOptions&>(run) = options;
-  run.transients = false;
-  run.fate = [&](const Fate& fate) { outcomes.outcome.push_back(code_of(fate)); };
-  const BasinResult result = basin(study, run);
+  run.transients = transients;
+  run.without_balls = false;
+  run.keep_starts = true;
+  BasinResult result = basin(study, run);
+  outcomes.outcome = std::move(result.every_start->outcome);
+  outcomes.transients = std::move(result.every_start->transients);
   outcomes.study = result.study;
   outcomes.partial = result.partial;
   for (const OutcomeShare& a : result.attractors) outcomes.names[static_cast<short>(a.id)] = {a.name, a.alias};

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/types/fate.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 
@@ -88,6 +91,7 @@ class Comparison {
     result_.starts = std::min(first.outcome.size(), second.outcome.size());
     first_ = places(0, first);
     second_ = places(1, second);
+    compare_figures(first, second);
   }
 
   ComparisonResult run() {
@@ -95,6 +99,32 @@ class Comparison {
     bound_balanced();
     if (result_.common) count_changes();
     return std::move(result_);
+  }
+
+  // In the units that both results are shown in: of studies with other scales one number means two things.
+  void compare_figures(const BasinOutcomes& first, const BasinOutcomes& second) {
+    for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+      const TransientFigure& f = transient_figures[k];
+      if (f.value == &TransientRow::followed_until || first.transients[k].empty() || second.transients[k].empty())
+        continue;
+      if (f.needs && !(first.study.limits.*f.needs && second.study.limits.*f.needs)) continue;
+      const study::ShownUnit a = study::shown_unit(f.told_in(), first.study.scales),
+                             b = study::shown_unit(f.told_in(), second.study.scales);
+      if (std::string_view(a.name) != b.name) continue;
+      const auto shown = [&](const std::vector<float>& values, double size, std::uint64_t& open) {
+        std::vector<double> result;
+        for (std::size_t i = 0; i < (result_.common ? result_.starts : values.size()); ++i) {
+          open += std::isinf(values[i]);
+          result.push_back(static_cast<double>(values[i]) * size);
+        }
+        return result;
+      };
+      ComparedFigure figure{f.name, f.title, a.name, {}};
+      const std::vector<double> before = shown(first.transients[k], a.size, figure.first_open),
+                                after = shown(second.transients[k], b.size, figure.second_open);
+      figure.mean = result_.common ? paired_mean_difference(before, after) : independent_mean_difference(before, after);
+      if (figure.mean.first_count > 0 && figure.mean.second_count > 0) result_.figures.push_back(std::move(figure));
+    }
   }
 
  private:

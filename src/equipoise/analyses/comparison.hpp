@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace equipoise {
 /// Throws InputError if starts cannot be decided, or lie on a grid: those have weights.
 void check_comparable(const Study& study);
 
-/// Runs basin() and keeps each start's outcome.
-BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options);
+/// Runs basin() and keeps each start's outcome, and its transients as BasinOptions::transients has it.
+BasinOutcomes basin_outcomes(const Study& study, const RunOptions& options,
+                             std::optional<bool> transients = std::nullopt);
 
 /// Takes results of read_basin_outcomes() or basin_outcomes(). Throws InputError for starts on a grid.
 ComparisonResult compare(const BasinOutcomes& first, const BasinOutcomes& second);

@@ -78,6 +78,11 @@ int NetcdfFile::variable(const std::string& name) const {
   return variable;
 }
 
+bool NetcdfFile::has_variable(const std::string& name) const {
+  int variable = -1;
+  return call(nc_inq_varid, id_, name.c_str(), &variable) == NC_NOERR;
+}
+
 int NetcdfFile::variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const {
   const int variable = this->variable(name);
   int dimensions = 0, there = 0;

@@ -32,6 +32,7 @@ class NetcdfFile {
   int variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
                const std::string& long_name);
   int variable(const std::string& name) const;
+  bool has_variable(const std::string& name) const;
   /// Throws RunError unless the variable exists with exactly this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
   int dimensions(const std::string& variable) const;  ///< how many it has

@@ -1,6 +1,8 @@
 // Comparisons as text and JSON.
 #include "equipoise/reports/comparison_report.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,32 @@ using Json = nlohmann::ordered_json;
 std::string points(double difference) { return fmt::format("{:+.2f}", 100.0 * difference); }
 
 std::string interval_text(const ShareDifference& d) { return fmt::format("{} to {}", points(d.low), points(d.high)); }
+
+// Means of transients, and how much more the second has.
+DocumentTable figures_table(const ComparisonResult& r) {
+  DocumentTable table{{"mean of starts", "first", "second", "second - first", "open"}, {}, "", false, {4}};
+  bool open = false;
+  for (const ComparedFigure& f : r.figures) {
+    const MeanDifference& m = f.mean;
+    const double half = 0.5 * (m.high - m.low);
+    open = open || f.first_open + f.second_open > 0;
+    table.rows.push_back(
+        row_of("lnnnn",
+               {fmt::format("{}, {}", f.title, f.unit), fmt::format("{:.4g}", m.first), fmt::format("{:.4g}", m.second),
+                fmt::format("{:+.3g} ± {}", m.difference, std::isfinite(half) ? fmt::format("{:.2g}", half) : "?"),
+                fmt::format("{}, {}", f.first_open, f.second_open)}));
+  }
+  table.caption =
+      fmt::format("Means and 95 % intervals of {}.{}", r.common ? "differences start by start" : "independent samples",
+                  open ? " Open: starts of the first and of the second whose figure has no end; the means "
+                         "are of the others."
+                       : "");
+  if (!open)
+    for (auto& row : table.rows) row.pop_back();
+  if (!open) table.header.pop_back();
+  if (!open) table.spare.clear();
+  return table;
+}
 
 }  // namespace
 
@@ -46,6 +74,7 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
                                           points(s.difference.difference), interval_text(s.difference)}));
   }
   text += table_text(table, style) + "\n";
+  if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
   std::string notes;
   if (r.changed && r.starts > 0) {
     notes += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
@@ -69,6 +98,19 @@ std::string comparison_json(const ComparisonResult& r) {
                                    {"high", s.difference.high},
                                    {"first", share_json(s.first)},
                                    {"second", share_json(s.second)}});
+  json["figures"] = Json::array();
+  for (const ComparedFigure& f : r.figures) {
+    const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+    json["figures"].push_back({{"name", f.name},
+                               {"unit", f.unit},
+                               {"first", f.mean.first},
+                               {"second", f.mean.second},
+                               {"difference", f.mean.difference},
+                               {"low", bound(f.mean.low)},
+                               {"high", bound(f.mean.high)},
+                               {"counts", {f.mean.first_count, f.mean.second_count}},
+                               {"open", {f.first_open, f.second_open}}});
+  }
   json["common"] = r.common;
   json["starts"] = r.starts;
   json["changed"] = r.changed ? Json(r.changed->count) : Json(nullptr);

@@ -2,12 +2,14 @@
 #include "equipoise/result_files/basin_outcomes.hpp"
 
 #include <cstddef>
+#include <limits>
 
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/sealed_file.hpp"
+#include "equipoise/result_files/start_columns.hpp"
 
 namespace equipoise {
 
@@ -24,6 +26,21 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   result.own_starts = file.attribute("own_starts");
   result.outcome.resize(starts);
   file.read(file.variable("outcome", NC_SHORT, {starts}), {0}, {starts}, result.outcome.data());
+  std::vector<bool> lost(starts);
+  for (std::size_t k = 0; k < transient_figures.size(); ++k) {
+    const TransientFigure& f = transient_figures[k];
+    if (!file.has_variable(f.name)) continue;
+    std::vector<float>& values = result.transients[k];
+    values.resize(starts);
+    file.read(file.variable(f.name, NC_FLOAT, {starts}), {0}, {starts}, values.data());
+    for (std::size_t i = 0; i < starts; ++i) {
+      const bool missing = values[i] == io::missing_figure;
+      if (k == 0) lost[i] = missing;  // of every start that was not lost there is a peak
+      if (missing)
+        values[i] =
+            f.needs && !lost[i] ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
   const int codes = file.variable("kind_code", NC_SHORT, {kinds});
   for (std::size_t k = 0; k < kinds; ++k) {
     short code = 0;

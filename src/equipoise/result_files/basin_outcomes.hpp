@@ -1,10 +1,12 @@
 // The outcome of every start of an ensemble, and nothing else, for comparison with another.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
@@ -16,7 +18,9 @@ struct BasinOutcomes {
     std::string name, alias;
   };
   std::map<short, Name> names;  ///< of all outcomes that occur
-  std::string own_starts;       ///< for the caller's own starts: their number and checksum
+  /// If they were gathered: figures of start i, as in StartArrays; of starts that were lost none is a number.
+  std::array<std::vector<float>, transient_figures.size()> transients;
+  std::string own_starts;  ///< for the caller's own starts: their number and checksum
   bool partial = false;
 };
 

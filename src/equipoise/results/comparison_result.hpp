@@ -26,6 +26,13 @@ struct ChangedFate {
   std::uint64_t starts = 0;
 };
 
+/// A figure of transients in both studies, in one unit; means are over starts whose figure has an end.
+struct ComparedFigure {
+  std::string name, title, unit;
+  MeanDifference mean;                            ///< second less first
+  std::uint64_t first_open = 0, second_open = 0;  ///< starts without an end: the motion at the end exceeds the limit
+};
+
 struct ComparisonResult {
   Study first, second;
   /// Whether start i began alike in both (same seed, method, balls and box): differences are then paired, else
@@ -40,6 +47,7 @@ struct ComparisonResult {
   std::optional<std::size_t> balanced;  ///< index of balance in `shares`
   /// For its difference: bounds at 95 % whatever undecided starts would come to.
   double surely_low = -1.0, surely_high = 1.0;
+  std::vector<ComparedFigure> figures;  ///< if both have transients, in units that both are told in
   bool partial = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equipoise/statistics/distributions.hpp"
 
@@ -79,6 +80,64 @@ ShareDifference paired_difference(const CommonStarts& starts, double confidence)
   result.low = std::max(-1.0, centre - half);
   result.high = std::min(1.0, centre + half);
   return result;
+}
+
+namespace {
+
+struct Moments {
+  std::uint64_t count = 0;
+  double mean = 0.0, squares = 0.0;  // sum of squares about the mean
+
+  void add(double value) {
+    const double away = value - mean;
+    mean += away / static_cast<double>(++count);
+    squares += away * (value - mean);
+  }
+  // Of the mean.
+  double variance() const {
+    const double n = static_cast<double>(count);
+    return squares / (n * (n - 1.0));
+  }
+};
+
+void put_interval(MeanDifference& d, double variance, double freedom, double confidence) {
+  const double half = variance > 0.0 ? students_t_half_width(freedom, confidence) * std::sqrt(variance) : 0.0;
+  d.low = d.difference - half;
+  d.high = d.difference + half;
+}
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+MeanDifference paired_mean_difference(const std::vector<double>& first, const std::vector<double>& second,
+                                      double confidence) {
+  Moments a, b, apart;
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+    if (!std::isfinite(first[i]) || !std::isfinite(second[i])) continue;
+    a.add(first[i]);
+    b.add(second[i]);
+    apart.add(second[i] - first[i]);
+  }
+  MeanDifference d{a.count, b.count, a.mean, b.mean, apart.mean, -no_bound, no_bound};
+  if (apart.count > 1) put_interval(d, apart.variance(), static_cast<double>(apart.count - 1), confidence);
+  return d;
+}
+
+MeanDifference independent_mean_difference(const std::vector<double>& first, const std::vector<double>& second,
+                                           double confidence) {
+  Moments a, b;
+  for (const double value : first)
+    if (std::isfinite(value)) a.add(value);
+  for (const double value : second)
+    if (std::isfinite(value)) b.add(value);
+  MeanDifference d{a.count, b.count, a.mean, b.mean, b.mean - a.mean, -no_bound, no_bound};
+  if (a.count < 2 || b.count < 2) return d;
+  const double va = a.variance(), vb = b.variance();
+  const double freedom =
+      (va + vb) * (va + vb) / (va * va / static_cast<double>(a.count - 1) + vb * vb / static_cast<double>(b.count - 1));
+  put_interval(d, va + vb, freedom, confidence);
+  return d;
 }
 
 }  // namespace equipoise

@@ -41,4 +41,16 @@ CommonStarts compare_starts(const std::vector<bool>& first, const std::vector<bo
 /// Price, J. Educ. Behav. Stat. 37 (2012) 479).
 ShareDifference paired_difference(const CommonStarts& starts, double confidence = 0.95);
 
+/// Means of two samples of a figure, and their difference, second minus first, with its interval.
+struct MeanDifference {
+  std::uint64_t first_count = 0, second_count = 0;  ///< finite values that it rests on; of pairs, those finite in both
+  double first = 0.0, second = 0.0, difference = 0.0, low = 0.0, high = 0.0;  ///< infinite bounds: too few to say
+};
+/// Values of the same starts, pair by pair up to the end of the shorter list; Student's t over their differences.
+MeanDifference paired_mean_difference(const std::vector<double>& first, const std::vector<double>& second,
+                                      double confidence = 0.95);
+/// Independent samples: Welch's interval (B. L. Welch, Biometrika 34 (1947) 28).
+MeanDifference independent_mean_difference(const std::vector<double>& first, const std::vector<double>& second,
+                                           double confidence = 0.95);
+
 }  // namespace equipoise
