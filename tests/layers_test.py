@@ -70,7 +70,7 @@ ROOMS = {
         "running math types mechanics statistics study echo kernels periodic_orbits attractors columns results io "
         "result_files spin_up rotor_family start_runs ensembles continuation",
     "sweeps":
-        "running types study kernels attractors balanced_regions results result_files cell_files "
+        "running types units study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",
     "design":
         "running drives types statistics units toml study kernels attractors balanced_regions columns results "

@@ -26,25 +26,28 @@ namespace equipoise::app {
 namespace {
 
 struct CapacityArguments : ResultForms, ComputingArguments {
-  std::string study, of, between;
+  std::string study, of, between, by = "balanced";
   std::vector<std::string> over, overrides;
   std::optional<std::string> at_least, precision, starts, seed;
   bool zip = false;
 };
+
+std::vector<SweepAxis> capacity_axes(const CapacityArguments& a) {
+  return a.over.empty() ? std::vector<SweepAxis>{} : sweep_axes(a.over, a.zip, "--over");
+}
 
 StudySource capacity_source(const CapacityArguments& a) {
   StudySource source{read_study_text(a.study), a.study, a.overrides};
   // Many ensembles are run: enough starts to determine a share of 95 % to half a percent.
   constexpr const char* usual_starts = "10000";
   override_starts(a.starts ? a.starts : std::optional<std::string>(usual_starts), a.seed, source.overrides);
-  return source;
+  return a.of.empty() ? with_unbalance(source, capacity_axes(a)) : source;
 }
 
 SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
-  const std::vector<SweepAxis> axes = a.over.empty() ? std::vector<SweepAxis>{} : sweep_axes(a.over, a.zip, "--over");
   CellRequest request;
-  request.transients = false;
-  return SweepPlan(source, axes, request, "--over");
+  request.transients = a.by != "balanced";
+  return SweepPlan(source, capacity_axes(a), request, "--over");
 }
 
 CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& plan, const Team& team) {
@@ -54,6 +57,9 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   options.from = range.from;
   options.to = range.to;
   options.unit = range.unit;
+  const std::vector<std::string> goals = capacity_goals(plan.study());
+  option_choice<int>("--by", a.by, goals);
+  options.by = a.by;
   if (a.at_least)
     options.at_least =
         option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, "a fraction of one from 0.01 to 0.9999");
@@ -104,15 +110,17 @@ Command add_capacity(CLI::App& app) {
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option(
          "--of", a->of,
-         "what is to be as large as possible, any key that --set takes (default: rotor.unbalance where the study "
-         "states it, else rotor.eccentricity)")
+         "what is to be as large as possible, any key that --set takes (default: the unbalance, in g mm of a study in "
+         "physical units, else rotor.eccentricity)")
       ->type_name("KEY");
   app.add_option("--between", a->between,
                  "where it is looked for, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "
                  "unbalance: up to what all balls together can make up for)")
       ->type_name("LOW:HIGH");
-  app.add_option("--at-least", a->at_least, "share of starts that must end balanced (default 0.95)")
-      ->type_name("SHARE");
+  app.add_option("--by", a->by,
+                 "what starts have to do: balanced (default), limits (keep all of [limits]), or one limit by its name")
+      ->type_name("WHAT");
+  app.add_option("--at-least", a->at_least, "share of starts that have to (default 0.95)")->type_name("SHARE");
   app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
       ->type_name("P");
   app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")

@@ -122,12 +122,12 @@ py::tuple sweep_setting(const PyStudy& s) { return py::make_tuple(s.study.sweep.
 using Capacity = Kept<CapacityResult>;
 
 Capacity find_capacity(const PyStudy& s, const std::string& of, const std::string& between, double at_least,
-                       double precision, const std::vector<std::string>& over, bool zip, const std::string& output,
-                       const py::dict& settings) {
+                       const std::string& by, double precision, const std::vector<std::string>& over, bool zip,
+                       const std::string& output, const py::dict& settings) {
   CellRequest request;
-  request.transients = false;
-  const SweepPlan plan(s.source, over.empty() ? std::vector<SweepAxis>{} : sweep_axes(over, zip, "over"), request,
-                       "over");
+  request.transients = by != "balanced";
+  const std::vector<SweepAxis> axes = over.empty() ? std::vector<SweepAxis>{} : sweep_axes(over, zip, "over");
+  const SweepPlan plan(of.empty() ? with_unbalance(s.source, axes) : s.source, axes, request, "over");
   Call call(settings);
   CapacityOptions options;
   call.set(options);
@@ -137,6 +137,7 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
   options.to = range.to;
   options.unit = range.unit;
   options.at_least = at_least;
+  options.by = by;
   options.precision = precision;
   options.output = output;
   CapacityResult result = Call::run([&] { return capacity(plan, options); });
@@ -168,7 +169,8 @@ void bind_planes(py::module_& module) {
     return capacity_csv(c.result);
   });
   module.def("capacity", &find_capacity, py::arg("study"), py::arg("of"), py::arg("between"), py::arg("at_least"),
-             py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("output"), py::arg("settings"));
+             py::arg("by"), py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("output"),
+             py::arg("settings"));
 }
 
 }  // namespace equipoise::python

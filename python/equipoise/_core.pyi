@@ -196,6 +196,7 @@ def capacity(
     of: str,
     between: str,
     at_least: float,
+    by: str,
     precision: float,
     over: list[str],
     zip: bool,

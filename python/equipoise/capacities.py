@@ -106,6 +106,7 @@ def capacity(
     *,
     between: Range = None,
     at_least: float = 0.95,
+    by: str = "balanced",
     precision: float = 0.005,
     over: Optional[Mapping[str, Values]] = None,
     zip: bool = False,  # noqa: A002 (the command line's name)
@@ -122,11 +123,13 @@ def capacity(
     Parameters
     ----------
     of : str, optional
-        Any key of the study; default "rotor.unbalance" where the study states it, else "rotor.eccentricity".
+        Any key of the study; default the unbalance: in g mm of a study in physical units, else "rotor.eccentricity".
     between : (low, high) or str, optional
         Where it is looked for; default of the two keys named: up to what all balls together can make up for.
     at_least : float
-        Share of starts that must end balanced, 0.01 to 0.9999.
+        Share of starts that have to do what is asked, 0.01 to 0.9999.
+    by : str
+        What that is: "balanced", "limits" (keep all of the study's [limits]), or one of them by its name.
     precision : float
         To what part of the range the boundary is located.
     over, zip
@@ -143,7 +146,7 @@ def capacity(
     part = real("precision", precision, 0.0, 1.0, "a part of the range, such as 0.005")
     with settings(threads, progress, cpu, within) as how:
         core = _core.capacity(
-            asked._core, of or "", range_text("between", between), share, part, over_texts({} if over is None else over),
+            asked._core, of or "", range_text("between", between), share, by, part, over_texts({} if over is None else over),
             bool(zip), path_text(output), how,
         )
     return unless_interrupted(CapacityResult(core, asked), core.interrupted)

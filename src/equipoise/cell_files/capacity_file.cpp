@@ -32,7 +32,7 @@ class CapacityWriter {
     table_.define_records();
     io::define_cell_attributes(
         file_, "capacity",
-        fmt::format("Largest {} at which a share of {} of the starts ends balanced", result_.key, result_.at_least),
+        fmt::format("Largest {} at which a share of {} of the starts {}", result_.key, result_.at_least, doing()),
         identity_, result_.study, result_.complete());
     file_.attribute(NC_GLOBAL, "of", result_.key);
     file_.end_definitions();
@@ -40,6 +40,7 @@ class CapacityWriter {
   }
 
  private:
+  std::string doing() const { return result_.by == "balanced" ? "ends balanced" : "keeps " + result_.by; }
   std::string unit() const { return result_.unit.empty() ? "1" : result_.unit; }
 
   void by_cell(const char* name, const std::string& units, const std::string& meaning,
@@ -52,7 +53,7 @@ class CapacityWriter {
     const std::string& key = result_.key;
     table_.column(
         "capacity", unit(),
-        fmt::format("{}: the largest at which a share of {} of the starts ends balanced", key, result_.at_least),
+        fmt::format("{}: the largest at which a share of {} of the starts {}", key, result_.at_least, doing()),
         [this](std::size_t index, double* v) {
           if (const auto& value = result_.cells[index]->value) *v = *value;
         });

@@ -23,17 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
 
-Share complement(const Share& s) {
-  Share other = s;
-  other.count = s.total - s.count;
-  other.share = 1.0 - s.share;
-  other.low = 1.0 - s.high;
-  other.high = 1.0 - s.low;
-  other.least = 1.0 - s.most;
-  other.most = 1.0 - s.least;
-  return other;
-}
-
 // The speed in the end, Hz.
 double turns_a_second(const BasinResult& r, const TransientGroup& group) {
   const double speed =

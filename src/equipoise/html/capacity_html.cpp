@@ -47,9 +47,9 @@ class CapacityDocument {
     const std::string caption =
         r_.axes.empty() ? "Share of the starts that ends balanced at every value tried, with its 95 % interval."
                         : fmt::format(
-                              "The largest {} at which {:.4g} % of starts end balanced; strokes: up to their lower end "
+                              "The largest {} at which {:.4g} % of starts {}; strokes: up to their lower end "
                               "that is sure, from their upper end on it surely fails.",
-                              key_words(r_.key), 100.0 * r_.at_least);
+                              key_words(r_.key), 100.0 * r_.at_least, r_.asked());
     add(drawn(capacity_charts(r_), capacity_title(r_), caption, true));
   }
 

@@ -30,7 +30,7 @@ ChartSeries boundary_series(const SweepParameter& x, const std::vector<const Cap
 }  // namespace
 
 std::string capacity_title(const CapacityResult& r) {
-  return fmt::format("Largest {} balanced by {:.4g} % of starts{}", r.key, 100.0 * r.at_least,
+  return fmt::format("Largest {} at which {:.4g} % of starts {}{}", r.key, 100.0 * r.at_least, r.asked(),
                      r.complete() ? "" : " (PARTIAL: stopped early)");
 }
 

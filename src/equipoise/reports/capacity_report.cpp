@@ -82,8 +82,8 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   std::string text = lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += fmt::format("The largest {} at which {:.4g} % of starts end balanced, looked for from {}.\n\n", r.key,
-                      100.0 * r.at_least, sought_text(r));
+  text += fmt::format("The largest {} at which {:.4g} % of starts {}, looked for from {}.\n\n", r.key,
+                      100.0 * r.at_least, r.asked(), sought_text(r));
   text += table_text(capacity_table(r, key_itself), style);
   std::string notes =
       fmt::format("Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n",
@@ -96,7 +96,7 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
 }
 
 std::string capacity_json(const CapacityResult& r) {
-  Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"from", r.from}, {"to", r.to}};
+  Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"by", r.by}, {"from", r.from}, {"to", r.to}};
   json["over"] = over_json(r.axes);
   json["partial"] = !r.complete();
   json["cells"] = Json::array();
@@ -134,9 +134,10 @@ std::string capacity_json(const CapacityResult& r) {
 }
 
 std::string capacity_csv(const CapacityResult& r) {
-  std::string text = fmt::format(
-      "# equipoise {}: largest {} at which a share of {} of {} starts ends balanced, looked for from {}{}\n",
-      version_string, r.key, r.at_least, r.starts, sought_text(r), r.complete() ? "" : ", PARTIAL");
+  std::string text =
+      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts {}, looked for from {}{}\n",
+                  version_string, r.key, r.at_least, r.starts, r.by == "balanced" ? "ends balanced" : "keeps " + r.by,
+                  sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

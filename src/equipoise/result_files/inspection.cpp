@@ -23,7 +23,7 @@ namespace {
 // What was varied and looked for.
 void add_question(const io::IdentityLines& identity, Inspection& i) {
   for (const std::string& parameter : identity.over()) i.facts.emplace_back("over", parameter);
-  for (const char* key : {"of", "at_least", "from", "to", "unit"})
+  for (const char* key : {"of", "at_least", "by", "from", "to", "unit"})
     if (const std::string value = identity.value(std::string("capacity.") + key); !value.empty())
       i.facts.emplace_back(key, value);
 }

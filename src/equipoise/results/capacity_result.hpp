@@ -16,7 +16,7 @@ namespace equipoise {
 /// One ensemble of the search.
 struct CapacityTrial {
   double value = 0.0;
-  Share balanced, undecided;  ///< of no starts if `unstable`
+  Share balanced, undecided;  ///< balanced: that do what is asked; of no starts if `unstable`
   bool unstable = false;      ///< no balanced state attracts there: no start was followed
   /// States on the motions found, from which the search at a neighbouring value begins.
   std::vector<std::vector<double>> states;
@@ -50,6 +50,7 @@ struct CapacityResult {
   std::string key, unit;  ///< the key asked for, and the unit of its values
   double from = 0.0, to = 0.0, precision = 0.0;
   double at_least = 0.95;
+  std::string by = "balanced";  ///< what starts have to do: balance, keep all "limits", or keep one, by its name
   std::uint64_t starts = 0;  ///< of each ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep
@@ -61,6 +62,10 @@ struct CapacityResult {
   std::string cpu_target;
   double seconds = 0.0, cpu_seconds = 0.0;
 
+  /// "end balanced", "keep every limit", "keep limits.velocity".
+  std::string asked() const {
+    return by == "balanced" ? "end balanced" : by == "limits" ? "keep every limit" : "keep limits." + by;
+  }
   bool complete() const {
     for (const auto& cell : cells)
       if (!cell) return false;

@@ -38,6 +38,18 @@ Share wilson_share(std::uint64_t count, std::uint64_t total, double confidence =
 Share wilson_share(std::uint64_t count, std::uint64_t total, double counted, double weight, double weight_squared,
                    double confidence = 0.95);
 
+/// Of the starts that do not count.
+inline Share complement(const Share& s) {
+  Share other = s;
+  other.count = s.total - s.count;
+  other.share = 1.0 - s.share;
+  other.low = 1.0 - s.high;
+  other.high = 1.0 - s.low;
+  other.least = 1.0 - s.most;
+  other.most = 1.0 - s.least;
+  return other;
+}
+
 /// A share in which further starts may turn out to count: `with_open` counts them all.
 inline Share share_between(Share sure, const Share& with_open) {
   sure.most = with_open.high;

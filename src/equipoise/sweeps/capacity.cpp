@@ -10,9 +10,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/balanced_regions/balanced_analysis.hpp"
@@ -28,7 +31,9 @@
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/sweeps/survey_run.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 
@@ -41,6 +46,18 @@ double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value
 
 std::string setting(const CapacityOptions& options, double value) {
   return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);
+}
+
+// Of the starts that do what is asked.
+Share asked_share(const BasinResult& result, const std::string& by) {
+  if (by == "balanced") return result.attractors.front().share;
+  const TransientGroup& all = result.transients->groups.front();
+  if (by == "limits")
+    for (const Within w : {Within::both, Within::at_end, Within::on_the_way})
+      if (const auto& share = all.within[static_cast<std::size_t>(w)]) return *share;
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (by == transient_limits[k].name && all.exceeded[k]) return complement(*all.exceeded[k]);
+  throw std::logic_error("no such limit");
 }
 
 // One cell's trials, each search beginning with what the nearest earlier one found. Those that are known are taken when
@@ -108,7 +125,8 @@ class Boundary {
     CapacityTrial made;
     made.value = value;
     // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
-    if (study.uncertain.empty() && !analyse_balanced(study.system(), workers_->stop).stable) {
+    if (options_.by == "balanced" && study.uncertain.empty() &&
+        !analyse_balanced(study.system(), workers_->stop).stable) {
       made.unstable = true;
       return is_set(workers_->stop) ? std::nullopt : std::optional(made);
     }
@@ -117,7 +135,7 @@ class Boundary {
     Catalogue catalogue;
     const BasinResult result = cell_ensemble(plan_, at, study, *workers_, nullptr, catalogue, nullptr);
     if (result.partial) return std::nullopt;
-    made.balanced = result.attractors.front().share;
+    made.balanced = asked_share(result, options_.by);
     made.undecided = result.undecided;
     const auto size = static_cast<Eigen::Index>(study.system().dimension());
     for (const Attractor& a : catalogue.attractors())
@@ -171,7 +189,8 @@ class Boundary {
 std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
   return plan.identity() +
          fmt::format("[capacity]\nof = {}\nunit = {}\nfrom = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.key,
-                     o.unit.empty() ? "none" : o.unit, o.from, o.to, o.at_least, o.precision);
+                     o.unit.empty() ? "none" : o.unit, o.from, o.to, o.at_least, o.precision) +
+         (o.by == "balanced" ? "" : fmt::format("by = {}\n", o.by));
 }
 
 class CapacityRun final : public SurveyRun {
@@ -185,6 +204,7 @@ class CapacityRun final : public SurveyRun {
     result_.to = options.to;
     result_.precision = options.precision;
     result_.at_least = options.at_least;
+    result_.by = options.by;
     result_.starts = plan.study().sampling.starts;
     result_.axes = plan.axes();
     result_.cells.resize(plan.cells());
@@ -263,6 +283,34 @@ class CapacityRun final : public SurveyRun {
 
 }  // namespace
 
+std::vector<std::string> capacity_goals(const Study& study) {
+  std::vector<std::string> goals{"balanced"};
+  if (study.limits.any()) goals.emplace_back("limits");
+  for (const TransientLimit& l : transient_limits)
+    if (study.limits.*l.limit) goals.emplace_back(l.name);
+  return goals;
+}
+
+StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes) {
+  StudyValue tree = study::parse_document(source.toml, source.name, source.overrides).root;
+  StudyValue* rotor = study::find_table(tree, "rotor");
+  if (!source.physical() || !rotor || rotor->find("unbalance")) return source;
+  const Study study = source.with();
+  const auto about_unbalance = [](std::string_view key) {
+    return key == "rotor.eccentricity" || key.starts_with("rotor.balance_grade") || key.starts_with("place");
+  };
+  for (const UncertainValue& value : study.uncertain.values)
+    if (about_unbalance(value.key)) return source;
+  for (const SweepAxis& axis : axes)
+    for (const SweepParameter& parameter : axis.parameters)
+      if (about_unbalance(parameter.key)) return source;
+  for (const char* key : {"eccentricity", "balance_grade"}) rotor->erase(key);
+  tree.erase("place");
+  rotor->set("unbalance", study::quantity_text(study.parameters.eccentricity * study.scales->unbalance(),
+                                               study::Dimension::unbalance));
+  return {to_toml(tree), source.name, {}};
+}
+
 std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option) {
   const std::string unbalance = "rotor.unbalance", eccentricity = "rotor.eccentricity";
   const std::string& stated = source.states(unbalance) ? unbalance : eccentricity;
@@ -334,6 +382,9 @@ CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
     reject("at_least", fmt::format("{}", options.at_least), "must be between 0 and 1");
   if (!(options.precision >= 1e-4 && options.precision <= 0.1))
     reject("precision", fmt::format("{}", options.precision), "must be from 0.0001 to 0.1");
+  const std::vector<std::string> goals = capacity_goals(plan.study());
+  if (std::find(goals.begin(), goals.end(), options.by) == goals.end())
+    reject("by", options.by, fmt::format("must be one of: {}", fmt::join(goals, ", ")));
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
 }

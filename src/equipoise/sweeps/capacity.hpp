@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "equipoise/results/capacity_result.hpp"
 #include "equipoise/running/run_options.hpp"
@@ -16,11 +17,21 @@ struct CapacityOptions : RunOptions {
   std::string key;              ///< as in --set
   std::string unit;             ///< of quantities; empty for plain numbers
   double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
-  double at_least = 0.95;       ///< share of starts that end balanced, in (0, 1)
+  double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
+  std::string by = "balanced";  ///< CapacityResult::by; the plan has to gather transients for all others
   double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
   std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
   SurveyHelpers helpers;
 };
+
+/// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a
+/// figure.
+std::vector<std::string> capacity_goals(const Study& study);
+
+/// The source of a study in physical units with its unbalance as one quantity, rotor.unbalance in g mm, where it is
+/// stated otherwise (as an eccentricity, a balance grade or places) and neither uncertain nor varied by an axis; else
+/// the same.
+StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes);
 
 /// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
 /// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
