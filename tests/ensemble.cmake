@@ -46,7 +46,8 @@ equipoise_test(continuation_test equivalence equivalence/continuation_test.cpp)
 equipoise_test(observation_test equivalence equivalence/observation_test.cpp)
 equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
-equipoise_test(verdict_test equivalence equivalence/verdict_test.cpp equivalence/standards_of_starts_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(verdict_test equivalence equivalence/verdict_test.cpp equivalence/standards_of_starts_test.cpp
+  equivalence/capacity_goals_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(without_balls_test equivalence equivalence/without_balls_test.cpp unit/limits_kept_test.cpp
   unit/no_balls_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(drive_work_test equivalence equivalence/drive_work_test.cpp)
