@@ -1,4 +1,5 @@
-// Edit distances of V. I. Levenshtein (Soviet Physics Doklady 10 (1966) 707), with neighbours that changed places as one edit.
+// Edit distances of V. I. Levenshtein (Soviet Physics Doklady 10 (1966) 707), with neighbours that changed places as
+// one edit.
 #include "equipoise/base/nearest_name.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 
 std::string did_you_mean(std::string_view given, const std::vector<std::string>& known) {
   const std::string name = nearest_name(given, known);
-  return name.empty() ? "" : "; did you mean \"" + name + "\"?";
+  return name.empty() ? "" : "did you mean \"" + name + "\"? ";
 }
 
 }  // namespace equipoise

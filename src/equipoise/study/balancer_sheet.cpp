@@ -73,9 +73,9 @@ class OilReader : public QuantityReader {
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }
-    fail("grade", fmt::format("must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
-                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"{}",
-                              nearest == 0.0 ? "" : fmt::format("; did you mean \"ISO VG {:.0f}\"?", nearest)));
+    fail("grade", fmt::format("{}must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
+                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"",
+                              nearest == 0.0 ? "" : fmt::format("did you mean \"ISO VG {:.0f}\"? ", nearest)));
   }
 
   OilSheet mineral_oil() {
@@ -144,7 +144,8 @@ class BalancerReader {
     if (const model::BallMaterial* material = model::find_ball_material(name)) return material->density;
     std::vector<std::string> names;
     for (const model::BallMaterial& known : model::ball_materials) names.emplace_back(known.name);
-    reader_.fail_among("ball_material", names, ", or give balancer.ball_density");
+    reader_.fail_among("ball_material", names,
+                       "is none whose density is known here (balancer.ball_density states any); ");
   }
 
   void read_drag() {
