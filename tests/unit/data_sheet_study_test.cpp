@@ -244,6 +244,11 @@ TEST(DataSheet, KnowsOilsByTheirGrade) {
       *details({"balancer.oil={ grade = 'ISO VG 5', at = '100 degC', viscosity_100 = '1.6 cSt' }"}).oil_viscosity,
       1.6e-6 * 870.0, 1e-12);
   EXPECT_NEAR(*details({"balancer.oil={ grade = 'silicone 1000 cSt', at = '25 degC' }"}).oil_viscosity, 0.97, 1e-9);
+  for (const char* name : {"VG 32", "vg32", "ISO VG32", "iso vg 32"})
+    EXPECT_EQ(*details({fmt::format("balancer.oil={{ grade = '{}', at = '40 degC' }}", name)}).oil_viscosity,
+              *vg32.oil_viscosity)
+        << name;
+  EXPECT_EQ(*details({"balancer.oil={ grade = 'Silicone 100 mm2/s', at = '25 degC' }"}).oil_density, 970.0);
   // The same drag as of the viscosity itself.
   const double beta =
       parse_sheet(oiled, {steel, "balancer.oil={ grade = 'ISO VG 32', at = '40 degC' }"}).parameters.drag[0];

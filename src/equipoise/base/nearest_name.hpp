@@ -7,6 +7,9 @@
 
 namespace equipoise {
 
+/// Of ASCII; other letters stay.
+std::string in_small_letters(std::string_view text);
+
 /// Edits that make one text of the other: a letter more, less or another, or two neighbours that changed places.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
