@@ -40,7 +40,7 @@ int run_new(const NewArguments& a) {
   const std::vector<std::string> names = new_machines();
   if (text.empty())
     throw InputError("MACHINE", "", display_text(a.machine),
-                     fmt::format("must be one of: {}{}", fmt::join(names, ", "), did_you_mean(a.machine, names)));
+                     fmt::format("{}must be one of: {}", did_you_mean(a.machine, names), fmt::join(names, ", ")));
   if (!a.output) {
     put(std::string(text));
     return done;

@@ -49,7 +49,7 @@ class NewStudies(unittest.TestCase):
     def test_another_name_is_refused_with_the_nearest(self):
         done = run("new", "grindr")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn('must be one of: washing-machine, grinder, centrifuge, drive, fan, blank; did you mean "grinder"?',
+        self.assertIn('did you mean "grinder"? must be one of: washing-machine, grinder, centrifuge, drive, fan, blank',
                       done.stderr)
 
     def test_check_takes_overrides_and_refuses_what_no_study_is(self):

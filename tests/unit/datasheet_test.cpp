@@ -94,7 +94,7 @@ TEST(NearestName, IsTheOneThatWasMeant) {
   EXPECT_EQ(nearest_name("constnat", names), "constant");
   EXPECT_EQ(nearest_name("motor", names), "");
   EXPECT_EQ(nearest_name("x", names), "");
-  EXPECT_EQ(did_you_mean("torqe", names), "; did you mean \"torque\"?");
+  EXPECT_EQ(did_you_mean("torqe", names), "did you mean \"torque\"? ");
   EXPECT_EQ(did_you_mean("", names), "");
 }
 

@@ -1,5 +1,6 @@
 // A study's form: stated keys, possible keys, and the study recovered from a filled-in form.
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/html/form.hpp"
+#include "../support/files.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -89,13 +91,26 @@ TEST(Form, OffersDefaultsThatStandBesideWhatIsWritten) {
 }
 
 TEST(Form, EveryFieldIsAnOverride) {
-  for (const std::string& text : {constant_speed, machine}) {
+  std::vector<std::string> texts{constant_speed, machine};
+  for (const auto& entry : std::filesystem::directory_iterator(EQUIPOISE_SOURCE_DIR "/studies/new"))
+    texts.push_back(content(entry.path().string()));
+  EXPECT_GT(texts.size(), 2u);
+  for (const std::string& text : texts) {
     const std::string echo = to_toml(parse_study(text, "study"));
     for (const FormField& f : form_of(text, "study")) {
       if (!f.given) continue;
       EXPECT_EQ(to_toml(parse_study(text, "study", {override_of(f)})), echo) << override_of(f);
     }
   }
+}
+
+TEST(Form, OffersTheMaterialsOfBalls) {
+  const std::string of_steel = with(machine, "mass = \"60 g\"", "ball_diameter = \"8 mm\"\nball_material = \"steel\"");
+  const std::vector<FormField> form = form_of(of_steel, "machine");
+  const FormField* material = find(form, "balancer.ball_material");
+  ASSERT_TRUE(material);
+  EXPECT_EQ(material->choices,
+            (std::vector<std::string>{"steel", "stainless steel", "tungsten carbide", "ceramic", "glass"}));
 }
 
 TEST(Form, OverridesAreWrittenIntoTheText) {

@@ -69,6 +69,18 @@ TEST(StudyCheck, ListsWhatTheStudyLeavesOpen) {
   EXPECT_FALSE(assumes(checked, "at their medians"));
 }
 
+TEST(StudyCheck, SaysWhereUnbalanceInPlacesPoints) {
+  const std::string place = "[[place]]\nmass = \"24 g\"\nradius = \"100 mm\"\nangle = \"90 degree\"\n";
+  EXPECT_TRUE(
+      holds(check_of(ramp_machine + place).unbalance, "3.3941 kg mm, its centre of mass 282.84 um from the shaft"));
+  EXPECT_TRUE(holds(check_of(ramp_machine + place).unbalance,
+                    "; the resultant of the rotor's own and of 1 place, at 45 degrees, where x of the model points"));
+  const std::string bare = with(ramp_machine, "eccentricity = \"0.2 mm\"\n", "");
+  EXPECT_TRUE(holds(check_of(bare + place + place, {"place.2.mass={uniform=['1 g', '2 g']}"}).unbalance,
+                    "; the resultant of 2 places, at 90 degrees"));
+  EXPECT_FALSE(holds(check_of(ramp_machine).unbalance, "resultant"));
+}
+
 // The balls cancel 1.1 times the unbalance: a fifth more of it, or less of the balls, and they do not.
 TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
   const std::string most = check_of(ramp_machine, {"rotor.eccentricity=0.27 mm"}).most;

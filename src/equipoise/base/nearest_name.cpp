@@ -1,4 +1,5 @@
-// Edit distances of V. I. Levenshtein (Soviet Physics Doklady 10 (1966) 707), with neighbours that changed places as one edit.
+// Edit distances of V. I. Levenshtein (Soviet Physics Doklady 10 (1966) 707), with neighbours that changed places as
+// one edit.
 #include "equipoise/base/nearest_name.hpp"
 
 #include <algorithm>
@@ -12,14 +13,14 @@ namespace {
 
 constexpr std::size_t longest_name = 60;
 
+}  // namespace
+
 std::string in_small_letters(std::string_view text) {
   std::string small(text);
   for (char& c : small)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return small;
 }
-
-}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
@@ -51,7 +52,7 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
 
 std::string did_you_mean(std::string_view given, const std::vector<std::string>& known) {
   const std::string name = nearest_name(given, known);
-  return name.empty() ? "" : "; did you mean \"" + name + "\"?";
+  return name.empty() ? "" : "did you mean \"" + name + "\"? ";
 }
 
 }  // namespace equipoise

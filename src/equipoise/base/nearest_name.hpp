@@ -7,6 +7,9 @@
 
 namespace equipoise {
 
+/// Of ASCII; other letters stay.
+std::string in_small_letters(std::string_view text);
+
 /// Edits that make one text of the other: a letter more, less or another, or two neighbours that changed places.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
@@ -14,7 +17,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// capital letters being alike; empty if there is none.
 std::string nearest_name(std::string_view given, const std::vector<std::string>& known);
 
-/// "; did you mean "ramp"?", or nothing.
+/// "did you mean "ramp"? ", for the words before "must be", or nothing.
 std::string did_you_mean(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace equipoise

@@ -11,8 +11,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
@@ -75,6 +77,19 @@ std::string unbalance_line(const Explanation& e) {
     }
   }
   return line;
+}
+
+// Where it comes from, of a study with places.
+std::string origin_of_unbalance(const study::Document& document) {
+  const StudyValue* places = document.root.find("place");
+  if (!places || !places->array()) return "";
+  const std::size_t count = places->array()->size();
+  const bool own = document.root.find_path("rotor.eccentricity") || document.root.find_path("rotor.unbalance") ||
+                   document.root.find_path("rotor.balance_grade");
+  const double degrees = 180.0 / pi * study::resultant_direction(document);
+  return fmt::format("; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points",
+                     own ? "the rotor's own and of " : "", count, count == 1 ? "" : "s",
+                     degrees == 0.0 ? 0.0 : degrees);
 }
 
 std::string balls_line(const Explanation& e) {
@@ -282,13 +297,13 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name,
                        const std::vector<std::string>& overrides) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
   const BallDetails balls = parse_ball_details(toml_text, name, overrides);
-  const StudyValue given = study::parse_document(toml_text, name, overrides).root;
+  const study::Document document = study::parse_document(toml_text, name, overrides);
   const Explanation e = explain(medians, balls);
   StudyCheck check;
   check.machine = machine_line(e);
-  check.unbalance = unbalance_line(e);
+  check.unbalance = unbalance_line(e) + origin_of_unbalance(document);
   check.balls = balls_line(e);
-  check.assumed = Assumptions(given, study, balls).list();
+  check.assumed = Assumptions(document.root, study, balls).list();
   check.most = most_line(medians, balls);
   return check;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/nearest_name.hpp"
 #include "equipoise/datasheet/ball_drag.hpp"
 #include "equipoise/datasheet/materials.hpp"
 #include "equipoise/datasheet/oils.hpp"
@@ -31,8 +32,10 @@ class OilReader : public QuantityReader {
     require("grade", wanted);
     grade_ = text("grade").value_or("");
     kelvin_ = quantity("at");
-    constexpr std::string_view silicone = "silicone ";
-    const OilSheet oil = grade_.starts_with(silicone) ? silicone_oil(grade_.substr(silicone.size())) : mineral_oil();
+    constexpr std::string_view silicone = "silicone";
+    const OilSheet oil = in_small_letters(grade_).starts_with(silicone) && grade_.size() > silicone.size()
+                             ? silicone_oil(grade_.substr(silicone.size()))
+                             : mineral_oil();
     finish();
     return oil;
   }
@@ -62,20 +65,27 @@ class OilReader : public QuantityReader {
     return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density};
   }
 
+  // Without blanks, and in small letters: "ISO VG32", "vg 32".
+  static std::string plain_name(std::string text) {
+    std::erase(text, ' ');
+    return in_small_letters(text);
+  }
+
   // The viscosity in mm^2/s at 40 degC of a class named by the whole number nearest to it.
   double class_viscosity() const {
+    const std::string given = plain_name(grade_);
     const std::string number = grade_.substr(std::min(grade_.find_last_not_of("0123456789.") + 1, grade_.size()));
     const double said = split_quantity(number).number;
     double nearest = 0.0;
     for (const double middle : model::iso_viscosity_grades) {
       const std::string name = fmt::format("ISO VG {:.0f}", middle);
-      if (grade_ == name || "ISO " + grade_ == name) return middle;
+      if (given == plain_name(name) || "iso" + given == plain_name(name)) return middle;
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }
-    fail("grade", fmt::format("must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
-                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"{}",
-                              nearest == 0.0 ? "" : fmt::format("; did you mean \"ISO VG {:.0f}\"?", nearest)));
+    fail("grade", fmt::format("{}must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
+                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"",
+                              nearest == 0.0 ? "" : fmt::format("did you mean \"ISO VG {:.0f}\"? ", nearest)));
   }
 
   OilSheet mineral_oil() {
@@ -88,8 +98,8 @@ class OilReader : public QuantityReader {
       at_100 = model::viscosity_at_100(at_40, model::usual_viscosity_index);
     if (!at_100)
       fail("grade", "is thinner than viscosity indices are defined for; give viscosity_100, such as \"1.1 cSt\"");
-    if (!(*at_100<at_40&& * at_100> 0.5))
-      fail("viscosity_100", fmt::format("must be from 0.5 cSt to less than at 40 degC, {:.6g} cSt", at_40));
+    const bool falls = *at_100<at_40&& * at_100> 0.5;
+    if (!falls) fail("viscosity_100", fmt::format("must be from 0.5 cSt to less than at 40 degC, {:.6g} cSt", at_40));
     return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density};
   }
 
@@ -144,7 +154,8 @@ class BalancerReader {
     if (const model::BallMaterial* material = model::find_ball_material(name)) return material->density;
     std::vector<std::string> names;
     for (const model::BallMaterial& known : model::ball_materials) names.emplace_back(known.name);
-    reader_.fail_among("ball_material", names, ", or give balancer.ball_density");
+    reader_.fail_among("ball_material", names,
+                       "is none whose density is known here (balancer.ball_density states any); ");
   }
 
   void read_drag() {

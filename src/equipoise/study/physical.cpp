@@ -9,6 +9,7 @@
 #include "equipoise/study/drive_sheet.hpp"
 #include "equipoise/study/machine_sheet.hpp"
 #include "equipoise/study/quantity_reader.hpp"
+#include "equipoise/study/uncertain_reader.hpp"
 
 namespace equipoise::study {
 
@@ -136,6 +137,12 @@ void check_horizon(const Document& document, const model::Scales& s) {
 }  // namespace
 
 bool is_physical(const Document& document) { return !physical_key(document).empty(); }
+
+double resultant_direction(Document document) {
+  if (!document.root.find("place")) return 0.0;
+  take_uncertain(document);
+  return read_rotor_sheet(document).turn;
+}
 
 BallDetails ball_details(const Document& document) {
   return is_physical(document) ? read_balancer_sheet(document).details : BallDetails{};

@@ -14,6 +14,10 @@ bool is_physical(const Document& document);
 /// missing, given twice, of the wrong dimension, out of range, or plain numbers.
 void make_dimensionless(Document& document);
 
+/// The angle from the rotor's own unbalance to the resultant with every [[place]], at medians: x of the model points
+/// there. 0 without places. In radians.
+double resultant_direction(Document document);
+
 /// What a physical study says of its balls; call before it is made dimensionless.
 BallDetails ball_details(const Document& document);
 

@@ -317,11 +317,11 @@ std::size_t TableReader::place_among(const std::string& key, std::span<const cha
   return static_cast<std::size_t>(at - names.begin());
 }
 
-void TableReader::fail_among(const std::string& key, const std::vector<std::string>& names, const std::string& more) {
+void TableReader::fail_among(const std::string& key, const std::vector<std::string>& names, const std::string& wrong) {
   const StudyValue* value = find(key);
   const std::string* given = value ? value->string() : nullptr;
   fail(key,
-       fmt::format("must be one of: {}{}{}", fmt::join(names, ", "), more, given ? did_you_mean(*given, names) : ""));
+       fmt::format("{}{}must be one of: {}", wrong, given ? did_you_mean(*given, names) : "", fmt::join(names, ", ")));
 }
 
 std::optional<std::string> TableReader::text(const std::string& key) {

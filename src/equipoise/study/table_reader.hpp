@@ -86,9 +86,9 @@ class TableReader {
   /// Throws an InputError about `key`.
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
 
-  /// The same of a text that is none of these names, with the nearest. `more`: what else may be given.
+  /// The same of a text that is none of these names, with the nearest. `wrong`: what to say before that.
   [[noreturn]] void fail_among(const std::string& key, const std::vector<std::string>& names,
-                               const std::string& more = "");
+                               const std::string& wrong = "");
 
   /// A dimensionless time or speed in the study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
   std::string time_text(double time) const;
