@@ -85,6 +85,11 @@ class BasinResult(Result):
         On what grounds; ``decided_by_names`` tells.
     transients : dict[str, ndarray (starts,)] or None
         Peak displacement and its like by start (columns of the NetCDF file), dimensionless.
+    without_balls : dict or None
+        With transients: the same rotor without balls (``["no_balls"]``) and with balls held where they start
+        (``["balls_held"]``); of each ``["figures"]`` by the names of `transients`, in the units that they name.
+    within_limits : dict[str, dict]
+        With limits: the shares of all starts that are within them ``at_end``, ``on_the_way`` and ``both``, with intervals.
     arrays : dict[str, ndarray]
         All that is known start by start, also what only some studies have (``rotor_state``, ``phi_dot``, ``drawn``,
         ``weight``, ``mean_speed``, ``left_unbalance``, ``balls_met``, ``psi``).
@@ -192,6 +197,15 @@ class BasinResult(Result):
     @property
     def transients(self) -> Optional[dict[str, npt.NDArray[np.float32]]]:
         return self._array("transients") or None
+
+    @property
+    def without_balls(self) -> Optional[dict[str, Any]]:
+        return self.data.get("without_balls")
+
+    @property
+    def within_limits(self) -> dict[str, Any]:
+        groups = self.data.get("transients", {}).get("groups")
+        return groups[0]["within"] if groups else {}
 
     def __repr__(self) -> str:
         parts = [

@@ -158,6 +158,30 @@ def test_transients_are_gathered_by_start(study):
     assert eq.basin(study, starts=50).transients is None
 
 
+def test_the_rotor_without_balls_stands_beside_it(study):
+    answer = eq.basin(study, starts=50, transients=True)
+    bare, held = answer.without_balls["no_balls"], answer.without_balls["balls_held"]
+    assert bare["runs"] == 1 and held["runs"] == 50
+    assert bare["figures"]["peak_radial"]["value"] > 0.0
+    assert set(bare["figures"]) == set(held["figures"]) < set(answer.transients)
+    assert eq.basin(study, starts=50).without_balls is None
+
+
+def test_starts_within_limits_are_counted(study):
+    assert eq.basin(study, starts=50, transients=True).within_limits == {}
+    answer = eq.basin(study.replace({"limits.displacement": 0.02}), starts=50)
+    within = answer.within_limits
+    assert set(within) == {"at_end", "on_the_way", "both"}
+    assert within["on_the_way"]["count"] == np.sum(answer.transients["peak_radial"].astype(float) <= 0.02)
+
+
+def test_a_rotor_without_balls_has_no_starts(study):
+    answer = eq.basin(study.replace({"balancer.balls": 0}))
+    assert answer.starts == 0 and answer.without_balls["no_balls"]["one_for_all"]
+    with pytest.raises(eq.StudyError, match="leaves nothing to balance with"):
+        eq.attractors(study.replace({"balancer.balls": 0}))
+
+
 def test_results_become_tables_and_files(answer, tmp_path):
     xarray = pytest.importorskip("xarray")
     table = answer.to_pandas()

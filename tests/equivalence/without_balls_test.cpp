@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -279,6 +280,33 @@ TEST(Basin, SaysThatAMotorStallsWithoutBalls) {
   const BasinResult s = basin(parse_study(strong, "s"), options);
   EXPECT_EQ(s.without_balls->bare.stalled, 0u);
   EXPECT_FALSE(holds(basin_text(s), "Without balls the motor"));
+}
+
+TEST(Basin, SaysHowManyTimesTheBareRotorsPeakItIs) {
+  BasinOptions options;
+  options.transients = true;
+  const BasinResult r = basin(parse_study(rotor_and_balancer + short_ramp + "[sampling]\nstarts = 20\n", "s"), options);
+  const double times = r.transients->groups.front().figure(&TransientRow::peak_radial).quantiles[0].value /
+                       r.without_balls->bare.figures.figure(&TransientRow::peak_radial).quantiles[0].value;
+  EXPECT_TRUE(
+      holds(basin_text(r), fmt::format("Peak displacement: {:.3g} times that without balls in the median", times)));
+  // A rotor in balance does not shake.
+  const std::string still = with(rotor_and_balancer, "eccentricity = 0.01", "eccentricity = 0.0") + short_ramp;
+  EXPECT_FALSE(
+      holds(basin_text(basin(parse_study(still + "[sampling]\nstarts = 20\n", "s"), options)), "times that without"));
+}
+
+TEST(Basin, SaysWhichLimitsTheBareRotorKeeps) {
+  // By itself it ends at r = 0.0111 and peaks at 0.0225.
+  const auto text_of = [](const std::string& limits) {
+    return basin_text(
+        basin(parse_study(rotor_and_balancer + short_ramp + "[sampling]\nstarts = 20\n[limits]\n" + limits, "s")));
+  };
+  EXPECT_TRUE(holds(text_of("displacement = 0.01\n"),
+                    "Without balls the rotor ends over a limit, and is over one on the way."));
+  EXPECT_TRUE(holds(text_of("displacement = 0.02\n"), "ends within all limits, and is over one on the way."));
+  EXPECT_TRUE(holds(text_of("displacement = 0.03\n"), "ends within all limits, and never is over one on the way."));
+  EXPECT_TRUE(holds(text_of("velocity = 0.03\n"), "Without balls the rotor ends over a limit."));
 }
 
 TEST(Basin, AResumedFileHoldsTheSameWithoutBalls) {

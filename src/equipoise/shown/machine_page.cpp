@@ -151,8 +151,12 @@ class PageMaker {
   }
 
   void distributions() {
+    const Limits& limits = page_.basin.study.limits;
+    // The peak displacement always, with the one limit that is shown of it.
+    const auto of_peak = limits.clearance && !limits.displacement ? &Limits::clearance : &Limits::displacement;
     for (const TransientLimit& l : transient_limits)
-      if (l.value == &TransientRow::peak_radial || page_.basin.study.limits.*l.limit) add_distribution(l);
+      if (l.value == &TransientRow::peak_radial ? l.limit == of_peak : !l.by_speed && limits.*l.limit)
+        add_distribution(l);
   }
 
   void add_distribution(const TransientLimit& l) {

@@ -139,7 +139,8 @@ Trajectory followed(const Task& task) {
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
-  if (!study.system().simple()) {
+  // FreeFlow sums the rotor's forces up with its first ball.
+  if (!study.system().simple() || p.balls == 0) {
     kernels::check_overlap(study);
     simulate_machine(task, out);
     return out;
