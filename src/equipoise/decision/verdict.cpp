@@ -32,7 +32,7 @@ class Judge {
   explicit Judge(const BasinResult& r)
       : r_(r), with_(r.transients->groups.front()), bare_(r.without_balls->bare), none_(bare_.figures) {}
 
-  Verdict verdict(std::span<const TriedChange> tried) {
+  BalancerVerdict verdict(std::span<const TriedChange> tried) {
     if (const auto& kept = kept_of(with_))
       by_limits(*kept);
     else
@@ -164,12 +164,12 @@ class Judge {
   const TransientGroup& with_;
   const OneBodyRuns& bare_;
   const TransientGroup& none_;
-  Verdict verdict_;
+  BalancerVerdict verdict_;
 };
 
 }  // namespace
 
-std::optional<Verdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
+std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
   if (!tells_without_balls(r) || r.without_balls->bare.figures.starts == 0) return std::nullopt;
   return Judge(r).verdict(tried);
 }
@@ -201,7 +201,7 @@ bool serves_better(const TriedChange& a, const TriedChange& b) {
   return a.peak.value < b.peak.value;
 }
 
-std::string verdict_text(const Verdict& v, const TextStyle& style) {
+std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
   const Tone tone = v.decision == Decision::fit || v.decision == Decision::not_needed ? Tone::good
                     : v.decision == Decision::do_not_fit                              ? Tone::bad
                                                                                       : Tone::open;
@@ -209,7 +209,7 @@ std::string verdict_text(const Verdict& v, const TextStyle& style) {
          filled("change   ", v.change, style) + "\n";
 }
 
-nlohmann::ordered_json verdict_json(const Verdict& v, std::span<const TriedChange> tried) {
+nlohmann::ordered_json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
   nlohmann::ordered_json json = {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
                                  {"words", v.words},
                                  {"because", v.because},

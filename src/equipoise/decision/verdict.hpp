@@ -30,7 +30,7 @@ inline constexpr double usual_required_share = 0.95;
 /// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
 /// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
 /// the end is at most half of that without balls. Peaks count as larger from a tenth on.
-struct Verdict {
+struct BalancerVerdict {
   Decision decision = Decision::open;
   std::string words;    ///< "Fit it.", with a reason
   std::string because;  ///< the deciding number with its interval, and that without balls
@@ -57,11 +57,11 @@ bool serves_better(const TriedChange& a, const TriedChange& b);
 
 /// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
 /// the verdict's last line tells the best of them.
-std::optional<Verdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
+std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 /// Three lines, "verdict  Fit it...", and the empty line after them.
-std::string verdict_text(const Verdict& verdict, const TextStyle& style = {});
+std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = {});
 /// The verdict's lines, and every change that was tried, in the study's shown units.
-nlohmann::ordered_json verdict_json(const Verdict& verdict, std::span<const TriedChange> tried = {});
+nlohmann::ordered_json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise
