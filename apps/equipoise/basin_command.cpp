@@ -14,6 +14,7 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/analyses/sensitivity.hpp"
 #include "equipoise/reports/basin_report.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "report_command.hpp"
@@ -119,7 +120,7 @@ int run_basin(const BasinArguments& a) {
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
   options.limit_given = a.starts.has_value();
-  if (a.transients) options.transients = true;
+  if (a.transients || StudySource{text, name, overrides}.physical()) options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
@@ -170,11 +171,12 @@ Command add_basin(CLI::App& app) {
   app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
       ->type_name("FILE.nc");
   app.add_flag("--transients", a->transients,
-               "peak vibration, bearing force, settling time and their like (default where the study has [limits])");
+               "peak vibration, bearing force, settling time and their like (default where the study has [limits] or "
+               "[standards], or is in physical units)");
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
   app.add_flag("--no-changes", a->no_changes,
-               "do not try changes of a balancer that does not do (up to eleven, 200 starts each)");
+               "do not try changes of a balancer that does not do (up to eight, 100 starts each)");
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

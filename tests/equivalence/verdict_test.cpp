@@ -86,8 +86,13 @@ TEST(Verdict, ByLimitsIsTheShareThatKeepsThem) {
   EXPECT_EQ(decided(true, {.kept = 900, .bare_keeps = true}), Decision::do_not_fit);
   EXPECT_EQ(decided(true, {.kept = 400, .end = 2.0}), Decision::do_not_fit);
   EXPECT_EQ(decided(true, {.kept = 400, .end = 0.5}), Decision::change);
-  EXPECT_EQ(decided(true, {.kept = 1000, .peak = 1.2}), Decision::caution);
-  EXPECT_EQ(decided(true, {.kept = 1000, .peak = 1.05}), Decision::fit);
+  // A limit on the way is kept: its peaks may be what they are, and are told.
+  EXPECT_EQ(decided(true, {.kept = 1000, .peak = 1.2}), Decision::fit);
+  EXPECT_TRUE(holds(verdict_of(with_numbers(true, {.kept = 1000, .peak = 1.2}))->words, "On the way the peak reaches"));
+  EXPECT_FALSE(holds(verdict_of(with_numbers(true, {.kept = 1000, .peak = 1.05}))->words, "On the way"));
+  BasinResult end_only = with_numbers(true, {.kept = 1000, .peak = 1.2});
+  end_only.study.limits.displacement.reset();
+  EXPECT_EQ(verdict_of(end_only)->decision, Decision::caution);
 }
 
 TEST(Verdict, WithoutLimitsComparesWithTheBareRotor) {
@@ -106,7 +111,7 @@ TEST(Verdict, AsksForTheShareThatLimitsState) {
 }
 
 TEST(Verdict, ComesFirstInTextAndStandsInJson) {
-  const BasinResult r = with_numbers(true, {.kept = 1000, .peak = 2.9});
+  const BasinResult r = with_numbers(false, {.end = 0.1, .peak = 2.9});
   const std::string text = basin_text(r);
   EXPECT_TRUE(text.starts_with("verdict  Fit it only if it may shake more on the way:"));
   EXPECT_EQ(nlohmann::json::parse(basin_json(r))["verdict"]["decision"], "caution");
@@ -151,7 +156,7 @@ TEST(Changes, AreWhatTheirWordsSay) {
     ADD_FAILURE() << words;
   };
   expect("twice the drag", {"balancer.oil_viscosity=200 mPa s"});
-  expect("a quarter of the drag", {"balancer.oil_viscosity=25 mPa s"});
+  expect("half the drag", {"balancer.oil_viscosity=50 mPa s"});
   expect("6 balls", {"balancer.balls=6"});
   expect("3 balls", {"balancer.balls=3"});
   expect("balls of 10 mm", {"balancer.ball_diameter=10 mm"});

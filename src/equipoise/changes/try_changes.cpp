@@ -25,15 +25,12 @@ class Changes {
     drag(0.5, "half the drag");
     if (p_.equal_balls()) {
       balls(p_.balls + 2);
-      balls(p_.balls + 1);
       size(1.25);
       if (p_.balls > 2) balls(p_.balls - 1);
       size(0.8);
     }
     latch();
     faster();
-    drag(4.0, "four times the drag");
-    drag(0.25, "a quarter of the drag");
     return std::move(changes_);
   }
 

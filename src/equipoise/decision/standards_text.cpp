@@ -44,29 +44,29 @@ std::optional<HandArm> hand_arm(const BasinResult& r) {
   return HandArm{acceleration(with, 0), acceleration(with, 1), acceleration(bare, 0)};
 }
 
-std::string hours_text(double acceleration, double value) {
-  const double hours = standards::hours_to_exposure(acceleration, value);
-  return !(hours < 24.0) ? "never within a day"
-         : hours >= 1.0  ? fmt::format("after {:.2g} h", hours)
-                         : fmt::format("after {:.2g} min", 60.0 * hours);
+std::string hours_text(double hours) {
+  return hours >= 1.0 ? fmt::format("{:.2g} h", hours) : fmt::format("{:.2g} min", 60.0 * hours);
+}
+
+// "reaches the action value after 4.1 h and the limit value after 17 h"
+std::string exposure_text(double acceleration) {
+  constexpr double day = 24.0;
+  const double action = standards::hours_to_exposure(acceleration, standards::exposure_action_value),
+               limit = standards::hours_to_exposure(acceleration, standards::exposure_limit_value);
+  if (!(action < day)) return "does not reach the action value in a day";
+  return fmt::format("reaches the action value after {}", hours_text(action)) +
+         (limit < day ? fmt::format(" and the limit value after {}", hours_text(limit)) : "");
 }
 
 std::string hand_arm_text(const HandArm& a) {
-  std::string text = fmt::format(
-      "Hand-arm vibration a_hv [ISO 5349-1]: {:.3g} m/s2 in the median, {:.3g} at most in 90 % of starts; without "
+  return fmt::format(
+      "Hand-arm vibration a_hv [ISO 5349-1]: {:.3g} m/s2 in the median, at most {:.3g} in 90 % of starts; without "
       "balls "
-      "{:.3g}.",
-      a.median, a.ninety, a.bare);
-  text += fmt::format(
-      " A day's exposure A(8) reaches the action value of {} m/s2 {} in the median, {} at 90 %, and the limit value of "
-      "{} "
-      "m/s2 {}, {} [2002/44/EC]; without balls {} and {}.",
-      standards::exposure_action_value, hours_text(a.median, standards::exposure_action_value),
-      hours_text(a.ninety, standards::exposure_action_value), standards::exposure_limit_value,
-      hours_text(a.median, standards::exposure_limit_value), hours_text(a.ninety, standards::exposure_limit_value),
-      hours_text(a.bare, standards::exposure_action_value), hours_text(a.bare, standards::exposure_limit_value));
-  return text +
-         " An estimate: the handles as the race's centre, all of it at the speed of rotation; no declared value.";
+      "{:.3g}. A day's exposure A(8) {} in the median, {} at 90 %; without balls it {} [2002/44/EC: {} and {} m/s2]. "
+      "An "
+      "estimate: the handles as the race's centre, all of it at the speed of rotation; no declared value.",
+      a.median, a.ninety, a.bare, exposure_text(a.median), exposure_text(a.ninety), exposure_text(a.bare),
+      standards::exposure_action_value, standards::exposure_limit_value);
 }
 
 const standards::SeverityClass& class_of(const Study& study) {

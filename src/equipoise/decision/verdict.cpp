@@ -71,10 +71,11 @@ class Judge {
     if (kept.least >= needed) {
       if (bare_keeps)
         say(Decision::not_needed, "Not needed: the rotor keeps every limit without a balancer too.");
-      else if (const std::string more = larger_peaks(); !more.empty())
+      else if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
         say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
       else
-        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked));
+        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked) +
+                               (more.empty() ? "" : " On the way " + more + "."));
     } else if (kept.most < needed) {
       if (bare_keeps)
         say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
@@ -89,6 +90,9 @@ class Judge {
       say(Decision::open, fmt::format("Not decided yet: whether {} of starts keep every limit.", asked));
     }
   }
+
+  // Then its peaks may be what they are.
+  bool bounds_the_way() const { return r_.study.limits.displacement || r_.study.limits.clearance; }
 
   std::string bare_words(const std::optional<Share>& bare) const {
     if (!bare || bare->total == 0) return "";
@@ -146,8 +150,15 @@ class Judge {
                    : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
                                  best->end_velocity.value * unit.size, unit.name, best->starts);
     if (best->decision == Decision::fit) return fmt::format("With {}: {}.", best->words, figure);
-    if (best->decision == Decision::caution)
-      return fmt::format("With {}: {}, but the peak on the way stays larger than without balls.", best->words, figure);
+    if (best->decision == Decision::caution) {
+      const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
+      const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
+      if (best->peak.high < now)
+        return fmt::format("With {}: the peak reaches {:.3g} {} in one start of ten ({} starts).", best->words,
+                           best->peak.value * length.size, length.name, best->starts);
+      return fmt::format("None of {} changes tried lowers the peak surely. \"equipoise design\" searches further.",
+                         tried.size());
+    }
     return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
                        tried.size(), best->words, figure);
   }
@@ -196,6 +207,7 @@ int standing(Decision d) {
 
 bool serves_better(const TriedChange& a, const TriedChange& b) {
   if (standing(a.decision) != standing(b.decision)) return standing(a.decision) < standing(b.decision);
+  if (a.decision == Decision::caution && a.peak.value != b.peak.value) return a.peak.value < b.peak.value;
   if (a.kept && b.kept && a.kept->share != b.kept->share) return a.kept->share > b.kept->share;
   if (a.end_velocity.value != b.end_velocity.value) return a.end_velocity.value < b.end_velocity.value;
   return a.peak.value < b.peak.value;

@@ -33,7 +33,7 @@ struct BasinOptions : RunOptions {
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
   bool store_angles = true;  ///< in `output`
-  /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits].
+  /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits] or [standards].
   std::optional<bool> transients;
   bool without_balls = true;  ///< with transients: also what the rotor does without balls, and with balls held
   bool keep_starts = false;   ///< the result holds every start (BasinResult::every_start): 11 bytes a start, 8 more a

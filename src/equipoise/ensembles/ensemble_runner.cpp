@@ -18,7 +18,7 @@ Study as_sampled(Study study, SamplingMethod method) {
 }
 
 bool gathers_transients(const Study& study, const BasinOptions& options) {
-  return options.transients.value_or(study.limits.any());
+  return options.transients.value_or(study.limits.any() || study.standards.any());
 }
 
 void take_own_starts(const BasinOptions& options, Study& study) {

@@ -123,7 +123,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}, {}, "", false, {}};
+  DocumentTable table{{physical ? "what the balls do" : "outcome", "share (95 %)"}, {}, "", false, {}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
@@ -131,8 +131,8 @@ DocumentTable outcome_table(const BasinResult& r) {
   };
   column(open, "surely within", false);
   column(t, fmt::format("RMS at end, {}", velocity.name), false);
-  column(true, "starts", true);
   column(true, physical ? "known after, s" : "known after", true);
+  column(true, "starts", true);
   column(even, "as good as", true);
   const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
     std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
@@ -144,8 +144,8 @@ DocumentTable outcome_table(const BasinResult& r) {
           rms = fmt::format("{:.3g}", g.figure(&TransientRow::rms_velocity).mean * velocity.size);
       cells.push_back(number_cell(rms));
     }
-    cells.push_back(number_cell(fmt::format("{}", o.share.count)));
     cells.push_back(number_cell(timed ? fmt::format("{:.4g}", o.mean_time * second) : "-"));
+    cells.push_back(number_cell(fmt::format("{}", o.share.count)));
     if (even) cells.push_back(number_cell(as_good_as(o.share)));
     table.rows.push_back(std::move(cells));
   };

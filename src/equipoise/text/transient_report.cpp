@@ -221,6 +221,9 @@ DocumentTable without_balls_table(const BasinResult& r) {
     table.rows.push_back(row_of("lnnnn", {fmt::format("{}, {}", f.title, unit.name),
                                           quantile_text(bare, k, 0, unit.size), quantile_text(held, k, 0, unit.size),
                                           quantile_text(with, k, 0, unit.size), quantile_text(with, k, 1, unit.size)}));
+    const auto& cells = table.rows.back();
+    if (std::all_of(cells.begin() + 1, cells.end(), [](const DocumentCell& c) { return c.text == "0"; }))
+      table.rows.pop_back();
     if (f.value != &TransientRow::residual_unbalance || !r.study.scales) continue;
     // A mean speed says nothing where some rotors stall.
     const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
