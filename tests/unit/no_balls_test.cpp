@@ -101,6 +101,17 @@ TEST(NoBalls, ARunIsThatOfTheBareRotorOfTheSameStudyWithBalls) {
                     static_cast<float>(without.without_balls->bare.figures.figure(figure).largest));
 }
 
+TEST(NoBalls, ARotorThatCoastsComesToNoSteadyMotion) {
+  const auto text_of = [](const std::string& torque) {
+    const std::string driven =
+        with(bare.substr(0, bare.find("[speed]")), "damping = 0.5", "damping = 0.2\ninertia = 0.5");
+    return basin_text(basin(parse_study(driven + "[speed]\nprofile = \"torque\"\ntorque = { " + torque + " }\n", "s")));
+  };
+  const std::string words = "Without balls the rotor comes to no steady motion: figures at the end are the last seen.";
+  EXPECT_TRUE(holds(text_of("constant = 0.12, slope = -0.04, until = 30.0"), words));
+  EXPECT_FALSE(holds(text_of("constant = 0.12, slope = -0.04"), words));
+}
+
 TEST(NoBalls, ExplainTellsOfTheRotor) {
   const std::string text = explain_text(explain(parse_study(bare_machine, "s")));
   EXPECT_TRUE(holds(text, "no: there are no balls"));
