@@ -53,6 +53,7 @@ TEST(NoBalls, NeedNeitherMassNorDrag) {
     EXPECT_EQ(study.release_time(), 0.0);
     check(study);
     EXPECT_EQ(to_toml(parse_study(to_toml(study), "again")), to_toml(study));
+    EXPECT_FALSE(holds(to_toml(study), "mass = []"));
   }
 }
 
@@ -125,7 +126,7 @@ TEST(NoBalls, APageTellsOfTheRotor) {
       machine_html(machine_page(parse_study(bare_machine, "s"), given_machine(bare_machine, "s", {}), BasinOptions{}));
   EXPECT_TRUE(holds(page, "The rotor alone"));
   EXPECT_TRUE(holds(page, "nothing is drawn, and one run tells all"));
-  EXPECT_FALSE(holds(page, "Where starts end"));
+  for (const char* words : {"Where starts end", "balls can cancel", "rule of thumb"}) EXPECT_FALSE(holds(page, words));
 }
 
 TEST(NoBalls, EverybodyElseRefusesThem) {
