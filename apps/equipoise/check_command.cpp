@@ -19,7 +19,7 @@ struct CheckArguments {
 };
 
 int run_check(const CheckArguments& a) {
-  put(check_study(read_study_text(a.study), display_text(a.study), a.overrides).text());
+  put(lines_filled(check_study(read_study_text(a.study), display_text(a.study), a.overrides).text(), text_style()));
   return done;
 }
 
@@ -28,6 +28,7 @@ int run_check(const CheckArguments& a) {
 Command add_check(CLI::App& app) {
   const auto a = std::make_shared<CheckArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  add_text_style(app);
   add_overrides(app, a->overrides);
   return [a] { return run_check(*a); };
 }

@@ -53,6 +53,7 @@ TEST(NoBalls, NeedNeitherMassNorDrag) {
     EXPECT_EQ(study.release_time(), 0.0);
     check(study);
     EXPECT_EQ(to_toml(parse_study(to_toml(study), "again")), to_toml(study));
+    EXPECT_FALSE(holds(to_toml(study), "mass = []"));
   }
 }
 
@@ -101,6 +102,17 @@ TEST(NoBalls, ARunIsThatOfTheBareRotorOfTheSameStudyWithBalls) {
                     static_cast<float>(without.without_balls->bare.figures.figure(figure).largest));
 }
 
+TEST(NoBalls, ARotorThatCoastsComesToNoSteadyMotion) {
+  const auto text_of = [](const std::string& torque) {
+    const std::string driven =
+        with(bare.substr(0, bare.find("[speed]")), "damping = 0.5", "damping = 0.2\ninertia = 0.5");
+    return basin_text(basin(parse_study(driven + "[speed]\nprofile = \"torque\"\ntorque = { " + torque + " }\n", "s")));
+  };
+  const std::string words = "Without balls the rotor comes to no steady motion: figures at the end are the last seen.";
+  EXPECT_TRUE(holds(text_of("constant = 0.12, slope = -0.04, until = 30.0"), words));
+  EXPECT_FALSE(holds(text_of("constant = 0.12, slope = -0.04"), words));
+}
+
 TEST(NoBalls, ExplainTellsOfTheRotor) {
   const std::string text = explain_text(explain(parse_study(bare_machine, "s")));
   EXPECT_TRUE(holds(text, "no: there are no balls"));
@@ -114,7 +126,7 @@ TEST(NoBalls, APageTellsOfTheRotor) {
       machine_html(machine_page(parse_study(bare_machine, "s"), given_machine(bare_machine, "s", {}), BasinOptions{}));
   EXPECT_TRUE(holds(page, "The rotor alone"));
   EXPECT_TRUE(holds(page, "nothing is drawn, and one run tells all"));
-  EXPECT_FALSE(holds(page, "Where starts end"));
+  for (const char* words : {"Where starts end", "balls can cancel", "rule of thumb"}) EXPECT_FALSE(holds(page, words));
 }
 
 TEST(NoBalls, EverybodyElseRefusesThem) {

@@ -42,7 +42,7 @@ class MachineDocument {
   Document make() {
     document_ = page_with(study_, answer_sentence(basin_));
     if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
-    if (!basin_.note.empty()) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    if (!basin_.note.empty() && study_.parameters.balls > 0) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
     if (study_.parameters.balls == 0 && basin_.without_balls) {
       add(Heading{2, "The rotor alone", ""});
       add(bare_table(basin_));

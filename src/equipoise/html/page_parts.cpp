@@ -94,8 +94,9 @@ class Derived {
   }
 
   std::string speeds() const {
-    std::string text = by_direction(e_.critical_alone, Dimension::speed) + " without balls, " +
-                       by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
+    std::string text = by_direction(e_.critical_alone, Dimension::speed);
+    if (study_.parameters.balls > 0)
+      text += " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) + " with them";
     if (e_.speed)
       text += fmt::format("; final speed {}, {:.3g} times that", shown_.text(*e_.speed, Dimension::speed),
                           std::fabs(*e_.speed) / std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]));
@@ -103,9 +104,11 @@ class Derived {
   }
 
   std::string unbalance() const {
-    std::string text = fmt::format("{}; the balls can cancel {}{}", shown_.text(e_.unbalance, Dimension::unbalance),
-                                   shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                                   e_.ball_width.empty() ? "" : " side by side");
+    std::string text = shown_.text(e_.unbalance, Dimension::unbalance);
+    if (study_.parameters.balls > 0)
+      text += fmt::format("; the balls can cancel {}{}",
+                          shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                          e_.ball_width.empty() ? "" : " side by side");
     if (study_.scales && e_.speed)
       text += fmt::format("; {} without balls",
                           grade_text(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
@@ -185,7 +188,7 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
   for (const auto& [name, text] : Derived(machine.explanation).rows())
     facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
   add(std::move(facts));
-  add(advice_table(machine.explanation));
+  if (!machine.explanation.advice.empty()) add(advice_table(machine.explanation));
   for (const std::string& warning : machine.explanation.warnings)
     add(Paragraph{"Beware: " + warning + ".", Tone::open});
 }

@@ -13,7 +13,7 @@ struct OneBodyRuns {
   bool one = false;           ///< every start has the same: a single run, whose intervals say nothing
   std::uint64_t runs = 0;     ///< followed
   std::uint64_t stalled = 0;  ///< of driven rotors: that their motor does not bring up to speed
-  std::uint64_t open = 0;     ///< without a steady motion by the horizon; their figures at the end are the last seen
+  std::uint64_t open = 0;     ///< without a steady motion while followed; their figures at the end are the last seen
   std::uint64_t lost = 0;     ///< that diverged or failed
 };
 

@@ -225,15 +225,18 @@ class HeldFollower {
   // Windows grow, so that a slow change shows in them.
   void come_to_rest(double horizon) {
     constexpr double alike = 3e-4, growth = 1.3, turns = 16.0;
-    double length = 4.0 * window_;
+    // What coasts, or is not damped, is not waited for; nor, for ever, a motor.
+    const double patience = piece().prescribed || system().coasts() ? 5e3 : 2e5;  // rad
+    double length = 4.0 * window_, angle = 0.0;
     Approach speeds, peaks;
     if (drive_.release_time < horizon) advance(std::max(t_, drive_.release_time));
-    while (going() && !run_.steady && t_ < horizon) {
+    while (going() && !run_.steady && t_ < horizon && std::fabs(angle) < patience) {
       open_window();
       const double from = t_;
       advance(std::min(t_ + length, horizon));
       if (!(t_ > from)) break;
       run_.speed = turned_ / (t_ - from);
+      angle += turned_;
       const double peak = std::sqrt(watch_.sums().window.peak);
       speeds.add(run_.speed);
       peaks.add(peak);

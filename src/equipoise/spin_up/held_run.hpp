@@ -22,8 +22,8 @@ struct HeldRun {
   double released = std::numeric_limits<double>::infinity();
 };
 
-/// From `start`, whose ball rates do not count. The study must have its horizon, beyond which no motor is followed.
-/// Once `stop` is set, what is returned is worthless.
+/// From `start`, whose ball rates do not count. The study must have its horizon, beyond which no motor is followed; one
+/// that lets go of its rotor, and a rotor without damping, less far. Once `stop` is set, what is returned is worthless.
 HeldRun follow_held(const Study& study, const InitialState& start, const TransientSettings& settings,
                     const StopFlag* stop = nullptr);
 

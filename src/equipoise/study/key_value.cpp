@@ -73,6 +73,7 @@ struct KeyEcho {
   Value operator()(const std::array<double, 2>* v) const { return std::vector<double>(v->begin(), v->end()); }
   // One number per ball, whatever number of balls code has set.
   Value operator()(const std::array<double, model::max_balls>* v) const {
+    if (balls == 0) return {};
     return std::vector<double>(v->begin(), v->begin() + std::clamp(balls, 0, model::max_balls));
   }
   Value operator()(const std::optional<SamplingBox::Side>* v) const {

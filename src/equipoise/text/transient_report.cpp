@@ -263,7 +263,7 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
                           ? ": it ends at " + rotor_speed_text(r.study, *body.figures.mean_speed)
                           : ""));
     if (body.open > 0)
-      say(fmt::format("{} no steady motion is reached by the horizon{}: figures at the end are the last seen", how,
+      say(fmt::format("{} the rotor comes to no steady motion{}: figures at the end are the last seen", how,
                       of_runs(body.open, body)));
     if (body.lost > 0) say(fmt::format("{} the rotor's motion is lost{}", how, of_runs(body.lost, body)));
   };
