@@ -30,7 +30,7 @@ py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text t
              if constexpr (std::is_invocable_v<Text, const Result&>)
                return text(kept.result);
              else
-               return text(kept.result, TextStyle{});
+               return text(kept.result, wide_style);
            })
       .def("json", [json](const Kept<Result>& kept) { return json(kept.result); })
       .def_readonly("interrupted", &Kept<Result>::interrupted);

@@ -136,11 +136,11 @@ TEST(Verdict, TellsTheBestChangeThatWasTried) {
 
 TEST(BasinText, KeepsToEightyColumns) {
   for (const bool limited : {false, true}) {
-    std::istringstream lines(basin_text(ensemble(limited)));
+    std::istringstream lines(basin_text(ensemble(limited), TextStyle{}));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80u) << line;
   }
   EXPECT_TRUE(holds(basin_text(ensemble(true), wide_style), "Decided by:"));
-  EXPECT_FALSE(holds(basin_text(ensemble(true)), "Decided by:"));
+  EXPECT_FALSE(holds(basin_text(ensemble(true), TextStyle{}), "Decided by:"));
 }
 
 // Each as the same change made in the study's text.

@@ -11,7 +11,7 @@
 namespace equipoise {
 
 /// Of a study with scales whose result tells of the rotor without balls; else empty. With an empty line at its end.
-std::string standards_text(const BasinResult& result, const TextStyle& style = {});
+std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
 /// The object "standards" of basin_json(); null where standards_text() is empty.
 nlohmann::ordered_json standards_json(const BasinResult& result);
 

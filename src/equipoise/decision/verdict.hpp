@@ -60,7 +60,7 @@ bool serves_better(const TriedChange& a, const TriedChange& b);
 std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 /// Three lines, "verdict  Fit it...", and the empty line after them.
-std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = {});
+std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = wide_style);
 /// The verdict's lines, and every change that was tried, in the study's shown units.
 nlohmann::ordered_json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
 

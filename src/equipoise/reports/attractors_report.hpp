@@ -9,7 +9,7 @@
 namespace equipoise {
 
 /// A table for the terminal.
-std::string attractors_text(const AttractorsResult& result, const TextStyle& style = {});
+std::string attractors_text(const AttractorsResult& result, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string attractors_json(const AttractorsResult& result);

@@ -158,7 +158,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   return table;
 }
 
-// "No start was undecided, diverged or failed (each below 0.19 %)."
+// "No start was undecided, diverged or failed (each below 0.19 %)." With undecided starts: what they could still be.
 std::string none_words(const BasinResult& r) {
   std::vector<std::string> names;
   const Share* none = nullptr;
@@ -175,7 +175,12 @@ std::string none_words(const BasinResult& r) {
   std::string text = "No start ";
   for (std::size_t k = 0; k < names.size(); ++k)
     text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-  return text + fmt::format(" ({}{}).", names.size() > 1 ? "each " : "", interval(*none));
+  const std::string each = names.size() > 1 ? "each " : "";
+  // The upper end of undecided starts is none's own: what they come to may be one of these.
+  if (none->most > none->high)
+    return text + fmt::format(" ({}at most {}, whatever the undecided starts come to).", each,
+                              percent(none->most, digits_for(*none)));
+  return text + fmt::format(" ({}{}).", each, interval(*none));
 }
 
 std::string outcome_text(const BasinResult& r, const TextStyle& style) {

@@ -9,7 +9,7 @@
 namespace equipoise {
 
 /// Tables of branches and events for the terminal.
-std::string branches_text(const BranchesResult& result, const TextStyle& style = {});
+std::string branches_text(const BranchesResult& result, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string branches_json(const BranchesResult& result);

@@ -9,7 +9,7 @@
 namespace equipoise {
 
 /// A line a cell for the terminal.
-std::string capacity_text(const CapacityResult& result, const TextStyle& style = {});
+std::string capacity_text(const CapacityResult& result, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string capacity_json(const CapacityResult& result);

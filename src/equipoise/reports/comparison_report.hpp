@@ -9,7 +9,7 @@
 namespace equipoise {
 
 /// Shares, differences, changes and a verdict for the terminal.
-std::string comparison_text(const ComparisonResult& result, const TextStyle& style = {});
+std::string comparison_text(const ComparisonResult& result, const TextStyle& style = wide_style);
 
 /// The difference in balanced starts, in one sentence.
 std::string verdict(const ComparisonResult& result);

@@ -10,7 +10,7 @@
 namespace equipoise {
 
 /// For a terminal: the front, the chosen design beside the original study, its margins, what limits it.
-std::string design_text(const DesignResult& result, const TextStyle& style = {});
+std::string design_text(const DesignResult& result, const TextStyle& style = wide_style);
 /// One JSON object; figures are in the units of "units", shares are fractions of one, infinite values are null.
 std::string design_json(const DesignResult& result);
 /// One line per member of the front.

@@ -12,7 +12,7 @@ namespace equipoise {
 std::string verdict_text(const Explanation& e);
 
 /// Text; in physical units wherever the study has scales.
-std::string explain_text(const Explanation& e, const TextStyle& style = {});
+std::string explain_text(const Explanation& e, const TextStyle& style = wide_style);
 
 /// JSON.
 std::string explain_json(const Explanation& e);

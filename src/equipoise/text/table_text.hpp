@@ -30,7 +30,7 @@ std::string table_text(const DocumentTable& table, const TextStyle& style = wide
 
 /// `text` in lines of the style's width, broken at spaces; the first begins with `label`, the others with as many
 /// spaces. A longer word has a line of its own. Ends with a new line.
-std::string filled(std::string_view label, std::string_view text, const TextStyle& style = {});
+std::string filled(std::string_view label, std::string_view text, const TextStyle& style = wide_style);
 
 /// Lines, each filled; what a line goes on with stands below its first character that is no space, or from column
 /// `hang` on where that column ends a label.
