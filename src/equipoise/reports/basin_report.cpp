@@ -123,7 +123,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  DocumentTable table{{physical ? "what the balls do" : "outcome", "share (95 %)"}, {}, "", false, {}};
+  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}, {}, "", false, {}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
