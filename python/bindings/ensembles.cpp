@@ -160,7 +160,9 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, std::optio
 }  // namespace
 
 void bind_ensembles(py::module_& module) {
-  bind_kept<BasinResult>(module, "Basin", &basin_text, &basin_json)
+  bind_kept<BasinResult>(
+      module, "Basin", [](const BasinResult& r) { return basin_text(r); },
+      [](const BasinResult& r) { return basin_json(r); })
       .def("arrays", &arrays_of)
       .def("columns", &columns_of_starts)
       .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result); })

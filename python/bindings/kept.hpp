@@ -21,9 +21,8 @@ struct Kept {
 
 /// Its class, with what all results have: text, json, interrupted.
 /// `text`: for the terminal, in a style or in none.
-template <class Result, class Text>
-py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text text,
-                                   std::string (*json)(const Result&)) {
+template <class Result, class Text, class Json>
+py::class_<Kept<Result>> bind_kept(py::module_& module, const char* name, Text text, Json json) {
   return py::class_<Kept<Result>>(module, name)
       .def("text",
            [text](const Kept<Result>& kept) {
