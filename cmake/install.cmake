@@ -51,6 +51,10 @@ foreach(header
     trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
     shown/machine_page.hpp shown/motion_path.hpp
     drawing/plot_parts.hpp
+    drawing/chart.hpp drawing/document.hpp
+    text/table_text.hpp
+    decision/verdict.hpp
+    changes/try_changes.hpp
     reports/attractors_report.hpp reports/basin_report.hpp reports/branches_report.hpp reports/capacity_report.hpp
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
       reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp

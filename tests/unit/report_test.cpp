@@ -172,7 +172,7 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   const std::string open = basin_text(result_of(constant_speed, 734, 266)),
                     closed = basin_text(result_of(constant_speed, 1000, 0));
   EXPECT_TRUE(holds(open, "surely within"));
-  EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.4 %, whatever the undecided starts come to)."))
+  EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.42 %, whatever the undecided starts come to)."))
       << open;  // Wilson's upper bound of 266 in 1000
   EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
   EXPECT_FALSE(holds(closed, "surely within"));

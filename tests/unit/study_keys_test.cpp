@@ -25,7 +25,8 @@ std::vector<std::string> studies() {
   const std::string free = rotor_and_balancer + "rolls = true\n[release]\ntime = 0.0\n[speed]\nprofile = ";
   const std::string motor = free + "\"torque\"\n[speed.torque]\n";
   const std::string with_units =
-      "[units]\nmass = 12.0\nlength = 0.1\nfrequency = 60.0\n[sampling.box]\nx = [0.0, 0.1]\n";
+      "[units]\nmass = 12.0\nlength = 0.1\nfrequency = 60.0\n[standards]\nstanding_mass = 2.0\nfriction = "
+      "0.3\n[sampling.box]\nx = [0.0, 0.1]\n";
   return {
       with_units + free + "\"constant\"\nspeed = 2.4\n",
       free + "\"ramp\"\nfinal = 2.4\nduration = 500.0\n",
@@ -99,8 +100,8 @@ TEST(StudyKeys, EachIsEchoedAsItWasRead) {
   std::map<std::string, int> taken;
   for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
     if (table.name == "speed.torque.target" || table.name == "sweep") return;
-    for (const char* value : {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "450",
-                              "600", "2.4", "1e-6", "0", "[0, 5]"}) {
+    for (const char* value : {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "\"II\"",
+                              "450", "600", "2.4", "1e-6", "0", "[0, 5]"}) {
       Study study;
       try {
         const std::string given = key.name + std::string(" = ") + value;
@@ -147,6 +148,8 @@ std::string range_words(const Key& key, const study::Member& member) {
     return fmt::format("`{}`", fmt::join(classification_mode_names, "`, `"));
   if (std::holds_alternative<std::optional<SamplingMethod>*>(member))
     return fmt::format("`{}`", fmt::join(sampling_method_names, "`, `"));
+  if (std::holds_alternative<std::optional<SeverityClassName>*>(member))
+    return fmt::format("`{}`", fmt::join(severity_class_names, "`, `"));
   const study::Range& r = key.range;
   const std::string high = r.high == two_pi ? "2 pi" : fmt::format("{}", r.high);
   std::string words = r.low < 0.0                 ? "finite"

@@ -262,7 +262,8 @@ std::vector<Key> all_keys() {
       {"limits.clearance", at<lim, &L::clearance>, positive, D::length, none,
        "radial, between rotor and housing, all around where the rotor rests, in R"},
       {"standards.severity_class", at<norms, &Standards::severity_class>, any, bare, none,
-       "of ISO 10816-1:1995, for zones of severity: I small machines, up to 15 kW; II up to 75 kW; III large ones, "
+       "of ISO 10816-1:1995, for zones of severity (by default none are told): I small machines, up to 15 kW; II up to "
+       "75 kW; III large ones, "
        "rigid; "
        "IV large ones, on soft supports",
        nullptr, has_class},
