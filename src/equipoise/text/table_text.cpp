@@ -19,8 +19,9 @@ std::string share_with_interval(const Share& s) {
   if (s.count == 0 || s.count == s.total) return fmt::format("{} % ({})", s.count == 0 ? "0" : "100", interval(s));
   const int digits = digits_for(s);
   const auto text = [&](double share) { return fmt::format("{:.{}f}", 100.0 * share, digits); };
-  const std::string up = text(s.high - s.share), down = text(s.share - s.low);
-  if (up == down) return fmt::format("{} ± {} %", text(s.share), up);
+  // Even to a unit of the last digit: the longer side stands for both.
+  const double unit = 0.01 * std::pow(10.0, -digits), up = s.high - s.share, down = s.share - s.low;
+  if (std::fabs(up - down) < unit) return fmt::format("{} ± {} %", text(s.share), text(std::max(up, down)));
   return fmt::format("{} % ({} to {})", text(s.share), text(s.low), text(s.high));
 }
 

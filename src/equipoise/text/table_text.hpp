@@ -20,7 +20,7 @@ inline constexpr TextStyle wide_style{0, true, false};
 
 /// "60.40 %", without digits that its interval does not support.
 DocumentCell share_cell(const Share& share);
-/// "60.40 ± 0.18 %" where the interval is even to its last digit, else "0.80 % (0.49 to 1.30)"; "below 0.19 %" of none.
+/// "60.40 ± 0.18 %" where the interval is even to a unit of its last digit, else "0.80 % (0.49 to 1.30)"; "below 0.19 %" of none.
 std::string share_with_interval(const Share& share);
 
 /// Columns as wide as their widest entry, two spaces apart, those with numbers to the right; the caption below. If some
