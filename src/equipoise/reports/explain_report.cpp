@@ -84,24 +84,17 @@ class Text {
   }
 
   void table() {
-    std::size_t symbol = 0, name = 0;
-    for (const auto& q : e_.quantities) {
-      symbol = std::max(symbol, q.symbol.size());
-      name = std::max(name, q.name.size());
-    }
-    const auto line = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
-      text_ += fmt::format("{:<{}}  {:<{}}  ", a, symbol, b, name);
-      if (scales_) text_ += fmt::format("{:>16}  ", c);
-      text_ += fmt::format("{:>14}\n", d);
-    };
-    line("symbol", "quantity", "physical", "dimensionless");
+    DocumentTable quantities{{"symbol", "quantity", "physical", "dimensionless"}, {}, "", false, {}};
+    if (!scales_) quantities.header.erase(quantities.header.begin() + 2);
     for (const auto& q : e_.quantities) {
       if (!scales_ && (q.symbol == "M" || q.symbol == "R" || q.symbol == "omega_c" || q.symbol == "1/omega_c"))
         continue;  // the units themselves
       const bool plain = !q.dimension || (*q.dimension == Dimension::angle);
-      line(q.symbol, q.name, plain || !scales_ ? "" : physical(q.value, *q.dimension), fmt::format("{:.6g}", q.value));
+      std::vector<std::string> row{q.symbol, q.name, fmt::format("{:.6g}", q.value)};
+      if (scales_) row.insert(row.begin() + 2, plain ? "" : physical(q.value, *q.dimension));
+      quantities.rows.push_back(row_of(scales_ ? "ttnn" : "ttn", row));
     }
-    text_ += "\n";
+    text_ += table_text(quantities) + "\n";
   }
 
   void speeds() {
