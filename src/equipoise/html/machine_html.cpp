@@ -122,7 +122,7 @@ class MachineDocument {
       for (Block& block : *of) add(std::move(block));
   }
 
-  // Where starts end.
+  // Where starts end, and how large peaks are on the way there.
   void ends() {
     add(Heading{2, "Where starts end", ""});
     DrawingRow row;
@@ -131,12 +131,19 @@ class MachineDocument {
       if (!motion.x.empty())
         row.drawings.push_back(
             {reader_title(motion, physical_), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+    for (const FigureDistribution& d : page_.peaks)
+      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
+    if (!page_.runs.empty() && !run_up_tells_speed(page_))
+      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
     row.caption =
-        "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
-        "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
-        "who stands beside it sees it, all to one scale";
+        "Bars: shares of starts with 95 % intervals. Circles: left the balls in the race as who turns with the rotor "
+        "sees "
+        "them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as who stands "
+        "beside it sees it, all to one scale";
     row.caption += study_.limits.displacement ? ", the limit dashed if it is within." : ".";
     if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
+    if (page_.starts_drawn < basin_.starts)
+      row.caption += fmt::format(" Peaks and runs are of the first {} starts.", page_.starts_drawn);
     add(std::move(row));
     add(ends_table());
     if (const std::string left = left_unbalance_text(basin_.attractors, study_); !left.empty())
@@ -212,18 +219,9 @@ class MachineDocument {
 
   // Transients on the way there.
   void way() {
-    add(Heading{2, "On the way", ""});
-    DrawingRow row;
-    row.large = true;
-    for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
-    if (!page_.runs.empty() && !run_up_tells_speed(page_))
-      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
-    if (page_.starts_drawn < basin_.starts)
-      row.caption = fmt::format("Drawn and chosen from the first {} starts.", page_.starts_drawn);
-    add(std::move(row));
     if (!basin_.transients || basin_.transients->groups.empty() || basin_.transients->groups.front().starts == 0)
       return;
+    add(Heading{2, "On the way", ""});
     const TransientGroup& all = basin_.transients->groups.front();
     add(way_table(all));
     std::string words;
@@ -238,8 +236,7 @@ class MachineDocument {
   }
 
   std::string runs_caption() const {
-    std::string text =
-        "Distance of the rotor's centre from its place at rest; shaded where it swings faster than can be drawn.";
+    std::string text = "Distance of the rotor's centre from its place at rest; shaded: swings too fast to be drawn.";
     std::string numbers;
     for (const ShownRun& run : page_.runs) {
       if (run.of == RunOf::bare) {
@@ -247,15 +244,15 @@ class MachineDocument {
           text += " Without balls: the rotor of the typical start.";
         continue;
       }
-      numbers += fmt::format("{}{} is start {}", numbers.empty() ? "" : ", ",
-                             run.of == RunOf::median ? "typical" : "worst", run.index);
+      numbers += fmt::format("{}start {} is the {}", numbers.empty() ? "" : ", ", run.index,
+                             run.of == RunOf::median ? "typical one" : "worst in a hundred");
       // Starts near the boundary of two basins may go another way if the last digit differs.
       constexpr double alike = 0.02;
       if (std::fabs(run.again - run.peak) > alike * run.peak)
         numbers += fmt::format(" (followed again with smaller steps, {} within what is shown)",
                                shown_.text(run.again, Dimension::length));
     }
-    return numbers.empty() ? text : fmt::format("{} In this page, {}.", text, numbers);
+    return numbers.empty() ? text : fmt::format("{} Of this seed, {}.", text, numbers);
   }
 
   DocumentTable way_table(const TransientGroup& all) const {

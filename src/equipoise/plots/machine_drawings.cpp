@@ -17,8 +17,8 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{334.0, 158.0};
-constexpr double plot_width = 342.0, plot_height = 196.0;
+constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{264.0, 130.0};
+constexpr double plot_width = 272.0, plot_height = 166.0;
 
 double end_of(const ShownRun& run) { return run.t.back(); }
 
@@ -84,8 +84,8 @@ SpeedScale speed_scale(const MachinePage& page) {
 
 std::string shares_svg(const MachinePage& page) {
   const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
-  constexpr double row = 34.0, left = 4.0, right = 330.0, thick = 12.0;
-  Svg svg(plot_width, row * static_cast<double>(lines.size()) + 6.0,
+  constexpr double row = 34.0, left = 4.0, right = 300.0, thick = 12.0;
+  Svg svg(right + 8.0, row * static_cast<double>(lines.size()) + 6.0,
           "Shares of starts by outcome, with their intervals");
   const auto place = [&](double share) { return left + share * (right - left); };
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -155,10 +155,10 @@ std::string run_up_svg(const MachinePage& page) {
   constexpr double near_enough = 1.6;
   if (limit && *limit < near_enough * highest) highest = std::max(highest, *limit);
   const SpeedScale speed = speed_scale(page);
-  constexpr double width = 720.0, row = 16.0, plot = 170.0, below = 38.0;
+  constexpr double width = 720.0, row = 16.0, plot = 160.0, below = 36.0;
   const double top = row * static_cast<double>(page.runs.size()) + (speed.times.empty() ? 14.0 : 44.0);
   Svg svg(width, top + plot + below, "Displacement of the rotor over time, with and without balls");
-  SvgAxes axes(svg, {52.0, top}, {width - 8.0, top + plot}, time, {0.0, 1.1 * std::max(highest, 1e-12)},
+  SvgAxes axes(svg, {52.0, top}, {width - 8.0, top + plot}, time, {0.0, 1.15 * std::max(highest, 1e-12)},
                shown.axis("time", time.high, Dimension::time), shown.axis("displacement", highest, Dimension::length));
   if (!speed.times.empty()) axes.scale_above(speed.times, speed.words, speed.label);
   for (std::size_t k = page.runs.size(); k-- > 0;) {  // the worst below all others
