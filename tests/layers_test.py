@@ -80,14 +80,15 @@ ROOMS = {
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
-    "decision": "statistics standards units study columns results text",
+    "decision": "statistics standards units study columns results drawing text",
     "changes": "running model study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision",
-    "plots": "units study echo results drawing text reports",
+    "plots": "units study echo results drawing text decision reports",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "
         "start_runs text",
-    "html": "types mechanics sampling toml study echo results drawing text reports plots explain",
+    "html":
+        "types mechanics sampling toml study echo results drawing text decision reports plots explain",
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "

@@ -93,16 +93,6 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   return done;
 }
 
-// Tried only where the balancer is of no use as it is.
-std::vector<TriedChange> changes_for(const BasinResult& result, const BasinOptions& options) {
-  const auto verdict = verdict_of(result);
-  std::vector<TriedChange> tried;
-  if (verdict && (verdict->decision == Decision::caution || verdict->decision == Decision::change ||
-                  verdict->decision == Decision::do_not_fit))
-    tried = try_changes(result.study, options);
-  return tried;
-}
-
 int run_basin(const BasinArguments& a) {
   begin_computing(a);
   require_ending("--report", a.report, ".html");
@@ -134,11 +124,17 @@ int run_basin(const BasinArguments& a) {
           option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
     check_sensitivity(study);
   }
-  BasinResult result = a.report.empty() ? basin(study, options)
-                                        : write_machine_page(text, name, overrides, study, options, a.report).basin;
-  if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
+  BasinResult result;
   std::vector<TriedChange> tried;
-  if (!a.no_changes && !result.partial) tried = changes_for(result, options);
+  if (a.report.empty()) {
+    result = basin(study, options);
+    if (!a.no_changes) tried = changes_asked_for(result, options);
+  } else {
+    WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.report);
+    result = std::move(page.content.basin);
+    tried = std::move(page.tried);
+  }
+  if (a.sensitivity && !result.partial) result.sensitivity = sensitivity(study, depends);
   progress.finish();
   put(a.json ? basin_json(result, tried) : basin_text(result, text_style(), tried));
   const bool partial = result.partial || (result.sensitivity && result.sensitivity->partial);
@@ -175,8 +171,7 @@ Command add_basin(CLI::App& app) {
                "[standards], or is in physical units)");
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
-  app.add_flag("--no-changes", a->no_changes,
-               "do not try changes of a balancer that does not do (up to eight, 100 starts each)");
+  add_no_changes(app, a->no_changes);
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

@@ -94,6 +94,11 @@ TextStyle& asked_style() {
 }
 }  // namespace
 
+void add_no_changes(CLI::App& app, bool& no_changes) {
+  app.add_flag("--no-changes", no_changes,
+               "do not try changes of a balancer that does not do (up to eleven, 200 starts each)");
+}
+
 void add_text_style(CLI::App& app) {
   app.add_flag_callback(
       "--wide", [] { asked_style().width = 0; }, "every column, and lines as long as they come");

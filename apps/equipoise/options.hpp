@@ -66,6 +66,9 @@ void write_file(const std::string& path, const std::string& text);
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
+/// --no-changes, of commands that give a verdict.
+void add_no_changes(CLI::App& app, bool& no_changes);
+
 /// --wide and --details, which all commands have that print text.
 void add_text_style(CLI::App& app);
 /// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
+#include "equipoise/changes/try_changes.hpp"
 #include "equipoise/html/answer.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
@@ -18,11 +19,11 @@
 
 namespace equipoise::app {
 
-MachinePage write_machine_page(const std::string& study_text, const std::string& name,
-                               const std::vector<std::string>& overrides, const Study& study,
-                               const BasinOptions& options, const std::string& path) {
-  MachinePage page = machine_page(study, given_machine(study_text, name, overrides), options);
-  write_file(path, machine_html(page));
+WrittenPage write_machine_page(const StudySource& source, const Study& study, const BasinOptions& options, bool changes,
+                               const std::string& path) {
+  WrittenPage page{machine_page(study, given_machine(source.toml, source.name, source.overrides), options), {}};
+  if (changes) page.tried = changes_asked_for(page.content.basin, options);
+  write_file(path, machine_html(page.content, page.tried));
   return page;
 }
 
@@ -32,6 +33,7 @@ struct ReportArguments : ComputingArguments {
   std::string study, output;
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed;
+  bool no_changes = false;
 };
 
 int run_report(const ReportArguments& a) {
@@ -47,10 +49,12 @@ int run_report(const ReportArguments& a) {
   const Study study = parse_study(text, name, overrides);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
-  const MachinePage page = write_machine_page(text, name, overrides, study, options, a.output);
+  const WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.output);
+  const BasinResult& result = page.content.basin;
   progress.finish();
-  put(answer_sentence(page.basin) + "\n");
-  return page.basin.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
+  const auto verdict = verdict_of(result, page.tried);
+  put((verdict ? verdict_text(*verdict, text_style()) : "") + answer_sentence(result) + "\n");
+  return result.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
 }
 
 }  // namespace
@@ -63,6 +67,7 @@ Command add_report(CLI::App& app) {
       ->type_name("FILE.html");
   app.add_option("--starts", a->starts, "number of starts")->type_name("N");
   app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
+  add_no_changes(app, a->no_changes);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_report(*a); };

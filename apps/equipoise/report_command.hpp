@@ -4,13 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/decision/verdict.hpp"
 #include "equipoise/shown/machine_page.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise::app {
 
-/// Runs the ensemble and writes its page (.html). `study` must result from `study_text` and `overrides`.
-MachinePage write_machine_page(const std::string& study_text, const std::string& name,
-                               const std::vector<std::string>& overrides, const Study& study,
-                               const BasinOptions& options, const std::string& path);
+/// What a page shows.
+struct WrittenPage {
+  MachinePage content;
+  std::vector<TriedChange> tried;
+};
+
+/// Runs the ensemble, tries changes if `changes` and its verdict asks for them, and writes the page (.html). `study`
+/// must result from `source`.
+WrittenPage write_machine_page(const StudySource& source, const Study& study, const BasinOptions& options, bool changes,
+                               const std::string& path);
 
 }  // namespace equipoise::app

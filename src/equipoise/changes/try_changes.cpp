@@ -144,4 +144,12 @@ std::vector<TriedChange> try_changes(const Study& study, const RunOptions& optio
   return reported(options, [&](const RunOptions& inner) { return tried(study, inner); });
 }
 
+std::vector<TriedChange> changes_asked_for(const BasinResult& result, const RunOptions& options) {
+  if (result.partial) return {};
+  const auto verdict = verdict_of(result);
+  const bool asked = verdict && (verdict->decision == Decision::caution || verdict->decision == Decision::change ||
+                                 verdict->decision == Decision::do_not_fit);
+  return asked ? try_changes(result.study, options) : std::vector<TriedChange>{};
+}
+
 }  // namespace equipoise

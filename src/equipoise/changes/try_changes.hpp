@@ -26,5 +26,8 @@ inline constexpr std::uint64_t starts_of_a_change = 100;
 /// The usual changes tried on the study's first starts, in their order; stops after the first that makes the balancer
 /// fit. Stopped, it returns what is done. Progress counts changes.
 std::vector<TriedChange> try_changes(const Study& study, const RunOptions& options = {});
+/// The same of a result's study, if its verdict asks for it: none for a balancer that does what is asked, is not needed
+/// or is not judged yet, nor for a result that was stopped.
+std::vector<TriedChange> changes_asked_for(const BasinResult& result, const RunOptions& options = {});
 
 }  // namespace equipoise

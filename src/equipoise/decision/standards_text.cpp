@@ -3,7 +3,8 @@
 
 #include <cmath>
 #include <optional>
-#include <vector>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,29 +45,27 @@ std::optional<HandArm> hand_arm(const BasinResult& r) {
   return HandArm{acceleration(with, 0), acceleration(with, 1), acceleration(bare, 0)};
 }
 
-std::string hours_text(double hours) {
-  return hours >= 1.0 ? fmt::format("{:.2g} h", hours) : fmt::format("{:.2g} min", 60.0 * hours);
+std::string hours_text(double acceleration, double value) {
+  const double hours = standards::hours_to_exposure(acceleration, value);
+  return !(hours < 24.0) ? "over 24 h"
+         : hours >= 1.0  ? fmt::format("{:.2g} h", hours)
+                         : fmt::format("{:.2g} min", 60.0 * hours);
 }
 
-// "reaches the action value after 4.1 h and the limit value after 17 h"
-std::string exposure_text(double acceleration) {
-  constexpr double day = 24.0;
-  const double action = standards::hours_to_exposure(acceleration, standards::exposure_action_value),
-               limit = standards::hours_to_exposure(acceleration, standards::exposure_limit_value);
-  if (!(action < day)) return "does not reach the action value in a day";
-  return fmt::format("reaches the action value after {}", hours_text(action)) +
-         (limit < day ? fmt::format(" and the limit value after {}", hours_text(limit)) : "");
-}
-
-std::string hand_arm_text(const HandArm& a) {
-  return fmt::format(
-      "Hand-arm vibration a_hv [ISO 5349-1]: {:.3g} m/s2 in the median, at most {:.3g} in 90 % of starts; without "
-      "balls "
-      "{:.3g}. A day's exposure A(8) {} in the median, {} at 90 %; without balls it {} [2002/44/EC: {} and {} m/s2]. "
-      "An "
-      "estimate: the handles as the race's centre, all of it at the speed of rotation; no declared value.",
-      a.median, a.ninety, a.bare, exposure_text(a.median), exposure_text(a.ninety), exposure_text(a.bare),
-      standards::exposure_action_value, standards::exposure_limit_value);
+DocumentTable hand_arm_table(const HandArm& a) {
+  DocumentTable table{{"hand-arm vibration", "median", "90 % below", "no balls"}, {}, "", false, {}};
+  const auto row = [&](const std::string& name, auto&& text) {
+    table.rows.push_back(row_of("lnnn", {name, text(a.median), text(a.ninety), text(a.bare)}));
+  };
+  row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
+  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, "action value"},
+                                    std::pair{standards::exposure_limit_value, "limit value"}})
+    row(fmt::format("work until A(8) is {} m/s2, the {}", value, name),
+        [&, of = value](double v) { return hours_text(v, of); });
+  table.caption =
+      "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate: the handles as the race's "
+      "centre, all of it at the speed of rotation; no declared value.";
+  return table;
 }
 
 const standards::SeverityClass& class_of(const Study& study) {
@@ -80,15 +79,12 @@ std::string bare_zone(const BasinResult& r) {
   return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
 }
 
-std::string severity_text(const BasinResult& r, const TextStyle& style) {
+Block severity(const BasinResult& r) {
   const TransientGroup& all = r.transients->groups.front();
   if (!all.beyond[0])
-    return filled(
-        "",
-        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} "
-                    "Hz.",
-                    turns_a_second(r, all), standards::lowest_severity_frequency),
-        style);
+    return Paragraph{
+        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
+                    turns_a_second(r, all), standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
   DocumentTable table{{"severity zone", "ends there", "RMS velocity"}, {}, "", false, {}};
   constexpr const char* names[] = {"A, as new", "A or B, for long operation", "A to C, not D, damage"};
@@ -100,7 +96,7 @@ std::string severity_text(const BasinResult& r, const TextStyle& style) {
       "20816-3 begins at 15 kW.",
       bare_zone(r), machine.name, machine.machines,
       share_of_one_direction(r.study) < 1.0 ? "one direction" : "both directions together, which is more than one has");
-  return table_text(table, style);
+  return table;
 }
 
 std::string sliding_text(const BasinResult& r) {
@@ -121,19 +117,27 @@ bool told(const BasinResult& r) {
 
 }  // namespace
 
-std::string standards_text(const BasinResult& r, const TextStyle& style) {
-  if (!told(r)) return "";
+std::vector<Block> standards_blocks(const BasinResult& r) {
+  if (!told(r)) return {};
   const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
-  std::string text;
+  std::vector<Block> blocks;
   const auto with = left_grade(all, r.study), without = left_grade(bare, r.study);
   if (with && without)
-    text += filled("",
-                   fmt::format("Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.",
-                               grade_text(*with), grade_text(*without)),
-                   style);
-  if (r.study.standards.severity_class) text += severity_text(r, style);
-  if (const auto arms = hand_arm(r)) text += filled("", hand_arm_text(*arms), style);
-  if (all.beyond[sliding]) text += filled("", sliding_text(r), style);
+    blocks.push_back(
+        Paragraph{fmt::format("Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.",
+                              grade_text(*with), grade_text(*without))});
+  if (r.study.standards.severity_class) blocks.push_back(severity(r));
+  if (const auto arms = hand_arm(r)) blocks.push_back(hand_arm_table(*arms));
+  if (all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r)});
+  return blocks;
+}
+
+std::string standards_text(const BasinResult& r, const TextStyle& style) {
+  std::string text;
+  for (const Block& block : standards_blocks(r)) {
+    if (const auto* table = std::get_if<DocumentTable>(&block)) text += table_text(*table, style);
+    if (const auto* words = std::get_if<Paragraph>(&block)) text += filled("", words->text, style);
+  }
   return text.empty() ? text : text + "\n";
 }
 

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "equipoise/drawing/document.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
-/// Of a study with scales whose result tells of the rotor without balls; else empty. With an empty line at its end.
+/// Tables, and a sentence each where one says all: of a study with scales whose result tells of the rotor without
+/// balls; else empty.
+std::vector<Block> standards_blocks(const BasinResult& result);
+/// The same for the terminal, with an empty line at its end.
 std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
 /// The object "standards" of basin_json(); null where standards_text() is empty.
 nlohmann::ordered_json standards_json(const BasinResult& result);

@@ -1,6 +1,7 @@
 // Judges an ensemble against limits and against the rotor without balls.
 #include "equipoise/decision/verdict.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -213,12 +214,49 @@ bool serves_better(const TriedChange& a, const TriedChange& b) {
   return a.peak.value < b.peak.value;
 }
 
+Tone tone_of(Decision decision) {
+  return decision == Decision::fit || decision == Decision::not_needed ? Tone::good
+         : decision == Decision::do_not_fit                            ? Tone::bad
+                                                                       : Tone::open;
+}
+
+DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> tried, std::size_t most) {
+  const auto as_it_is = tried_change("as it is", r);
+  if (tried.empty() || !as_it_is) return {};
+  const bool limited = as_it_is->kept.has_value();
+  std::vector<TriedChange> order(tried.begin(), tried.end());
+  std::stable_sort(order.begin(), order.end(), serves_better);
+  if (order.size() > most) order.resize(most);
+  order.push_back(*as_it_is);
+  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
+                         length = study::shown_unit(study::Dimension::length, r.study.scales);
+  DocumentTable table{
+      {"change", limited ? "keep every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
+       fmt::format("peak displacement, {}", length.name)},
+      {},
+      "",
+      false,
+      {}};
+  const auto number = [](const QuantileEstimate& q, const study::ShownUnit& unit) {
+    return number_cell(std::isfinite(q.value) ? fmt::format("{:.3g}", q.value * unit.size) : "-");
+  };
+  for (const TriedChange& t : order) {
+    const bool change = t.words != as_it_is->words;
+    table.rows.push_back(
+        {{t.words, change && tone_of(t.decision) == Tone::good ? Tone::good : Tone::plain, false, true},
+         limited ? number_cell(t.kept ? share_with_interval(*t.kept) : "-") : number(t.end_velocity, velocity),
+         number(t.peak, length)});
+  }
+  table.caption = fmt::format("{}{} changes tried, each on {} starts, best first. {}.",
+                              tried.size() > most ? "Of " : "", tried.size(), tried.front().starts,
+                              limited ? "Shares with their 95 % intervals; peak: 90 % of starts below"
+                                      : "Velocity and peak: 90 % of starts below");
+  return table;
+}
+
 std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
-  const Tone tone = v.decision == Decision::fit || v.decision == Decision::not_needed ? Tone::good
-                    : v.decision == Decision::do_not_fit                              ? Tone::bad
-                                                                                      : Tone::open;
-  return in_tone(filled("verdict  ", v.words, style), tone, style) + filled("because  ", v.because, style) +
-         filled("change   ", v.change, style) + "\n";
+  return in_tone(filled("verdict  ", v.words, style), tone_of(v.decision), style) +
+         filled("because  ", v.because, style) + filled("change   ", v.change, style) + "\n";
 }
 
 nlohmann::ordered_json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {

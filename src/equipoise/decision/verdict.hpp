@@ -59,6 +59,13 @@ bool serves_better(const TriedChange& a, const TriedChange& b);
 /// the verdict's last line tells the best of them.
 std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
 
+/// The tone in which a decision is shown.
+Tone tone_of(Decision decision);
+/// The changes that were tried, best first, at most `most` of them, and below them the balancer as it is: the share
+/// that keeps the limits, or without limits the velocity at the end, and the peak, both 90 % of starts below. Of a
+/// result that has a verdict.
+DocumentTable changes_table(const BasinResult& result, std::span<const TriedChange> tried, std::size_t most = 8);
+
 /// Three lines, "verdict  Fit it...", and the empty line after them.
 std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = wide_style);
 /// The verdict's lines, and every change that was tried, in the study's shown units.

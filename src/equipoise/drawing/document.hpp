@@ -1,6 +1,7 @@
 // A report as blocks, independent of the form it takes: HTML page or Markdown.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <variant>
@@ -38,6 +39,17 @@ struct Paragraph {
   Tone tone = Tone::plain;  ///< other than plain: in a box
   bool lead = false;        ///< the document's main statement, in larger letters
 };
+/// The document's verdict, before everything else: a statement in a box of a tone, and lines below it, each after a
+/// word that says what it is: {"because", "98 % of starts keep every limit."}.
+struct Notice {
+  std::string text;
+  Tone tone = Tone::plain;
+  std::vector<std::array<std::string, 2>> lines;
+};
+/// Short items in columns.
+struct ItemList {
+  std::vector<std::string> items;
+};
 struct DocumentTable {
   std::vector<std::string> header;
   std::vector<std::vector<DocumentCell>> rows;
@@ -62,12 +74,13 @@ struct DrawingRow {
   std::string caption;
   bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
+  bool whole = false;  ///< across the whole sheet
 };
 /// Verbatim lines, shown on demand.
 struct Listing {
   std::string caption, text;
 };
-using Block = std::variant<Heading, Paragraph, DocumentTable, Figure, DrawingRow, Listing>;
+using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, Figure, DrawingRow, Listing>;
 
 struct Document {
   std::string title;

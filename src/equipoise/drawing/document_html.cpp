@@ -56,6 +56,19 @@ class HtmlWriter {
     out += fmt::format("<p{}>{}</p>\n", style, html_text(p.text));
   }
 
+  void operator()(const Notice& n) {
+    out += fmt::format("<div class=\"notice {}\">\n<p>{}</p>\n", name_of(n.tone), html_text(n.text));
+    for (const auto& [word, line] : n.lines)
+      out += fmt::format("<p><span>{}</span> {}</p>\n", html_text(word), html_text(line));
+    out += "</div>\n";
+  }
+
+  void operator()(const ItemList& list) {
+    out += "<ul class=\"items\">\n";
+    for (const std::string& item : list.items) out += fmt::format("<li>{}</li>\n", html_text(item));
+    out += "</ul>\n";
+  }
+
   void operator()(const DocumentTable& t) {
     if (t.folded) out += fmt::format("<details><summary>{}</summary>\n", html_text(t.caption));
     out += "<div class=\"scroll\"><table>\n";
@@ -110,7 +123,10 @@ class HtmlWriter {
   }
 
   void operator()(const DrawingRow& row) {
-    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.wide ? " wide" : row.large ? " large" : "");
+    out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.whole   ? " whole"
+                                                                 : row.wide  ? " wide"
+                                                                 : row.large ? " large"
+                                                                             : "");
     for (const Drawing& d : row.drawings) {
       const std::string swatch =
           d.colour.empty() ? "" : fmt::format("<span class=\"swatch\" style=\"background:{}\"></span>", d.colour);

@@ -27,6 +27,15 @@ struct MarkdownWriter {
   void operator()(const Paragraph& p) {
     out += fmt::format("{}{}\n\n", p.tone == Tone::plain ? "" : "> ", markdown_text(p.text));
   }
+  void operator()(const Notice& n) {
+    out += fmt::format("> {}\n", markdown_text(n.text));
+    for (const auto& [word, line] : n.lines) out += fmt::format(">\n> {}: {}\n", word, markdown_text(line));
+    out += "\n";
+  }
+  void operator()(const ItemList& list) {
+    for (const std::string& item : list.items) out += fmt::format("- {}\n", markdown_text(item));
+    out += "\n";
+  }
   void operator()(const DocumentTable& t) {
     out += "|";
     for (const std::string& name : t.header) out += fmt::format(" {} |", markdown_text(name));

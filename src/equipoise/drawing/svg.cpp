@@ -182,6 +182,21 @@ void SvgAxes::limit_across(double y, const std::string& name) {
   svg_.text({bottom_right_.x, height - 3.0}, above ? name + " (above)" : name, SvgAnchor::end, limit_colour);
 }
 
+void SvgAxes::scale_above(const std::vector<double>& x, const std::vector<std::string>& words,
+                          const std::string& label) {
+  constexpr double letter = 7.0, apart = 10.0;
+  svg_.line(top_left_, {bottom_right_.x, top_left_.y}, {quiet_ink, "", 0.7});
+  double free = top_left_.x - apart;
+  for (std::size_t k = 0; k < x.size() && k < words.size(); ++k) {
+    const double place = at(x[k], y_.low).x, half = 0.5 * letter * static_cast<double>(words[k].size());
+    if (place < top_left_.x || place > bottom_right_.x || place - half < free) continue;
+    svg_.line({place, top_left_.y}, {place, top_left_.y - 4.0}, {quiet_ink, ""});
+    svg_.text({place, top_left_.y - 7.0}, words[k], SvgAnchor::middle, quiet_ink);
+    free = place + half + apart;
+  }
+  svg_.text({0.5 * (top_left_.x + bottom_right_.x), top_left_.y - 21.0}, label, SvgAnchor::middle, quiet_ink);
+}
+
 void SvgAxes::limit_up(double x, const std::string& name) {
   const bool beyond = x > x_.high;
   const double place = beyond ? bottom_right_.x : at(x, y_.low).x;

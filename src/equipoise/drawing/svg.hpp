@@ -85,6 +85,9 @@ class SvgAxes {
   /// Across the frame, labelled at its end; a line outside the frame is labelled at the border.
   void limit_across(double y, const std::string& name);
   void limit_up(double x, const std::string& name);
+  /// A second scale above the frame: words at places of x, in order; those that would touch the one before are left
+  /// out.
+  void scale_above(const std::vector<double>& x, const std::vector<std::string>& words, const std::string& label);
 
  private:
   SvgPoint inside(double x, double y) const;

@@ -277,7 +277,7 @@ class Assumptions {
     if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back("supports alike in x and y");
     list_.push_back("viscous damping");
     add("rotor.gravity", "no gravity across the shaft");
-    if (!s_.uncertain.empty()) list_.push_back("uncertain values at their medians");
+    if (!s_.uncertain.empty()) list_.push_back(medians_assumed);
   }
 
   const StudyValue& given_;

@@ -16,6 +16,9 @@ struct StudyCheck {
   std::string text() const;  ///< at most five lines
 };
 
+/// Among what is assumed of a study with uncertain values: what follows without simulation takes them so.
+inline constexpr const char* medians_assumed = "uncertain values at their medians";
+
 /// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians.
 StudyCheck check_study(const std::string& toml_text, const std::string& name,
                        const std::vector<std::string>& overrides = {});

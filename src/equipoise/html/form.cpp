@@ -114,6 +114,9 @@ class Form {
     const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
     all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
     // A study's tree omits ball angles that nobody chose; a form offers them.
+    // The unbalance in it is the resultant with every place, not what the rotor's own keys state.
+    if (given_.find("place"))
+      for (const char* key : {"eccentricity", "unbalance"}) all_.find("rotor")->erase(key);
     StudyValue& initial = *all_.find("initial");
     if (!initial.find("phi")) {
       const auto& phi = study.initial.phi;
@@ -124,7 +127,11 @@ class Form {
   std::vector<FormField> fields() {
     for (const char* table : told_tables) {
       if (std::string_view(table) == "units") continue;
-      add(table, given_.find(table), true);
+      const StudyValue* given = given_.find(table);
+      add(table, given, true);
+      if (given && given->array())
+        for (std::size_t k = 1; k <= given->array()->size(); ++k)
+          add(fmt::format("{}.{}", table, k), given->find(std::to_string(k)), true);
       add(table, all_.find(table), false);
     }
     return std::move(fields_);

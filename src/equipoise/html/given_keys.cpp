@@ -37,14 +37,22 @@ std::string words_of_value(const StudyValue& value) {
   return value.string() ? *value.string() : value.other()->text;
 }
 
+void add_table(const std::string& name, const StudyValue& value, std::vector<GivenTable>& tables) {
+  if (!value.table() || value.table()->empty()) return;
+  GivenTable given{name, {}};
+  for (const auto& [key, member] : *value.table()) given.keys.push_back({words_of(key), words_of_value(member)});
+  tables.push_back(std::move(given));
+}
+
 std::vector<GivenTable> tables_of(const StudyValue& root) {
   std::vector<GivenTable> tables;
   for (const char* name : told_tables) {
-    const StudyValue* table = root.find(name);
-    if (!table || !table->table() || table->table()->empty()) continue;
-    GivenTable given{name, {}};
-    for (const auto& [key, value] : *table->table()) given.keys.push_back({words_of(key), words_of_value(value)});
-    tables.push_back(std::move(given));
+    const StudyValue* found = root.find(name);
+    if (!found) continue;
+    add_table(name, *found, tables);
+    if (!found->array()) continue;
+    for (std::size_t k = 0; k < found->array()->size(); ++k)
+      add_table(fmt::format("{} {}", name, k + 1), (*found->array())[k], tables);
   }
   return tables;
 }

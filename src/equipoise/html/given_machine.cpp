@@ -1,7 +1,10 @@
 // What the study states, and what explain() finds.
 #include "equipoise/html/given_machine.hpp"
 
+#include <utility>
+
 #include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/study_check.hpp"
 #include "equipoise/html/given_keys.hpp"
 #include "equipoise/study/ball_details.hpp"
 
@@ -9,10 +12,13 @@ namespace equipoise {
 
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides) {
+  StudyCheck checked = check_study(toml_text, name, overrides);
+  std::erase(checked.assumed, medians_assumed);  // a page's starts draw them
   return {given_tables(toml_text, name, overrides),
-          explain(parse_study(toml_text, name, overrides), parse_ball_details(toml_text, name, overrides))};
+          explain(parse_study(toml_text, name, overrides), parse_ball_details(toml_text, name, overrides)),
+          std::move(checked.assumed), std::move(checked.most)};
 }
 
-GivenMachine given_machine(const Study& study) { return {given_tables(study), explain(study)}; }
+GivenMachine given_machine(const Study& study) { return {given_tables(study), explain(study), {}, {}}; }
 
 }  // namespace equipoise

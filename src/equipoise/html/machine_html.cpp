@@ -1,13 +1,15 @@
-// Words and tables around the drawings: what the machine does, its transients, its data, and how they were computed.
+// The verdict, then words and tables around the drawings: what the machine does, its transients, its data, and how they
+// were computed.
 #include "equipoise/html/machine_html.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "equipoise/decision/plain_names.hpp"
+#include "equipoise/decision/standards_text.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/html/answer.hpp"
@@ -36,13 +38,20 @@ std::string on_one_line(std::string text) {
 
 class MachineDocument {
  public:
-  explicit MachineDocument(const MachinePage& page)
-      : page_(page), basin_(page.basin), study_(page.basin.study), shown_(page.basin.study) {}
+  MachineDocument(const MachinePage& page, std::span<const TriedChange> tried)
+      : page_(page),
+        tried_(tried),
+        basin_(page.basin),
+        study_(page.basin.study),
+        physical_(study_.scales.has_value()),
+        shown_(page.basin.study) {}
 
   Document make() {
-    document_ = page_with(study_, answer_sentence(basin_));
+    document_ = page_with(study_, answer_sentence(basin_), verdict());
     if (basin_.partial) add(Paragraph{"Stopped before all starts were done: this is of those that were.", Tone::bad});
     if (!basin_.note.empty() && study_.parameters.balls > 0) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    changes();
+    run_up();
     if (study_.parameters.balls == 0 && basin_.without_balls) {
       add(Heading{2, "The rotor alone", ""});
       add(bare_table(basin_));
@@ -51,16 +60,43 @@ class MachineDocument {
       add(Paragraph{on_one_line(words)});
     }
     if (basin_.starts > 0) {
+      kept();
       ends();
       way();
     }
-    add_machine(document_, page_, "in the study");
+    add_machine(document_, page_, "in the study", true);
     origin();
     return std::move(document_);
   }
 
  private:
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
+
+  std::optional<Notice> verdict() const {
+    const auto verdict = verdict_of(basin_, tried_);
+    if (!verdict) return std::nullopt;
+    return Notice{
+        verdict->words, tone_of(verdict->decision), {{"because", verdict->because}, {"change", verdict->change}}};
+  }
+
+  void changes() {
+    DocumentTable table = changes_table(basin_, tried_);
+    if (table.rows.empty()) return;
+    add(Heading{2, "What to change", ""});
+    add(std::move(table));
+  }
+
+  // The page's main picture.
+  void run_up() {
+    if (page_.runs.empty()) return;
+    const bool constant = study_.speed.profile == Profile::constant;
+    add(Heading{2, constant ? "How it shakes" : "How it shakes on its way up", ""});
+    DrawingRow row;
+    row.whole = true;
+    row.drawings.push_back({"", run_up_svg(page_), "", ""});
+    row.caption = runs_caption();
+    add(std::move(row));
+  }
 
   const TransientGroup* group(const OutcomeShare& o) const {
     if (!basin_.transients) return nullptr;
@@ -69,7 +105,24 @@ class MachineDocument {
     return nullptr;
   }
 
-  // Where starts end.
+  // Limits and standards.
+  void kept() {
+    std::vector<Block> blocks;
+    if (basin_.transients && !basin_.transients->groups.empty() && basin_.transients->groups.front().starts > 0) {
+      const TransientGroup& all = basin_.transients->groups.front();
+      if (DocumentTable limits = limits_table(all, study_); !limits.rows.empty()) blocks.push_back(std::move(limits));
+      if (const std::string words = clearance_words(all, study_); !words.empty())
+        blocks.push_back(Paragraph{on_one_line(words)});
+    }
+    const bool limited = !blocks.empty();
+    std::vector<Block> standards = standards_blocks(basin_);
+    if (!limited && standards.empty()) return;
+    add(Heading{2, !limited ? "Standards" : standards.empty() ? "Limits" : "Limits and standards", ""});
+    for (std::vector<Block>* of : {&blocks, &standards})
+      for (Block& block : *of) add(std::move(block));
+  }
+
+  // Where starts end, and how large peaks are on the way there.
   void ends() {
     add(Heading{2, "Where starts end", ""});
     DrawingRow row;
@@ -77,13 +130,20 @@ class MachineDocument {
     for (const DrawnMotion& motion : page_.motions)
       if (!motion.x.empty())
         row.drawings.push_back(
-            {title_of(motion), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+            {reader_title(motion, physical_), motion_svg(page_, motion), motion_words(motion), colour_of(motion.id)});
+    for (const FigureDistribution& d : page_.peaks)
+      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
+    if (!page_.runs.empty() && !run_up_tells_speed(page_))
+      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
     row.caption =
-        "Bars: shares of starts with their 95 % intervals. Drawings: left the balls in the race as who turns with the "
-        "rotor sees them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as "
-        "who stands beside it sees it, all to one scale";
+        "Bars: shares of starts with 95 % intervals. Circles: left the balls in the race as who turns with the rotor "
+        "sees "
+        "them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as who stands "
+        "beside it sees it, all to one scale";
     row.caption += study_.limits.displacement ? ", the limit dashed if it is within." : ".";
     if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
+    if (page_.starts_drawn < basin_.starts)
+      row.caption += fmt::format(" Peaks and runs are of the first {} starts.", page_.starts_drawn);
     add(std::move(row));
     add(ends_table());
     if (const std::string left = left_unbalance_text(basin_.attractors, study_); !left.empty())
@@ -129,7 +189,7 @@ class MachineDocument {
   DocumentTable ends_table() const {
     const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
     DocumentTable table;
-    table.header = {"outcome", "share", "95 % interval"};
+    table.header = {physical_ ? "what the balls do" : "outcome", "share", "95 % interval"};
     if (open) table.header.push_back("surely within");
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
     if (graded) table.header.push_back("balance quality");
@@ -137,7 +197,7 @@ class MachineDocument {
     for (const OutcomeShare& o : basin_.outcomes_met()) {
       const Share& s = o.share;
       const TransientGroup* of = group(o);
-      std::vector<DocumentCell> cells{{title_of(o)}, share_cell(s), number_cell(interval(s))};
+      std::vector<DocumentCell> cells{{reader_title(o, physical_)}, share_cell(s), number_cell(interval(s))};
       if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(s)));
       cells.push_back(number_cell(fmt::format("{}", s.count)));
       const auto mean = [&](float TransientRow::*value, Dimension d) {
@@ -159,28 +219,15 @@ class MachineDocument {
 
   // Transients on the way there.
   void way() {
-    add(Heading{2, "On the way", ""});
-    DrawingRow row;
-    row.large = true;
-    for (const FigureDistribution& d : page_.peaks)
-      row.drawings.push_back({capital(d.limited->figure().title) + ", all starts", distribution_svg(page_, d), "", ""});
-    if (!page_.runs.empty()) {
-      row.drawings.push_back({"Displacement over time", displacement_svg(page_), runs_words(), ""});
-      row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
-    }
-    if (page_.starts_drawn < basin_.starts)
-      row.caption = fmt::format("Drawn and chosen from the first {} starts.", page_.starts_drawn);
-    add(std::move(row));
     if (!basin_.transients || basin_.transients->groups.empty() || basin_.transients->groups.front().starts == 0)
       return;
+    add(Heading{2, "On the way", ""});
     const TransientGroup& all = basin_.transients->groups.front();
     add(way_table(all));
     std::string words;
     if (tells_without_balls(basin_))
       for (const std::string& sentence : without_balls_words(basin_)) words += sentence + " ";
-    words += clearance_words(all, study_);
     if (!words.empty()) add(Paragraph{on_one_line(words)});
-    if (DocumentTable limits = limits_table(all, study_); !limits.rows.empty()) add(std::move(limits));
   }
 
   static std::string capital(std::string text) {
@@ -188,21 +235,24 @@ class MachineDocument {
     return text;
   }
 
-  std::string runs_words() const {
-    const std::array<const char*, 2> who{"Typical (grey)", "worst (violet)"};
-    std::string text;
-    for (std::size_t k = 0; k < page_.runs.size(); ++k) {
-      const ShownRun& run = page_.runs[k];
-      const std::string name = page_.runs.size() == 1 ? "All alike" : who[k];
-      text += fmt::format("{}{}: start {}, peak {}, ends {}", k ? "; " : "", name, run.index,
-                          shown_.text(run.peak, Dimension::length), run.outcome);
+  std::string runs_caption() const {
+    std::string text = "Distance of the rotor's centre from its place at rest; shaded: swings too fast to be drawn.";
+    std::string numbers;
+    for (const ShownRun& run : page_.runs) {
+      if (run.of == RunOf::bare) {
+        if (!study_.uncertain.empty() && page_.runs.size() > 1)
+          text += " Without balls: the rotor of the typical start.";
+        continue;
+      }
+      numbers += fmt::format("{}start {} is the {}", numbers.empty() ? "" : ", ", run.index,
+                             run.of == RunOf::median ? "typical one" : "worst in a hundred");
       // Starts near the boundary of two basins may go another way if the last digit differs.
       constexpr double alike = 0.02;
       if (std::fabs(run.again - run.peak) > alike * run.peak)
-        text += fmt::format(" (followed again with smaller steps, {} within what is shown)",
-                            shown_.text(run.again, Dimension::length));
+        numbers += fmt::format(" (followed again with smaller steps, {} within what is shown)",
+                               shown_.text(run.again, Dimension::length));
     }
-    return text + ".";
+    return numbers.empty() ? text : fmt::format("{} Of this seed, {}.", text, numbers);
   }
 
   DocumentTable way_table(const TransientGroup& all) const {
@@ -210,7 +260,7 @@ class MachineDocument {
     const bool limited = std::any_of(transient_limits.begin(), transient_limits.end(),
                                      [&](const TransientLimit& l) { return l.figure().on_page && limits.*l.limit; });
     const bool beside = tells_without_balls(basin_);
-    DocumentTable table{{"all starts", "median", "90 % below", "largest"}, {}, "", false, {2}};
+    DocumentTable table{{"all starts", "median", "90 % below", "99 % below"}, {}, "", false, {2}};
     if (beside) table.header.emplace_back("no balls");
     if (limited) {
       table.header.insert(table.header.end(), {"limit", "exceeded by"});
@@ -225,7 +275,7 @@ class MachineDocument {
       table.rows.push_back({{f.title, Tone::plain, false, true},
                             figure(s.quantiles[0].value),
                             figure(s.quantiles[1].value),
-                            figure(s.largest)});
+                            figure(s.quantiles[2].value)});
       if (beside) table.rows.back().push_back(without_balls(k));
       if (!limited) continue;
       DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
@@ -277,14 +327,18 @@ class MachineDocument {
   }
 
   const MachinePage& page_;
+  const std::span<const TriedChange> tried_;
   const BasinResult& basin_;
   const Study& study_;
+  const bool physical_;
   const PageQuantities shown_;
   Document document_;
 };
 
 }  // namespace
 
-std::string machine_html(const MachinePage& page) { return document_html(MachineDocument(page).make()); }
+std::string machine_html(const MachinePage& page, std::span<const TriedChange> tried) {
+  return document_html(MachineDocument(page, tried).make());
+}
 
 }  // namespace equipoise

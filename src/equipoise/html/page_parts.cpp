@@ -132,10 +132,11 @@ DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, con
   return row;
 }
 
-Document page_with(const Study& study, const std::string& answer) {
+Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict) {
   Document document;
   document.title = "Ball balancer: " + stem_of(study.name);
   document.sheet = true;
+  if (verdict) document.blocks.push_back(*verdict);
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
   if (std::string held = held_text(study); !held.empty()) {
     held.front() = 'B';
@@ -174,8 +175,13 @@ std::string model_words(const Study& study, const RunWords& run) {
   return text;
 }
 
-void add_machine(Document& document, const GivenMachine& machine, const std::string& given) {
+void add_machine(Document& document, const GivenMachine& machine, const std::string& given, bool fold) {
   const auto add = [&](Block block) { document.blocks.push_back(std::move(block)); };
+  if (!machine.assumed.empty()) {
+    add(Heading{2, "What was assumed", ""});
+    add(ItemList{machine.assumed});
+    if (!machine.matters_most.empty()) add(Paragraph{"What matters most: " + machine.matters_most + "."});
+  }
   add(Heading{2, "The machine", ""});
   DocumentTable table{{"given", given}, {}, "", false, {}};
   for (const GivenTable& of : machine.given) {
@@ -188,7 +194,10 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
   for (const auto& [name, text] : Derived(machine.explanation).rows())
     facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
   add(std::move(facts));
-  if (!machine.explanation.advice.empty()) add(advice_table(machine.explanation));
+  DocumentTable rules = advice_table(machine.explanation);
+  rules.folded = fold;
+  if (fold) rules.caption = "Rules of thumb: " + rules.caption;
+  if (!rules.rows.empty()) add(std::move(rules));
   for (const std::string& warning : machine.explanation.warnings)
     add(Paragraph{"Beware: " + warning + ".", Tone::open});
 }

@@ -15,8 +15,8 @@ namespace equipoise {
 /// Charts beside each other; a single one may be `wide`.
 DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide);
 
-/// A page with its title, "Ball balancer: angle-grinder", and the answer at the top.
-Document page_with(const Study& study, const std::string& answer);
+/// A page with its title, "Ball balancer: angle-grinder", a verdict if there is one, and the answer.
+Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict = {});
 /// Adds a note if some cells are missing.
 void add_missing_cells(Document& document, std::size_t done, std::size_t cells);
 
@@ -32,8 +32,9 @@ struct RunWords {
 /// Speed law, intervals, model, version, time; without a full stop.
 std::string model_words(const Study& study, const RunWords& run);
 
-/// Heading, the study's statements, what follows, warnings. `given`: whose values these are.
-void add_machine(Document& document, const GivenMachine& machine, const std::string& given);
+/// Heading, the study's statements, what follows, warnings. `given`: whose values these are; `fold`: rules of thumb are
+/// shown on demand, and what is assumed stands in a section of its own.
+void add_machine(Document& document, const GivenMachine& machine, const std::string& given, bool fold = false);
 
 /// The full study, folded: in physical units if it has them, and dimensionless.
 void add_study(Document& document, const Study& study);

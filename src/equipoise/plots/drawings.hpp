@@ -18,11 +18,16 @@ std::string motion_svg(const MachinePage& page, const DrawnMotion& motion);
 /// Stacked bars by outcome, with the limit if the study has one.
 std::string distribution_svg(const MachinePage& page, const FigureDistribution& distribution);
 
-/// The shown runs against time.
-std::string displacement_svg(const MachinePage& page);
+/// The page's main picture: the displacement of every shown run against time, with the limit if there is one and a
+/// legend in words; above it the speed, where that is prescribed and does not fall.
+std::string run_up_svg(const MachinePage& page);
+/// Whether run_up_svg() says how fast the rotor turns when: it need not at a constant speed.
+bool run_up_tells_speed(const MachinePage& page);
+/// The speed of every shown run of a driven rotor against time; of any other one line.
 std::string speed_svg(const MachinePage& page);
 
-/// Colour of the shown run number `place`.
-const char* run_colour(std::size_t place);
+/// "typical start, half peak lower: peak 26.5 mm; balanced at the end", "without balls: peak 10.6 mm; 2.58 mm at the
+/// end".
+std::string run_words(const MachinePage& page, const ShownRun& run);
 
 }  // namespace equipoise

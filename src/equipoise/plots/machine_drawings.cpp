@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/drawings.hpp"
 #include "equipoise/plots/quantities.hpp"
@@ -16,8 +17,8 @@ namespace equipoise {
 namespace {
 using study::Dimension;
 
-constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{334.0, 158.0};
-constexpr double plot_width = 342.0, plot_height = 196.0;
+constexpr SvgPoint top_left{52.0, 16.0}, bottom_right{264.0, 130.0};
+constexpr double plot_width = 272.0, plot_height = 166.0;
 
 double end_of(const ShownRun& run) { return run.t.back(); }
 
@@ -27,20 +28,70 @@ AxisExtent time_extent(const MachinePage& page) {
   return {0.0, end};
 }
 
-}  // namespace
+const char* colour_of_run(RunOf of) {
+  return of == RunOf::bare ? "var(--bare)" : of == RunOf::median ? "var(--typical)" : "var(--worst)";
+}
 
-const char* run_colour(std::size_t place) { return place == 0 ? "var(--typical)" : "var(--worst)"; }
+double highest_of(const MachinePage& page) {
+  double highest = 0.0;
+  for (const ShownRun& run : page.runs)
+    highest = std::max(highest, *std::max_element(run.r_high.begin(), run.r_high.end()));
+  return highest;
+}
+
+// Whose run it is, in words.
+std::string run_name(const MachinePage& page, const ShownRun& run) {
+  if (run.of == RunOf::bare) return "without balls";
+  constexpr std::uint64_t hundred = 100;
+  if (run.of == RunOf::worst_in_hundred)
+    return page.starts_drawn >= hundred ? "worst in a hundred" : fmt::format("worst of {} starts", page.starts_drawn);
+  const bool all = std::none_of(page.runs.begin(), page.runs.end(),
+                                [](const ShownRun& r) { return r.of == RunOf::worst_in_hundred; });
+  return all ? "with balls" : "typical start, half peak lower";
+}
+
+// Rotor speeds in round numbers, and when the runs come to them; empty where the speed is not prescribed, constant or
+// falls.
+struct SpeedScale {
+  std::vector<double> times;
+  std::vector<std::string> words;
+  std::string label;
+};
+SpeedScale speed_scale(const MachinePage& page) {
+  const Study& study = page.basin.study;
+  if (page.runs.empty() || study.speed.driven() || study.speed.profile == Profile::constant) return {};
+  std::vector<double> speed = page.runs.front().speed;
+  const std::vector<double>& time = page.runs.front().t;
+  for (double& s : speed) s = std::fabs(s);
+  if (!std::is_sorted(speed.begin(), speed.end()) || !(speed.back() > speed.front())) return {};
+  const AxisWords axis = PageQuantities(study).axis("speed", speed.back(), Dimension::speed);
+  SpeedScale scale{{}, {}, axis.label};
+  constexpr int ticks = 6;
+  constexpr double rounding = 1.0 + 1e-6;
+  for (const double tick : round_ticks({speed.front() * axis.factor, speed.back() * axis.factor * rounding}, ticks)) {
+    const double wanted = tick / axis.factor / rounding;
+    const auto above = std::lower_bound(speed.begin(), speed.end(), wanted);
+    if (above == speed.end()) break;
+    const auto k = static_cast<std::size_t>(above - speed.begin());
+    const double part = k == 0 ? 0.0 : (wanted - speed[k - 1]) / (speed[k] - speed[k - 1]);
+    scale.times.push_back(k == 0 ? time[0] : time[k - 1] + part * (time[k] - time[k - 1]));
+    scale.words.push_back(fmt::format("{:.6g}", tick));
+  }
+  return scale;
+}
+
+}  // namespace
 
 std::string shares_svg(const MachinePage& page) {
   const std::vector<OutcomeShare> lines = page.basin.outcomes_met();
-  constexpr double row = 34.0, left = 4.0, right = 330.0, thick = 12.0;
-  Svg svg(plot_width, row * static_cast<double>(lines.size()) + 6.0,
+  constexpr double row = 34.0, left = 4.0, right = 300.0, thick = 12.0;
+  Svg svg(right + 8.0, row * static_cast<double>(lines.size()) + 6.0,
           "Shares of starts by outcome, with their intervals");
   const auto place = [&](double share) { return left + share * (right - left); };
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const OutcomeShare& line = lines[k];
     const double top = row * static_cast<double>(k) + 17.0, middle = top + 0.5 * thick;
-    svg.text({left, top - 4.0}, line.name);
+    svg.text({left, top - 4.0}, reader_title(line, page.basin.study.scales.has_value()));
     svg.text({right, top - 4.0}, percent(line.share.share, line.share.count == 0 ? 0 : digits_for(line.share)),
              SvgAnchor::end);
     svg.rectangle({left, top}, right - left, thick, {"", "var(--rule)", 1.0, 0.45});
@@ -81,22 +132,43 @@ std::string distribution_svg(const MachinePage& page, const FigureDistribution& 
   return svg.str();
 }
 
-std::string displacement_svg(const MachinePage& page) {
+std::string run_words(const MachinePage& page, const ShownRun& run) {
+  const PageQuantities shown(page.basin.study);
+  std::string text = fmt::format("{}: peak {}; ", run_name(page, run), shown.text(run.peak, Dimension::length));
+  constexpr double seen = 0.005;  // of the picture's height
+  const std::string level = shown.text(run.at_end, Dimension::length);
+  if (run.of == RunOf::bare) return text + level + " at the end";
+  text += reader_title(run.outcome, page.basin.study.scales.has_value()) + " at the end";
+  return run.at_end > seen * highest_of(page) ? text + ", " + level : text;
+}
+
+bool run_up_tells_speed(const MachinePage& page) {
+  return page.basin.study.speed.profile == Profile::constant || !speed_scale(page).times.empty();
+}
+
+std::string run_up_svg(const MachinePage& page) {
   const Study& study = page.basin.study;
   const PageQuantities shown(study);
   const AxisExtent time = time_extent(page);
-  double highest = 0.0;
-  for (const ShownRun& run : page.runs)
-    highest = std::max(highest, *std::max_element(run.r_high.begin(), run.r_high.end()));
+  double highest = highest_of(page);
   const auto& limit = study.limits.displacement;
   constexpr double near_enough = 1.6;
   if (limit && *limit < near_enough * highest) highest = std::max(highest, *limit);
-  Svg svg(plot_width, plot_height, "Displacement over time of a typical start and of the worst");
-  SvgAxes axes(svg, top_left, bottom_right, time, {0.0, 1.1 * std::max(highest, 1e-12)},
+  const SpeedScale speed = speed_scale(page);
+  constexpr double width = 720.0, row = 16.0, plot = 160.0, below = 36.0;
+  const double top = row * static_cast<double>(page.runs.size()) + (speed.times.empty() ? 14.0 : 44.0);
+  Svg svg(width, top + plot + below, "Displacement of the rotor over time, with and without balls");
+  SvgAxes axes(svg, {52.0, top}, {width - 8.0, top + plot}, time, {0.0, 1.15 * std::max(highest, 1e-12)},
                shown.axis("time", time.high, Dimension::time), shown.axis("displacement", highest, Dimension::length));
-  for (std::size_t k = page.runs.size(); k-- > 0;) {  // the typical one on top
+  if (!speed.times.empty()) axes.scale_above(speed.times, speed.words, speed.label);
+  for (std::size_t k = page.runs.size(); k-- > 0;) {  // the worst below all others
     const ShownRun& run = page.runs[k];
-    axes.band(run.t, run.r_low, run.r_high, {run_colour(k), run_colour(k), 0.9, 0.75});
+    const char* colour = colour_of_run(run.of);
+    axes.band(run.t, run.r_low, run.r_high, {"", colour, 0.0, 0.22});
+    axes.line(run.t, run.r_high, {colour, "", run.of == RunOf::bare ? 2.0 : 1.4});
+    const double line = row * static_cast<double>(k) + 7.0;
+    svg.line({52.0, line}, {76.0, line}, {colour, "", run.of == RunOf::bare ? 2.6 : 2.0});
+    svg.text({83.0, line + 4.0}, run_words(page, run), SvgAnchor::start, {}, 12.0);
   }
   if (limit) axes.limit_across(*limit, "limit " + shown.text(*limit, Dimension::length));
   return svg.str();
@@ -112,12 +184,13 @@ std::string speed_svg(const MachinePage& page) {
   }
   const double room = 0.08 * std::max(speed.high - speed.low, 1e-12);
   speed = {speed.low < 0.0 ? speed.low - room : 0.0, speed.high > 0.0 ? speed.high + room : 0.0};
-  Svg svg(plot_width, plot_height, "Speed over time of a typical start and of the worst");
+  Svg svg(plot_width, plot_height, "Speed of the rotor over time");
   SvgAxes axes(svg, top_left, bottom_right, time, speed, shown.axis("time", time.high, Dimension::time),
                shown.axis("speed", std::max(speed.high, -speed.low), Dimension::speed));
   const std::size_t lines =
       page.basin.study.speed.driven() ? page.runs.size() : std::size_t{1};  // the same at a prescribed speed
-  for (std::size_t k = lines; k-- > 0;) axes.line(page.runs[k].t, page.runs[k].speed, {run_colour(k), "", 1.6});
+  for (std::size_t k = lines; k-- > 0;)
+    axes.line(page.runs[k].t, page.runs[k].speed, {colour_of_run(page.runs[k].of), "", 1.6});
   return svg.str();
 }
 

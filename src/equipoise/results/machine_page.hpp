@@ -22,6 +22,10 @@ struct GivenTable {
 struct GivenMachine {
   std::vector<GivenTable> given;
   Explanation explanation;
+  /// What the study does not state and what is then assumed, and which estimate matters most (explain/study_check.hpp);
+  /// empty without the study's text.
+  std::vector<std::string> assumed;
+  std::string matters_most;
 };
 
 /// A stretch of a motion at equally spaced times, dimensionless.
@@ -60,13 +64,22 @@ struct FigureDistribution {
   std::vector<Outcome> outcomes;  ///< as they are listed
 };
 
-/// One start followed again. Every entry covers a stretch of time; the next begins where it ends.
+/// Whose run is shown.
+enum class RunOf {
+  bare,              ///< the rotor without balls
+  median,            ///< the start with the median peak displacement
+  worst_in_hundred,  ///< the start whose peak only one in a hundred exceeds
+};
+
+/// One run followed again. Every entry covers a stretch of time; the next begins where it ends.
 struct ShownRun {
-  std::uint64_t index = 0;
-  int code = 0;
-  std::string outcome;
+  RunOf of = RunOf::median;
+  std::uint64_t index = 0;                      ///< of the start; of `bare`: whose rotor it is
+  int code = 0;                                 ///< not of `bare`
+  OutcomeShare outcome;                         ///< its name; not of `bare`
   double peak = 0.0;                            ///< displacement, as gathered in the ensemble
   double again = 0.0;                           ///< and as found here
+  double at_end = 0.0;                          ///< largest displacement in the last tenth of what is shown
   std::vector<double> t, r_low, r_high, speed;  ///< middle of the stretch; extremes of the displacement; mean psi'
 };
 
@@ -76,7 +89,7 @@ struct MachinePage : GivenMachine {
   std::size_t motions_left_out = 0;  ///< rarer ones
   std::uint64_t starts_drawn = 0;    ///< in `peaks`, and candidates for `runs`: the first ones
   std::vector<FigureDistribution> peaks;
-  std::vector<ShownRun> runs;  ///< the one with the median peak, then the one with the largest; fewer if stopped
+  std::vector<ShownRun> runs;  ///< in the order of RunOf; fewer if stopped, or if one start is both
 };
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// Computes an ensemble, its motions, the distribution of its peaks and two of its runs.
+// Computes an ensemble, its motions, the distribution of its peaks and three runs.
 #include "equipoise/shown/machine_page.hpp"
 
 #include <algorithm>
@@ -100,29 +100,46 @@ class PageMaker {
 
   MachinePage make() {
     name_outcomes();
-    if (starts_.starts == 0) return page_;
+    if (starts_.starts == 0) {
+      if (alone()) runs({});
+      return page_;
+    }
     distributions();
     tell("drawing the motions");
     motions();
-    tell("following the typical and the worst run");
-    page_.runs = shown_runs(page_.basin.study, starts_, typical_and_worst(starts_), options_.stop);
-    for (ShownRun& run : page_.runs) run.outcome = names_[run.code];
+    runs(median_and_worst(starts_));
     return page_;
   }
 
  private:
+  // Whether there are no balls, and one run tells all.
+  bool alone() const {
+    return page_.basin.study.parameters.balls == 0 && page_.basin.without_balls && page_.basin.without_balls->bare.one;
+  }
+
+  void runs(const std::vector<std::uint64_t>& indices) {
+    tell("following the rotor without balls, the typical run and the worst in a hundred");
+    page_.runs = shown_runs(page_.basin.study, starts_, indices, options_.stop);
+    for (ShownRun& run : page_.runs) {
+      if (run.of != RunOf::bare)
+        run.outcome = outcomes_[run.code];
+      else if (const auto& without = page_.basin.without_balls; without && without->bare.one && without->bare.runs > 0)
+        run.peak = without->bare.figures.figure(&TransientRow::peak_radial).largest;
+    }
+  }
+
   void tell(const char* what) const {
     if (options_.progress) options_.progress({0, 0, std::string("report: ") + what, {}, true});
   }
 
   void name_outcomes() {
-    for (const OutcomeShare& a : page_.basin.attractors) add_name(a.id, a.name);
+    for (const OutcomeShare& a : page_.basin.attractors) add_outcome(a);
     for (const OutcomeShare& o : page_.basin.others())
-      if (o.id == stalled_code || o.id == undecided_code) add_name(o.id, o.name);
+      if (o.id == stalled_code || o.id == undecided_code) add_outcome(o);
   }
-  void add_name(int code, const std::string& name) {
-    names_[code] = name;
-    listed_.push_back(code);
+  void add_outcome(const OutcomeShare& o) {
+    outcomes_[o.id] = o;
+    listed_.push_back(o.id);
   }
 
   void motions() {
@@ -193,7 +210,7 @@ class PageMaker {
     for (const int code : listed_)
       if (auto& of = counts[code]; !of.empty()) {
         for (double& share : of) share /= all;
-        d.outcomes.push_back({code, names_[code], std::move(of)});
+        d.outcomes.push_back({code, outcomes_[code].name, std::move(of)});
       }
     page_.peaks.push_back(std::move(d));
   }
@@ -202,7 +219,7 @@ class PageMaker {
   MachinePage page_;
   Catalogue catalogue_;
   StartArrays starts_;
-  std::map<int, std::string> names_;
+  std::map<int, OutcomeShare> outcomes_;
   std::vector<int> listed_;
 };
 

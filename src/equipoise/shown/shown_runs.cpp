@@ -1,12 +1,14 @@
-// Chooses two starts, follows them, and reduces each run to as many time stretches as a picture has pixels.
+// Chooses two starts, follows them and the bare rotor, and reduces each run to time stretches a pixel or two wide.
 #include "equipoise/shown/shown_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/ensembles/basin.hpp"
+#include "equipoise/spin_up/held_run.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
@@ -15,7 +17,7 @@ namespace equipoise {
 namespace {
 
 constexpr double run_tolerance = 1e-10;
-constexpr std::size_t stretches = 360;
+constexpr std::size_t stretches = 480;
 constexpr double longest_run = 20000.0;  // undecided starts have no end
 constexpr double most_looks = 60000.0;
 
@@ -70,12 +72,34 @@ ShownRun reduced(const Trajectory& run) {
         static_cast<double>(end - first));
     shown.again = std::max(shown.again, *high);
   }
+  const auto last_tenth = shown.r_high.end() - static_cast<std::ptrdiff_t>((shown.r_high.size() + 9) / 10);
+  shown.at_end = *std::max_element(last_tenth, shown.r_high.end());
   return shown;
+}
+
+// The study of one start, with what it draws.
+Study study_of_start(const Study& study, std::uint64_t index) {
+  if (study.parameters.balls == 0) return study;
+  Study one = study.uncertain.empty()
+                  ? study
+                  : drawn_study(study, drawn_values(study, sampler_of(study), study.sampling.seed, index));
+  one.initial = start_of(study, index);
+  return one;
+}
+
+Trajectory followed(Study study, double until, double step, const StopFlag* stop) {
+  study.numerics.tolerance = run_tolerance;
+  std::vector<double> times;
+  const auto count = static_cast<std::size_t>(std::ceil(until / step));
+  for (std::size_t k = 0; k <= count; ++k) times.push_back(static_cast<double>(k) * step);
+  RunOptions options;
+  options.stop = stop;
+  return simulate(study, times, options);
 }
 
 }  // namespace
 
-std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts) {
+std::vector<std::uint64_t> median_and_worst(const StartArrays& starts) {
   const std::vector<float>& peak = *starts.transient("peak_radial");
   std::vector<std::uint64_t> order;
   double all = 0.0;
@@ -87,44 +111,60 @@ std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts) {
   if (order.empty()) return {};
   std::sort(order.begin(), order.end(),
             [&](std::uint64_t a, std::uint64_t b) { return peak[a] != peak[b] ? peak[a] < peak[b] : a < b; });
-  double below = 0.0;
-  std::size_t middle = 0;
-  while (middle + 1 < order.size() && below + weight_of(starts, order[middle]) < 0.5 * all)
-    below += weight_of(starts, order[middle++]);
-  if (order[middle] == order.back()) return {order.back()};
-  return {order[middle], order.back()};
+  // As a summary tells quantiles (statistics/quantile.hpp).
+  const auto at = [&](double share) {
+    const double wanted = share * all * (1.0 - 1e-12);
+    double below = 0.0;
+    for (const std::uint64_t i : order)
+      if ((below += weight_of(starts, i)) >= wanted) return i;
+    return order.back();
+  };
+  const std::uint64_t median = at(0.5), worst = at(0.99);
+  return median == worst ? std::vector{median} : std::vector{median, worst};
 }
 
 Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop) {
-  const std::vector<double> drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
-  Study one = study.uncertain.empty() ? study : drawn_study(study, drawn);
-  one.initial = start_of(study, index);
-  one.numerics.tolerance = run_tolerance;
-  std::vector<double> times;
-  const auto count = static_cast<std::size_t>(std::ceil(until / step));
-  for (std::size_t k = 0; k <= count; ++k) times.push_back(static_cast<double>(k) * step);
-  RunOptions options;
-  options.stop = stop;
-  return simulate(one, times, options);
+  return followed(study_of_start(study, index), until, step, stop);
+}
+
+Trajectory bare_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop) {
+  Study one = study_of_start(study, index);
+  InitialState start = one.initial;
+  take_balls_off(one, start);
+  one.initial = start;
+  one.parameters.balls = 0;
+  return followed(std::move(one), until, step, stop);
 }
 
 std::vector<ShownRun> shown_runs(const Study& study, const StartArrays& starts,
                                  const std::vector<std::uint64_t>& indices, const StopFlag* stop) {
-  const std::vector<float>& followed = *starts.transient("followed_until");
+  const std::vector<float>& end_of = *starts.transient("followed_until");
   const std::vector<float>& peak = *starts.transient("peak_radial");
   const double begin = last_branch(study);
-  constexpr double least = 30.0, margin = 1.25;
+  constexpr double least = 30.0, margin = 1.25, longest_alone = 1000.0, longest_beside = 1.5;
   double until = std::max(least, 1.05 * begin);
   for (const std::uint64_t i : indices) {
-    const double end = std::clamp(static_cast<double>(followed[i]), until, begin + longest_run);
+    const double end = std::clamp(static_cast<double>(end_of[i]), until, begin + longest_run);
     until = std::max(until, std::min(end, margin * steady_from(start_run(study, i, end, look_step(study, end), stop))));
   }
+  // Whose rotor is shown without balls.
+  const std::uint64_t rotor = indices.empty() ? 0 : indices.front();
+  const double end = indices.empty() ? until + longest_alone : longest_beside * until;
+  until =
+      std::max(until, std::min(end, margin * steady_from(bare_run(study, rotor, end, look_step(study, end), stop))));
   std::vector<ShownRun> runs;
-  for (const std::uint64_t i : indices) {
-    const Trajectory run = start_run(study, i, until, look_step(study, until), stop);
-    if (run.stopped || run.t.size() < 2) continue;
+  const auto add = [&](const Trajectory& run, RunOf of, std::uint64_t index) {
+    if (run.stopped || run.t.size() < 2) return false;
     runs.push_back(reduced(run));
-    runs.back().index = i;
+    runs.back().of = of;
+    runs.back().index = index;
+    return true;
+  };
+  const double step = look_step(study, until);
+  if (add(bare_run(study, rotor, until, step, stop), RunOf::bare, rotor)) runs.back().peak = runs.back().again;
+  for (const std::uint64_t i : indices) {
+    const RunOf of = i == indices.front() ? RunOf::median : RunOf::worst_in_hundred;
+    if (!add(start_run(study, i, until, step, stop), of, i)) continue;
     runs.back().code = starts.outcome[i];
     runs.back().peak = peak[i];
   }

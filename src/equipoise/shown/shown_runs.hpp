@@ -1,4 +1,4 @@
-// Follows starts of an ensemble again, to show them over time.
+// Follows starts of an ensemble again, and the rotor without balls, to show them over time.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,21 @@
 
 namespace equipoise {
 
-/// Of the starts that were not lost: the one with the median peak displacement, then the one with the largest. One
-/// entry if they are the same, none without starts. Needs the columns of transients.
-std::vector<std::uint64_t> typical_and_worst(const StartArrays& starts);
+/// Of the starts that were not lost: the one with the median peak displacement, then the one with the peak that one in
+/// a hundred exceeds, both as TransientGroup::figures has them. One entry if they are the same, none without starts.
+/// Needs the columns of transients.
+std::vector<std::uint64_t> median_and_worst(const StartArrays& starts);
 
 /// Start `index` at times `step` apart until `until`.
 Trajectory start_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop);
 
-/// These starts over one stretch of time, until the last of them has come to its steady motion, as far as it was
-/// followed. Outcomes are left unnamed; runs that `stop` cut short are left out.
+/// The same rotor, with what that start draws, and no balls; from as far off its place of rest. The study may have
+/// none.
+Trajectory bare_run(const Study& study, std::uint64_t index, double until, double step, const StopFlag* stop);
+
+/// The rotor of the first of these starts without balls, then the starts, all over one stretch of time: until the last
+/// of them has come to its steady motion, as far as it was followed; the rotor without balls at most half as long
+/// again. Outcomes are left unnamed; runs that `stop` cut short are left out.
 std::vector<ShownRun> shown_runs(const Study& study, const StartArrays& starts,
                                  const std::vector<std::uint64_t>& indices, const StopFlag* stop);
 

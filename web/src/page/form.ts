@@ -61,7 +61,8 @@ export class Form {
     this.entries.clear();
     const groups = new Map<string, StudyField[]>();
     for (const field of check.fields) {
-      const group = field.key.split(".")[0]!;
+      const [table, entry] = field.key.split(".");
+      const group = table === "place" ? `Place ${entry}` : table!; // [[place]] is a list of tables
       groups.set(group, [...(groups.get(group) ?? []), field]);
     }
     const intro = h("p", { class: "quiet wholewidth" }, "Change anything; everything is computed again. ", this.reset);
