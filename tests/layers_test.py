@@ -73,7 +73,7 @@ ROOMS = {
         "running types units study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",
     "design":
-        "running drives types statistics units toml study kernels attractors balanced_regions columns results "
+        "running drives types statistics units toml datasheet study kernels attractors balanced_regions columns results "
         "result_files cell_files attractor_search start_runs ensembles sweeps",
     "trajectory": "running math drives model types mechanics integrate study results spin_up",
     "shown":

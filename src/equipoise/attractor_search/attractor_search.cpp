@@ -341,6 +341,7 @@ std::string attractor_search_subject(const Study& study) { return to_toml(at_fin
 
 std::string search_key(const std::string& subject, const AttractorSearchSettings& settings) {
   std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.warm_start);
+  if (settings.brief) key += "\nbrief";
   for (const WarmStartLevel& h : settings.warm_start_levels.levels)
     key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
   for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);

@@ -37,6 +37,8 @@ struct AttractorSearchSettings {
   /// warm_start_states are all that a neighbouring parameter has: a pilot of a quarter of the starts then looks for new
   /// motions. One that it misses is listed once a start comes to it, as always.
   bool warm_start = false;
+  /// For a first look: where a pilot start is dear, an eighth of the pilot.
+  bool brief = false;
   WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, with warm_start
   SearchLog* notes = nullptr;              ///< log of the steps of searches, or null
   std::string family{};                    ///< tells a family's notes from those of others

@@ -13,7 +13,8 @@ namespace {
 // One start in this many. A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if
 // two balls touch as if they pass each other, and fifty times if many do.
 std::size_t pilot_part(const model::System& system, const AttractorSearchSettings& settings) {
-  return is_dear(system) ? 16 : settings.warm_start || system.events().contact ? 4 : 1;
+  if (is_dear(system)) return settings.brief ? 128 : 16;
+  return settings.warm_start || system.events().contact ? 4 : 1;
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions&
   run.threads = thread_count(options.threads);
   run.stop = options_.stop;
   run.transients = false;
+  run.brief_search = true;
   Catalogue catalogue;
   basin(study, run, &catalogue, &warm_start_levels_);
   for (const Attractor& a : catalogue.attractors())
@@ -89,7 +90,8 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
     none.note = e.what();
     return none;
   }
-  if (!problem_.by_outcome() && study->uncertain.empty() && !balances(*study, met)) {
+  const bool hopeless_unbalanced = !problem_.by_outcome() || (problem_.requires_balance() && !study->speed.driven());
+  if (hopeless_unbalanced && study->uncertain.empty() && !balances(*study, met)) {
     if (stopped()) return std::nullopt;
     return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
   }
@@ -102,6 +104,7 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   run.without_balls = false;
   run.keep_starts = true;
   run.searches = &met.searches;
+  run.brief_search = wanted.seed == problem_.study().sampling.seed;  // the check gives every candidate a whole one
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
   for (const std::vector<double>& state : warm_start_states_)
     if (state.size() == dimension) run.warm_start_states.push_back(state);

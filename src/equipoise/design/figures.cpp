@@ -75,6 +75,37 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
   return source;
 }
 
+constexpr std::string_view limits_kept = "limits_kept";
+
+// "limits_kept", "limits_kept_at_end", "limits_kept_on_the_way"
+std::optional<FigureSource> limits_source(const std::string& name, const Study& study, std::string& problem) {
+  FigureSource source;
+  source.kind = FigureKind::limits_kept;
+  source.figure.up = source.figure.share = true;
+  bool known = name == limits_kept;
+  for (const Within part : {Within::at_end, Within::on_the_way})
+    if (name == fmt::format("{}_{}", limits_kept, within_names[static_cast<std::size_t>(part)])) {
+      source.within = part;
+      known = true;
+    }
+  if (!known) return std::nullopt;
+  const bool some = std::any_of(transient_limits.begin(), transient_limits.end(), [&](const TransientLimit& l) {
+    return study.limits.*l.limit && (source.within != Within::on_the_way || !l.at_end);
+  });
+  if (some || (source.within != Within::on_the_way && study.limits.settled)) return source;
+  problem = source.within == Within::on_the_way ? "needs limits.displacement, force or clearance; must be stated in the study"
+                                                : "needs [limits]; must be stated in the study";
+  return std::nullopt;
+}
+
+// Of all limits where no limit is on the other part: those on the way or at the end alone.
+const std::optional<Share>& share_within(const TransientGroup& all, Within part) {
+  const auto of = [&](Within w) -> const std::optional<Share>& { return all.within[static_cast<std::size_t>(w)]; };
+  return part != Within::both || of(Within::both) ? of(part)
+         : of(Within::at_end)                     ? of(Within::at_end)
+                                                  : of(Within::on_the_way);
+}
+
 std::optional<FigureSource> plain_source(const std::string& name, const Study& study) {
   FigureSource source;
   source.figure.up = source.figure.share = name == "balanced" || name == "passed";
@@ -102,7 +133,7 @@ std::optional<FigureSource> variable_source(const std::string& name, const std::
   source.figure.up = name.front() != '-';
   source.key = source.figure.up ? name : name.substr(1);
   const auto at = std::find_if(variables.begin(), variables.end(),
-                               [&](const DesignVariable& v) { return v.key == source.key && !v.spin_up; });
+                               [&](const DesignVariable& v) { return v.key == source.key && !v.spin_up && v.prefix.empty(); });
   if (at == variables.end()) return std::nullopt;
   source.figure.unit = at->unit;
   return source;
@@ -184,12 +215,13 @@ double unit_in_study(const Study& study, std::optional<Dimension> dimension) {
 std::optional<FigureSource> figure_source(const std::string& name, const Study& study,
                                           const std::vector<DesignVariable>& variables, std::string& problem) {
   std::optional<FigureSource> source = plain_source(name, study);
-  if (!source) source = quantile_source(name, study, variables, problem);
+  if (!source) source = limits_source(name, study, problem);
+  if (!source && problem.empty()) source = quantile_source(name, study, variables, problem);
   if (!source && problem.empty() && !name.empty()) source = variable_source(name, variables);
   if (!source) {
     if (problem.empty())
       problem = fmt::format(
-          "must be balanced{}, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or a key of "
+          "must be balanced{}, limits_kept, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or a key of "
           "[design.vary], with - before it if less is better",
           study.speed.driven() ? ", passed" : ", spin_up_time, acceleration", column_names());
     return std::nullopt;
@@ -203,6 +235,10 @@ std::optional<FigureSource> figure_source(const std::string& name, const Study& 
 DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResult& basin, const Study& candidate,
                        const std::vector<DesignSetting>& settings) {
   const auto estimate = [](const Share& s) { return DesignEstimate{s.share, s.low, s.high}; };
+  const auto kept = [&](Within part) {  // undecided starts may still come to it, or lose it
+    const Share share = share_within(basin.transients->groups.front(), part).value_or(Share{});
+    return DesignEstimate{share.share, share.least, share.most};
+  };
   DesignSample sample;
   sample.starts = basin.starts;
   sample.undecided = estimate(basin.undecided);
@@ -213,6 +249,8 @@ DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResu
       sample.figures.push_back(estimate(basin.attractors.front().share));
     else if (source.kind == FigureKind::passed)
       sample.figures.push_back(estimate(basin.passed.value_or(Share{})));
+    else if (source.kind == FigureKind::limits_kept)
+      sample.figures.push_back(kept(source.within));
     else if (source.kind == FigureKind::transient)
       sample.figures.push_back(scaled(transient_quantile(source, *basin.every_start), unit));
     else if (source.kind == FigureKind::time_to_balance)
@@ -228,8 +266,10 @@ DesignSample sample_without_balance(const std::vector<FigureSource>& sources, st
   DesignSample sample;
   sample.starts = starts;
   sample.note = "no balanced state attracts";
-  for (const FigureSource& source : sources)
-    sample.figures.push_back(certain(source.kind == FigureKind::balanced ? 0.0 : stated(source, candidate, settings)));
+  for (const FigureSource& source : sources) {
+    const bool endless = source.kind == FigureKind::transient || source.kind == FigureKind::time_to_balance;
+    sample.figures.push_back(certain(source.figure.share ? 0.0 : endless ? no_end : stated(source, candidate, settings)));
+  }
   return sample;
 }
 

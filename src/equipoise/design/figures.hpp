@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/results/design_result.hpp"
 #include "equipoise/units/units.hpp"
@@ -13,13 +14,14 @@
 namespace equipoise {
 
 /// A name as people write it, taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and
-/// "COLUMN.Q" (the Q-quantile over starts of a column of transient_figures), "ball_mass", "spin_up_time" and
+/// "limits_kept", "limits_kept_at_end", "limits_kept_on_the_way" (shares of starts that keep all of [limits]), "COLUMN.Q" (the Q-quantile over starts of a column of transient_figures), "ball_mass", "spin_up_time" and
 /// "acceleration" of the prescribed speed (less is better), or a number that is varied: "-balancer.mass" if less of it
 /// is better, "balancer.mass" if more is.
 struct FigureSource {
-  enum class Kind { balanced, passed, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
+  enum class Kind { balanced, passed, limits_kept, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
   Kind kind = Kind::balanced;
-  std::size_t column = 0;  ///< of transient_figures
+  std::size_t column = 0;         ///< of transient_figures
+  Within within = Within::both;   ///< of limits_kept
   double quantile = 0.0;
   std::string key;  ///< of the variable
   /// Its value in the original study, in the variable's unit; NaN: unknown.
@@ -28,7 +30,8 @@ struct FigureSource {
   DesignFigure figure;
 
   /// Whether starts must be followed where no balanced state attracts.
-  bool by_outcome() const { return kind == Kind::transient || kind == Kind::time_to_balance || kind == Kind::passed; }
+  bool by_outcome() const { return needs_transients() || kind == Kind::time_to_balance || kind == Kind::passed; }
+  bool needs_transients() const { return kind == Kind::transient || kind == Kind::limits_kept; }
 };
 
 /// If the name is invalid, `problem` says why: "must be ...".
@@ -43,7 +46,7 @@ double unit_in_study(const Study& study, std::optional<study::Dimension> dimensi
 /// A sample of `basin`, which ran with keep_starts. `candidate`: its study.
 DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResult& basin, const Study& candidate,
                        const std::vector<DesignSetting>& settings);
-/// A sample where no balanced state attracts, for figures that need nothing else.
+/// A sample where no balanced state attracts. Of figures for which starts have to be followed, the worst value.
 DesignSample sample_without_balance(const std::vector<FigureSource>& sources, std::uint64_t starts,
                                     const Study& candidate, const std::vector<DesignSetting>& settings);
 

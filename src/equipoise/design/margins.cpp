@@ -22,9 +22,18 @@ struct Movable {
   DesignMargin margin;
   bool logarithmic = false, whole = false;
   std::vector<StudyValue> choices;
+  std::vector<double> numbers;
   std::size_t setting = 0;
   const char* member = nullptr;  // for a spin-up: times or speeds
   std::size_t entry = 0;
+
+  bool ordered() const { return choices.empty() || !numbers.empty(); }
+  StudyValue moved_value(double part) const {
+    if (numbers.empty()) return value_of(moved(part), margin.unit, whole);
+    const std::size_t here = nearest_allowed(numbers, margin.value), to = nearest_allowed(numbers, moved(part));
+    return choices[part > 0.0 ? std::max(to, std::min(here + 1, numbers.size() - 1))
+                              : std::min(to, here > 0 ? here - 1 : 0)];
+  }
 
   // The number changed by a part of the range; unchanged if that leads out of the range.
   double moved(double part) const {
@@ -48,14 +57,14 @@ void add_points(const DesignVariable& v, std::size_t setting, const StudyValue& 
   const auto last = times.size() - 1;
   for (std::size_t k = 1; k <= last; ++k) {
     const auto time = [&](std::size_t place) { return number_of(times[place]); };
-    Movable t{{}, false, false, {}, setting, "times", k};
+    Movable t{{}, false, false, {}, {}, setting, "times", k};
     t.margin.key = fmt::format("{}.times[{}]", v.key, k);
     t.margin.unit = v.spin_up->time_unit;
     t.margin.low = time(k) - 0.9 * (time(k) - time(k - 1));
     t.margin.high = k < last ? time(k) + 0.9 * (time(k + 1) - time(k)) : v.spin_up->until;
     if (t.margin.high > t.margin.low) movables.push_back(t);
     if (k == last) break;
-    Movable s{{}, false, false, {}, setting, "speeds", k};
+    Movable s{{}, false, false, {}, {}, setting, "speeds", k};
     s.margin.key = fmt::format("{}.speeds[{}]", v.key, k);
     s.margin.unit = v.unit;
     s.margin.low = v.low;
@@ -72,14 +81,15 @@ std::vector<Movable> movables_of(const DesignProblem& problem, const DesignCandi
       add_points(v, k, chosen.settings[k].value, movables);
       continue;
     }
-    Movable m{{}, v.logarithmic, v.whole, v.choices, k, nullptr, 0};
+    Movable m{{}, v.logarithmic, v.whole, v.choices, v.numbers, k, nullptr, 0};
+    m.margin.prefix = v.prefix;
     m.margin.key = v.key;
     m.margin.unit = v.unit;
     m.margin.low = v.low;
     m.margin.high = v.high;
     movables.push_back(m);
   }
-  for (Movable& m : movables) m.margin.value = number_of(value_in(chosen, m));
+  for (Movable& m : movables) m.margin.value = allowed_number(m.choices, m.numbers, value_in(chosen, m));
   return movables;
 }
 
@@ -89,10 +99,12 @@ std::vector<StudyValue> values_around(const Movable& m, const StudyValue& chosen
     const auto same = [&](const StudyValue& other) { return text_of(other) == text_of(value); };
     if (!same(chosen) && std::none_of(values.begin(), values.end(), same)) values.push_back(value);
   };
-  for (const StudyValue& choice : m.choices) add(choice);
-  if (m.choices.empty())
+  if (m.ordered()) {
     for (const double part : margin_parts)
-      for (const double side : {-part, part}) add(value_of(m.moved(side), m.margin.unit, m.whole));
+      for (const double side : {-part, part}) add(m.moved_value(side));
+  } else {
+    for (const StudyValue& choice : m.choices) add(choice);
+  }
   return values;
 }
 
@@ -136,8 +148,14 @@ class MarginJudge {
     for (const DesignPoint& p : m.points)
       if (ordered && p.value > m.value && m.fails_above.empty()) step(p, m.keeps_to, m.fails_above);
     const std::size_t first = problem_.objectives().front();
+    double below = m.low, above = m.high;  // the nearest that were tried
+    for (const DesignPoint& p : m.points) {
+      if (p.value < m.value) below = std::max(below, p.value);
+      if (p.value > m.value) above = std::min(above, p.value);
+    }
     for (const DesignPoint& p : m.points)
-      if (!p.sample.figures.empty() && (!ordered || near(m, p.value)))
+      if (!p.sample.figures.empty() &&
+          (!ordered || near(m, p.value) || p.value == below || p.value == above))
         m.effect = std::max(m.effect, change(p.sample.figures[first].value, chosen_.figures[first].value));
   }
 
@@ -173,9 +191,9 @@ std::vector<DesignMargin> design_margins(const DesignProblem& problem, const Des
     for (const StudyValue& value : values) wanted.push_back({settings_with(chosen, m, value), starts, seed});
     const std::vector<DesignSample> samples = ensembles.run(wanted);
     for (std::size_t k = 0; k < values.size(); ++k)
-      m.margin.points.push_back({number_of(values[k]), text_of(values[k]), samples[k]});
+      m.margin.points.push_back({allowed_number(m.choices, m.numbers, values[k]), text_of(values[k]), samples[k]});
     m.margin.here = here;
-    judge.judge(m.margin, m.choices.empty());
+    judge.judge(m.margin, m.ordered());
     margins.push_back(std::move(m.margin));
   }
   std::stable_sort(margins.begin(), margins.end(),
@@ -206,13 +224,13 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
   }
   for (std::size_t k = 0; k < problem.variables().size(); ++k) {
     const DesignVariable& v = problem.variables()[k];
-    if (v.spin_up || !v.choices.empty()) continue;
-    const double value = number_of(chosen.settings[k].value);
+    if (v.spin_up || (!v.choices.empty() && v.numbers.empty())) continue;
+    const double value = allowed_number(v.choices, v.numbers, chosen.settings[k].value);
     const double part =
         v.logarithmic ? std::log(value / v.low) / std::log(v.high / v.low) : (value - v.low) / (v.high - v.low);
     if (part <= at_end || part >= 1.0 - at_end)
-      words.push_back(fmt::format("{} is at the {} end of its range: {:.4g}{}", v.key,
-                                  part <= at_end ? "lower" : "upper", value, v.unit.empty() ? "" : " " + v.unit));
+      words.push_back(fmt::format("{} is at the {} end of its range: {}{:.4g}{}", v.key,
+                                  part <= at_end ? "lower" : "upper", v.prefix, value, v.unit.empty() ? "" : " " + v.unit));
   }
   return words;
 }

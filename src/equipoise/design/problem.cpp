@@ -124,6 +124,7 @@ StudyValue value_at(const DesignVariable& v, std::span<const double> at) {
   const auto place = [&](std::size_t n) {
     return std::min(n - 1, static_cast<std::size_t>(fraction * static_cast<double>(n)));
   };
+  if (!v.numbers.empty()) return v.choices[nearest_allowed(v.numbers, from_fraction(v, fraction))];
   if (!v.choices.empty()) return v.choices[place(v.choices.size())];
   if (v.whole)
     return value_of(v.low + static_cast<double>(place(static_cast<std::size_t>(v.high - v.low) + 1)), "", true);
@@ -196,11 +197,17 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
 
 bool DesignProblem::transients() const {
   return std::any_of(figures_.begin(), figures_.end(),
-                     [](const FigureSource& f) { return f.kind == FigureSource::Kind::transient; });
+                     [](const FigureSource& f) { return f.needs_transients(); });
 }
 
 bool DesignProblem::by_outcome() const {
   return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.by_outcome(); });
+}
+
+bool DesignProblem::requires_balance() const {
+  return std::any_of(limits_.begin(), limits_.end(), [&](const DesignLimit& l) {
+    return figures_[l.figure].kind == FigureSource::Kind::balanced && l.above && *l.above > 0.0;
+  });
 }
 
 std::vector<DesignSetting> DesignProblem::settings_at(std::span<const double> at) const {
@@ -236,7 +243,8 @@ void DesignProblem::check_candidates() const {
       const StudyValue value = value_at(v, at);
       check_one({{v.key, value}}, v.key, text_of(value));
     }
-    for (const StudyValue& choice : v.choices) check_one({{v.key, choice}}, v.key, text_of(choice));
+    if (v.numbers.empty())
+      for (const StudyValue& choice : v.choices) check_one({{v.key, choice}}, v.key, text_of(choice));
   }
 }
 

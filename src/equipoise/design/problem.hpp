@@ -32,6 +32,8 @@ class DesignProblem {
   /// Whether figures need statistics of transients, or starts followed where no balanced state attracts.
   bool transients() const;
   bool by_outcome() const;
+  /// Whether a candidate without a balanced state misses a requirement, whatever else it does.
+  bool requires_balance() const;
 
   /// Coordinates of a candidate, each from 0 to 1.
   std::size_t dimensions() const { return dimensions_; }

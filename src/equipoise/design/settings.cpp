@@ -1,6 +1,7 @@
 // Trees, numbers and texts of settings.
 #include "equipoise/design/settings.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -58,6 +59,20 @@ StudyValue value_of(double number, const std::string& unit, bool whole) {
   if (!unit.empty()) return digits + " " + unit;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
+}
+
+std::size_t nearest_allowed(const std::vector<double>& allowed, double number) {
+  const auto above = std::lower_bound(allowed.begin(), allowed.end(), number);
+  if (above == allowed.begin()) return 0;
+  const auto k = static_cast<std::size_t>(above - allowed.begin());
+  return above == allowed.end() || number - allowed[k - 1] <= *above - number ? k - 1 : k;
+}
+
+double allowed_number(const std::vector<StudyValue>& choices, const std::vector<double>& numbers,
+                      const StudyValue& value) {
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (text_of(choices[k]) == text_of(value)) return numbers[k];
+  return number_of(value);
 }
 
 std::string text_of(const StudyValue& value) {

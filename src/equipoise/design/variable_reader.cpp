@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/datasheet/oils.hpp"
+#include "equipoise/datasheet/stock_balls.hpp"
 #include "equipoise/design/problem.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/drives/spin_up_shape.hpp"
@@ -22,7 +24,8 @@ namespace {
 using study::Dimension;
 
 constexpr const char* forms =
-    "must be [low, high], { range = [low, high], scale = \"log\" }, { choices = [..] }, or for \"speed\" "
+    "must be [low, high], { range = [low, high], scale = \"log\", digits = 2 }, { range = [low, high], step = STEP }, "
+    "{ choices = [..] }, { stock = [low, high] }, or for \"speed\" "
     "{ points = 2, until = 500.0, range = [0.0, 3.0], slope = 0.05 }; keys of a study stand in quotes";
 
 // Properties of a machine; how starts are drawn or decided is not the designer's choice.
@@ -56,6 +59,100 @@ void read_choices(const DesignEntry& entry, const StudyValue& written, DesignVar
     variable.choices.push_back(choice);
   }
   variable.unit = unit_of_value(variable.choices.front());
+}
+
+// Only these values may be chosen.
+void allow(const DesignEntry& entry, DesignVariable& variable, const std::vector<double>& numbers) {
+  if (numbers.size() < 2) entry.fail("leaves fewer than two values to choose from; must have a wider range");
+  variable.numbers = numbers;
+  for (const double n : numbers)
+    variable.choices.push_back(variable.prefix.empty() ? value_of(n, variable.unit)
+                                                       : StudyValue(fmt::format("{}{:.6g}", variable.prefix, n)));
+  variable.low = numbers.front();
+  variable.high = numbers.back();
+}
+
+constexpr double most_allowed = 10'000.0;
+constexpr double rounded = 1e-9;  // relative: multiples of a step are rounded
+
+std::vector<double> multiples(const DesignEntry& entry, double step, double low, double high) {
+  if (!(step > 0.0) || (high - low) / step > most_allowed)
+    entry.fail(fmt::format("step must be greater than 0 and leave {:.0f} values at most", most_allowed));
+  std::vector<double> numbers;
+  for (double k = std::ceil(low / step - rounded); k * step <= high + rounded * step; ++k) numbers.push_back(k * step);
+  return numbers;
+}
+
+// Numbers with so many digits; of a range from 0 those above a thousandth of its end.
+std::vector<double> of_digits(const DesignEntry& entry, double digits, double low, double high) {
+  if (!(digits >= 1.0 && digits <= 3.0 && std::floor(digits) == digits)) entry.fail("digits must be 1, 2 or 3");
+  if (low < 0.0) entry.fail("must begin at 0 or above where digits are given");
+  std::vector<double> numbers;
+  if (low == 0.0) numbers.push_back(0.0);
+  const double from = low > 0.0 ? low : 1e-3 * high;
+  for (double decade = std::floor(std::log10(from) + rounded); decade <= std::log10(high); ++decade) {
+    const double step = std::pow(10.0, decade - digits + 1.0);
+    for (double k = std::pow(10.0, digits - 1.0); k < std::pow(10.0, digits) - 0.5; ++k)
+      if (k * step >= from * (1.0 - rounded) && k * step <= high * (1.0 + rounded)) numbers.push_back(k * step);
+  }
+  if (static_cast<double>(numbers.size()) > most_allowed) entry.fail("has too many values with so many digits");
+  return numbers;
+}
+
+double in_mm(const DesignEntry& entry, const StudyValue& written) {
+  const std::string* text = written.string();
+  const study::Measured length = study::measure(text ? *text : "", {Dimension::length});
+  if (!text || !length.problem.empty()) entry.fail("stock must have two lengths, such as [\"6 mm\", \"12 mm\"]");
+  return 1e3 * length.value;
+}
+
+double oil_class(const DesignEntry& entry, const StudyValue& written) {
+  constexpr std::string_view name = "ISO VG ";
+  if (const std::string* text = written.string(); text && text->starts_with(name))
+    for (const double middle : model::iso_viscosity_grades)
+      if (fmt::format("{}{:.0f}", name, middle) == *text) return middle;
+  entry.fail("stock must have two classes of ISO 3448, such as [\"ISO VG 10\", \"ISO VG 220\"]");
+}
+
+// Stock sizes of steel balls, or classes of oil, from the first to the second.
+void read_stock(const DesignEntry& entry, const StudyValue& written, const Study& study, DesignVariable& variable) {
+  const bool balls = variable.key == "balancer.ball_diameter", oils = variable.key == "balancer.oil.grade";
+  if (!balls && !oils) entry.fail("stock is of \"balancer.ball_diameter\" and \"balancer.oil.grade\"");
+  if (!study.scales) entry.fail("stock is of studies in physical units");
+  const StudyValue::Array* ends = written.array();
+  if (!ends || ends->size() != 2) entry.fail("stock must have two ends, [low, high]");
+  if (oils && entry.stated("balancer.oil.viscosity_100"))
+    entry.fail("needs a study without balancer.oil.viscosity_100, which is of one grade");
+  const auto number = [&](const StudyValue& end) { return balls ? in_mm(entry, end) : oil_class(entry, end); };
+  const double low = number((*ends)[0]) * (1.0 - rounded), high = number((*ends)[1]) * (1.0 + rounded);
+  std::vector<double> numbers;
+  const auto add = [&](double n) {
+    if (n >= low && n <= high) numbers.push_back(n);
+  };
+  if (balls)
+    for (const double size : model::stock_ball_diameters) add(size);
+  else
+    for (const double middle : model::iso_viscosity_grades) add(middle < 10.0 ? std::round(middle) : middle);
+  if (numbers.size() < 2 && balls)
+    entry.fail(fmt::format("leaves fewer than two stock sizes, which are from {} to {} mm; others go into choices",
+                           model::stock_ball_diameters.front(), model::stock_ball_diameters.back()));
+  if (balls) variable.unit = "mm";
+  if (oils) variable.prefix = "ISO VG ";
+  variable.logarithmic = oils;
+  allow(entry, variable, numbers);
+}
+
+void read_rounding(const DesignEntry& entry, DesignVariable& variable) {
+  const bool steps = entry.value().find("step"), digits = entry.value().find("digits");
+  if (!steps && !digits) return;
+  if (steps && digits) entry.fail("must give either step or digits");
+  if (variable.whole) entry.fail("is of whole numbers anyway; step and digits are of others");
+  const WrittenNumber written = entry.need(steps ? "step" : "digits", steps ? "a number" : "1, 2 or 3");
+  if (written.unit != (steps ? variable.unit : ""))
+    entry.fail(steps ? fmt::format("step must have the unit of the range, \"{}\"", variable.unit)
+                     : "digits must be 1, 2 or 3");
+  allow(entry, variable, steps ? multiples(entry, written.value, variable.low, variable.high)
+                               : of_digits(entry, written.value, variable.low, variable.high));
 }
 
 // One of the unit as a dimensionless number.
@@ -178,14 +275,18 @@ DesignVariable read_variable(const DesignEntry& entry, const Study& study) {
   } else if (const StudyValue* choices = value.find("choices")) {
     entry.allow_only({"choices"});
     read_choices(entry, *choices, variable);
+  } else if (const StudyValue* stock = value.find("stock")) {
+    entry.allow_only({"stock"});
+    read_stock(entry, *stock, study, variable);
   } else if (const StudyValue* range = value.find("range")) {
-    entry.allow_only({"range", "scale"});
+    entry.allow_only({"range", "scale", "step", "digits"});
     read_range(entry, *range, variable);
     const StudyValue* scale = value.find("scale");
     const std::string* word = scale ? scale->string() : nullptr;
     if (scale && (!word || (*word != "log" && *word != "linear"))) entry.fail("scale must be \"log\" or \"linear\"");
     variable.logarithmic = word && *word == "log";
     if (variable.logarithmic && !(variable.low > 0.0)) entry.fail("must begin above 0 where the scale is \"log\"");
+    read_rounding(entry, variable);
   } else {
     entry.fail(forms);
   }

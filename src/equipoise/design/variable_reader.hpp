@@ -27,6 +27,8 @@ class DesignEntry {
   [[noreturn]] void fail(const std::string& problem) const;
   /// For a table: fails for a member that is none of these.
   void allow_only(std::initializer_list<std::string_view> members) const;
+  /// A value of the study itself; null if it states none.
+  const StudyValue* stated(std::string_view path) const { return document_.root.find_path(path); }
   std::optional<WrittenNumber> number(const StudyValue& written) const;
   /// For a table: the member, which must be a number of this kind.
   WrittenNumber need(std::string_view member, const char* wanted) const;

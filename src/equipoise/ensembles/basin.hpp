@@ -50,6 +50,7 @@ struct BasinOptions : RunOptions {
   std::vector<std::vector<double>> warm_start_states;
   bool warm_start = false;  ///< these states are all of a neighbouring study: a shorter search
   const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of its trapping regions, or null
+  bool brief_search = false;  ///< for a first look: a smaller pilot where its starts are dear (AttractorSearchSettings)
   int search_threads = 0;                              ///< for the attractor search; 0: as `threads`
   /// The helpers for starts sampled by this method (ensembles/chunks.hpp), or null. Asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;

@@ -43,6 +43,7 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
           .cache = searches,
           .progress = options.progress,
           .warm_start = options.warm_start,
+          .brief = options.brief_search,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
           .notes = options.notes};
 }

@@ -21,6 +21,8 @@ struct DesignVariable {
   double low = 0.0, high = 0.0;
   bool logarithmic = false, whole = false;
   std::vector<StudyValue> choices;     ///< if these are the only values allowed
+  std::vector<double> numbers;         ///< of the choices, ascending, from low to high; empty: they have no order
+  std::string prefix;                  ///< of a number's words: "ISO VG " of 46
   std::optional<SpinUpShape> spin_up;  ///< `unit`, `low` and `high` are of its speeds
 };
 
@@ -73,7 +75,7 @@ struct DesignPoint {
 };
 struct DesignMargin {
   std::string key;  ///< "balancer.drag", "speed.speeds[1]": the second point
-  std::string unit;
+  std::string unit, prefix;                   ///< as of DesignVariable
   double value = 0.0, low = 0.0, high = 0.0;  ///< the chosen value; the range examined
   std::vector<DesignPoint> points;            ///< by value, without the chosen one
   DesignSample here;                          ///< the chosen one, with as many starts as these
