@@ -96,7 +96,7 @@ TextStyle& asked_style() {
 
 void add_no_changes(CLI::App& app, bool& no_changes) {
   app.add_flag("--no-changes", no_changes,
-               "do not try changes of a balancer that does not do (up to eleven, 200 starts each)");
+               "do not try changes of a balancer that does not do (up to eight, 100 starts each)");
 }
 
 void add_text_style(CLI::App& app) {
