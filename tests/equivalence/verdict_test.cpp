@@ -4,11 +4,13 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "../support/studies.hpp"
 #include "../support/study_difference.hpp"
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/changes/try_changes.hpp"
 #include "equipoise/decision/plain_names.hpp"
@@ -131,7 +133,7 @@ TEST(Verdict, TellsTheBestChangeThatWasTried) {
                                  {"twice the drag", r.study, 200, Decision::change, wilson_share(180, 200), {}, {}}};
   EXPECT_TRUE(holds(verdict_of(r, tried)->change, "None of 2 changes tried is enough; best is twice the drag: 90.0 %"));
   tried.push_back({"6 balls", r.study, 200, Decision::fit, wilson_share(200, 200), {}, {}});
-  EXPECT_TRUE(verdict_of(r, tried)->change.starts_with("With 6 balls: 100.0 % (above 98.12 %) of 200 starts keep"));
+  EXPECT_TRUE(verdict_of(r, tried)->change.starts_with("With 6 balls: 100.00 % (above 98.12 %) of 200 starts keep"));
 }
 
 TEST(BasinText, KeepsToEightyColumns) {
@@ -162,10 +164,9 @@ TEST(Changes, AreWhatTheirWordsSay) {
   expect("balls of 10 mm", {"balancer.ball_diameter=10 mm"});
   expect("balls of 6 mm", {"balancer.ball_diameter=6 mm"});
   expect("a run-up in half the time", {"speed.run_up=2 s"});
-  const double latch = 0.5 * (std::sqrt(2.0) + study.speed.final);
-  expect("a latch that holds the balls until " +
-             std::to_string(latch * study.scales->frequency * 30 / M_PI).substr(0, 6) + " rpm",
-         {"release={speed='" + std::to_string(latch * study.scales->frequency) + " rad/s'}"});
+  const double latch = 0.5 * (std::sqrt(2.0) + study.speed.final) * study.scales->frequency;
+  expect(fmt::format("a latch that holds the balls until {:.5g} rpm", latch * 30.0 / pi),
+         {fmt::format("release={{speed='{} rad/s'}}", latch)});
 }
 
 TEST(Changes, LeaveUncertainRotorsAlone) {

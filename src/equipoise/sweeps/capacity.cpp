@@ -305,9 +305,9 @@ StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxi
     for (const SweepParameter& parameter : axis.parameters)
       if (about_unbalance(parameter.key)) return source;
   for (const char* key : {"eccentricity", "balance_grade"}) rotor->erase(key);
-  tree.erase("place");
   rotor->set("unbalance", study::quantity_text(study.parameters.eccentricity * study.scales->unbalance(),
                                                study::Dimension::unbalance));
+  tree.erase("place");
   return {to_toml(tree), source.name, {}};
 }
 
