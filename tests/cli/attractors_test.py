@@ -58,7 +58,7 @@ speed = "1250 rpm"
 """
         path = self.file("light.toml", study)
         (motion,) = answer("attractors", path, "--starts", "50")["attractors"]
-        text = run("attractors", path, "--starts", "50", "--quiet").stdout
+        text = run("attractors", path, "--starts", "50", "--quiet", "--wide").stdout
         self.assertEqual((motion["name"], motion["kind"], motion["stable"]), ("balanced", "measured", True))
         self.assertEqual(motion["radial"], {"min": None, "mean": None, "max": None})
         self.assertIn("starts come to it, by windows of time", text)

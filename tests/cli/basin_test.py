@@ -153,7 +153,7 @@ class Basin(Case):
             self.assertTrue(figure["mean_low"] < figure["mean"] < figure["mean_high"] < figure["largest"], name)
         self.assertNotIn("settling_time", everything["figures"])  # no limit to settle below
         self.assertLess(everything["figures"]["rms_force"]["mean"], everything["figures"]["peak_force"]["mean"])
-        text = run(*common, "--transients").stdout
+        text = run(*common, "--transients", "--wide", "--details", "--no-changes").stdout
         for word in ("peak displacement", "peak bearing force", "RMS velocity at the end", "all outcomes, 1000 starts"):
             self.assertIn(word, text)
         one = dict(line.split(" = ") for line in run("basin", ROW, "--transients", "--start-index", "5").stdout.splitlines()[1:])
@@ -175,7 +175,7 @@ class Basin(Case):
         self.assertLess(found["starts"], 20000)
 
     def test_half_width_chooses_the_cheaper_way_and_says_so(self):
-        text = run("basin", ROW, "--half-width", "0.004", "--quiet").stdout
+        text = run("basin", ROW, "--half-width", "0.004", "--quiet", "--wide").stdout
         self.assertRegex(text, r"Sampling: scrambled Sobol, 16 x \d[\d ]* starts; random starts would have needed about 57 \d00\.")
         found = answer("basin", ROW, "--half-width", "0.004")
         self.assertEqual(found["study"]["sampling"]["method"], "sobol")

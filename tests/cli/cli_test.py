@@ -17,7 +17,7 @@ from program import DRIVE, GRINDER, ROW, STUDIES, WASHER, Case, answer, run, tex
 
 class Explain(Case):
     def test_shows_a_machine_in_both_forms(self):
-        done = run("explain", WASHER)
+        done = run("explain", WASHER, "--wide")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for words in ("40 kg", "1200 rpm", "critical speed", "can balance           yes", "ISO 21940-11"):
             self.assertIn(words, done.stdout)

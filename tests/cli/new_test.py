@@ -30,7 +30,7 @@ class NewStudies(unittest.TestCase):
             path = self.written(machine)
             with open(path, encoding="ascii") as file:
                 self.assertEqual(file.read(), run("new", machine).stdout)
-            lines = run("check", path).stdout.splitlines()
+            lines = run("check", path, "--wide").stdout.splitlines()
             self.assertEqual([line.split(":")[0] for line in lines],
                              ["Machine", "Unbalance", "Balls", "Assumed", "Matters most"], machine)
             self.assertIn("up to", lines[2], machine)  # the balls can cancel what there is
