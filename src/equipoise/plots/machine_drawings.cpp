@@ -50,8 +50,19 @@ std::string run_name(const MachinePage& page, const ShownRun& run) {
   return all ? "with balls" : "typical start, half peak lower";
 }
 
-// Rotor speeds in round numbers, and when the runs come to them; empty where the speed is not prescribed, constant or
-// falls.
+// Whether all runs turn alike, to what can be seen of it: a motor may feel what shakes.
+bool turn_alike(const std::vector<ShownRun>& runs) {
+  constexpr double seen = 0.01;
+  const std::vector<double>& first = runs.front().speed;
+  const double most = std::fabs(
+      *std::max_element(first.begin(), first.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+  return std::all_of(runs.begin(), runs.end(), [&](const ShownRun& run) {
+    return std::equal(first.begin(), first.end(), run.speed.begin(), run.speed.end(),
+                      [&](double a, double b) { return std::fabs(a - b) <= seen * most; });
+  });
+}
+
+// Rotor speeds in round numbers, and when all runs come to them; empty where the speed is constant, falls or differs.
 struct SpeedScale {
   std::vector<double> times;
   std::vector<std::string> words;
@@ -59,7 +70,7 @@ struct SpeedScale {
 };
 SpeedScale speed_scale(const MachinePage& page) {
   const Study& study = page.basin.study;
-  if (page.runs.empty() || study.speed.driven() || study.speed.profile == Profile::constant) return {};
+  if (page.runs.empty() || study.speed.profile == Profile::constant || !turn_alike(page.runs)) return {};
   std::vector<double> speed = page.runs.front().speed;
   const std::vector<double>& time = page.runs.front().t;
   for (double& s : speed) s = std::fabs(s);
