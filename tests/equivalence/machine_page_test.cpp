@@ -167,9 +167,11 @@ TEST(MachinePage, BeginsWithTheVerdictInItsTone) {
   const MachinePage& page = paper_page();
   const auto verdict = verdict_of(page.basin);
   ASSERT_TRUE(verdict);
-  ASSERT_EQ(verdict->decision, Decision::change);
+  ASSERT_EQ(verdict->decision, Decision::do_not_fit);
+  EXPECT_EQ(tone_of(Decision::fit), Tone::good);
+  EXPECT_EQ(tone_of(Decision::caution), Tone::open);
   const std::string html = machine_html(page);
-  const std::size_t box = html.find("<div class=\"notice open\">\n<p>" + verdict->words);
+  const std::size_t box = html.find("<div class=\"notice bad\">\n<p>" + verdict->words);
   ASSERT_NE(box, html.npos);
   EXPECT_LT(box, html.find("<p class=\"lead\">"));
   EXPECT_EQ(html.find("<h2>"), html.find("<h2>", box));

@@ -102,7 +102,7 @@ TEST(GivenKeys, HaveEveryPlace) {
   const auto tables = given_tables(machine + place + place, "m.toml", {"place.2.mass=\"30 g\""});
   ASSERT_EQ(tables.size(), 6u);
   EXPECT_EQ(tables[1].name, "place 1");
-  EXPECT_EQ(tables[1].keys[0], (std::array<std::string, 2>{"name", "laundry"}));
+  EXPECT_EQ(tables[1].keys[2], (std::array<std::string, 2>{"name", "laundry"}));
   EXPECT_EQ(tables[2].name, "place 2");
   EXPECT_EQ(tables[2].keys[1], (std::array<std::string, 2>{"mass", "30 g"}));
   EXPECT_EQ(tables[3].name, "balancer");
