@@ -12,9 +12,11 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
+#include "equipoise/plots/drawings.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/shown/motion_path.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace {
@@ -108,16 +110,112 @@ TEST(MachinePage, CountsEveryStartOfADistributionOnce) {
 
 TEST(MachinePage, RunsHaveThePeaksThatWereGathered) {
   const MachinePage& page = paper_page();
-  ASSERT_EQ(page.runs.size(), 2u);
+  ASSERT_EQ(page.runs.size(), 3u);
+  EXPECT_EQ(page.runs[0].of, RunOf::bare);
+  EXPECT_EQ(page.runs[1].of, RunOf::median);
+  EXPECT_EQ(page.runs[2].of, RunOf::worst_in_hundred);
   const SampleSummary& peak = page.basin.transients->groups[0].figures[0];
-  EXPECT_FLOAT_EQ(static_cast<float>(page.runs[1].peak), static_cast<float>(peak.largest));
-  EXPECT_NEAR(page.runs[0].peak, peak.quantiles[0].value, 0.002);  // the other of the two in the middle
+  EXPECT_FLOAT_EQ(static_cast<float>(page.runs[1].peak), static_cast<float>(peak.quantiles[0].value));
+  EXPECT_FLOAT_EQ(static_cast<float>(page.runs[2].peak), static_cast<float>(peak.quantiles[2].value));
+  EXPECT_EQ(page.runs[0].peak, page.basin.without_balls->bare.figures.figure(&TransientRow::peak_radial).largest);
+  // The rotor without balls comes to the amplitude of the textbook.
+  EXPECT_NEAR(page.runs[0].at_end, 0.01 * 5.76 / std::hypot(1.0 - 5.76, 1.2), 1e-5);
   for (const ShownRun& run : page.runs) {
     EXPECT_NEAR(run.again, run.peak, 0.02 * run.peak);  // sixteen samples per turn
     EXPECT_EQ(run.t.size(), run.r_high.size());
     EXPECT_GT(run.t.back(), 25.0);
     EXPECT_NEAR(run.speed.front(), 2.4, 1e-12);
   }
+}
+
+TEST(MachinePage, ShowsTheRotorWithoutBallsAsAStudyWithoutThemHasIt) {
+  Study study = parse_study(with(ramp_machine, "10 s", "2 s"), "machine.toml");
+  study.sampling.starts = 40;
+  const MachinePage page = machine_page(study, given_machine(study));
+  ASSERT_EQ(page.runs.size(), 3u);
+  const ShownRun& bare = page.runs[0];
+  Study alone = study;
+  alone.parameters.balls = 0;
+  std::vector<double> times;
+  for (double t = 0.0; t < bare.t.back(); t += 0.02) times.push_back(t);
+  const Trajectory run = simulate(alone, times);
+  const double peak = *std::max_element(run.radial.begin(), run.radial.end());
+  EXPECT_NEAR(bare.peak, peak, 1e-4 * peak);
+  EXPECT_NEAR(bare.again, peak, 0.02 * peak);
+  EXPECT_NEAR(bare.at_end, run.radial.back(), 1e-3 * peak);
+  // Fewer than a hundred starts have no worst in a hundred.
+  EXPECT_TRUE(run_words(page, page.runs[2]).starts_with("worst of 40 starts: peak "));
+  EXPECT_TRUE(run_words(page, bare).starts_with("without balls: peak "));
+  EXPECT_TRUE(run_words(paper_page(), paper_page().runs[2]).starts_with("worst in a hundred: peak "));
+  EXPECT_TRUE(run_words(paper_page(), paper_page().runs[1]).starts_with("typical start, half peak lower: peak "));
+  // The speed stands above the picture where there is one for all, and it changes.
+  EXPECT_TRUE(holds(run_up_svg(page), ">speed, rpm<"));
+  EXPECT_FALSE(holds(run_up_svg(paper_page()), ">speed"));
+  EXPECT_TRUE(run_up_tells_speed(page));
+  Study slower = study;  // comes down again
+  slower.speed.profile = Profile::points;
+  slower.speed.times = {0.0, 100.0, 150.0};
+  slower.speed.speeds = {0.0, 5.0, 4.0};
+  const MachinePage down = machine_page(slower, given_machine(slower));
+  EXPECT_FALSE(holds(run_up_svg(down), ">speed"));
+  EXPECT_FALSE(run_up_tells_speed(down));
+  EXPECT_TRUE(holds(machine_html(down), "Speed over time"));
+  EXPECT_FALSE(holds(machine_html(page), "Speed over time"));
+}
+
+TEST(MachinePage, BeginsWithTheVerdictInItsTone) {
+  const MachinePage& page = paper_page();
+  const auto verdict = verdict_of(page.basin);
+  ASSERT_TRUE(verdict);
+  ASSERT_EQ(verdict->decision, Decision::do_not_fit);
+  EXPECT_EQ(tone_of(Decision::fit), Tone::good);
+  EXPECT_EQ(tone_of(Decision::caution), Tone::open);
+  const std::string html = machine_html(page);
+  const std::size_t box = html.find("<div class=\"notice bad\">\n<p>" + verdict->words);
+  ASSERT_NE(box, html.npos);
+  EXPECT_LT(box, html.find("<p class=\"lead\">"));
+  EXPECT_EQ(html.find("<h2>"), html.find("<h2>", box));
+  EXPECT_TRUE(holds(html, "<span>because</span> "));
+  // Changes stand in it if they were tried.
+  EXPECT_FALSE(holds(html, "What to change"));
+  const std::vector<TriedChange> tried{
+      {"twice the drag", page.basin.study, 200, Decision::fit, wilson_share(200, 200), {}, {}}};
+  const std::string changed = machine_html(page, tried);
+  EXPECT_LT(changed.find("<h2>What to change</h2>"), changed.find("<h2>How it shakes</h2>"));
+  EXPECT_TRUE(holds(changed, "<td class=\"label good\">twice the drag</td>"));
+  EXPECT_TRUE(holds(changed, ">as it is<"));
+  // There is none for too few starts.
+  Study few = page.basin.study;
+  few.sampling.starts = 3;
+  EXPECT_FALSE(holds(machine_html(machine_page(few, given_machine(few))), "class=\"notice"));
+}
+
+TEST(MachinePage, SaysWhatTheStudyLeavesOpen) {
+  const std::string text =
+      with(ramp_machine, "\"0.2 mm\"", "{ uniform = [\"0.1 mm\", \"0.2 mm\"] }") + "[sampling]\nstarts = 8\n";
+  const Study study = parse_study(text, "machine.toml");
+  const std::string html = machine_html(machine_page(study, given_machine(text, "machine.toml", {})));
+  for (const char* words : {"<h2>What was assumed</h2>", "<li>balls free from t = 0</li>", "What matters most: "})
+    EXPECT_TRUE(holds(html, words)) << words;
+  EXPECT_FALSE(holds(html, "at their medians"));  // its starts draw them
+  // Without the study's text nobody knows.
+  EXPECT_FALSE(holds(machine_html(machine_page(study, given_machine(study))), "What was assumed"));
+}
+
+TEST(MachinePage, TellsLimitsAndStandardsWhereTheyAreStated) {
+  const std::string text = constant_machine + "[sampling]\nstarts = 20\n";
+  const auto page = [](const std::string& toml) {
+    const Study study = parse_study(toml, "machine.toml");
+    return machine_html(machine_page(study, given_machine(study)));
+  };
+  const std::string plain = page(text), limited = page(text + "[limits]\ndisplacement = \"1 mm\"\n"),
+                    held = page(text + "[standards]\nhand_held = true\n");
+  EXPECT_TRUE(holds(plain, "<h2>Standards</h2>"));
+  EXPECT_FALSE(holds(plain, "hand-arm vibration"));
+  EXPECT_TRUE(holds(limited, "<h2>Limits and standards</h2>"));
+  EXPECT_TRUE(holds(limited, "never over a limit on the way"));
+  EXPECT_TRUE(holds(held, "<th>hand-arm vibration</th>"));
+  EXPECT_TRUE(holds(machine_html(paper_page()), "<h2>Limits</h2>"));  // no standard speaks of a study without units
 }
 
 TEST(MachinePage, SpeaksAMachinesUnitsAndKeepsToThem) {

@@ -136,6 +136,48 @@ TEST(Verdict, TellsTheBestChangeThatWasTried) {
   EXPECT_TRUE(verdict_of(r, tried)->change.starts_with("With 6 balls: 100.00 % (above 98.12 %) of 200 starts keep"));
 }
 
+TEST(Verdict, ChangesAreATableWithTheBestFirst) {
+  const BasinResult& r = ensemble(true);
+  EXPECT_TRUE(changes_table(r, {}).rows.empty());
+  std::vector<TriedChange> tried;
+  for (std::uint64_t k = 1; k <= 10; ++k)
+    tried.push_back({"change " + std::to_string(k),
+                     r.study,
+                     200,
+                     k == 7 ? Decision::fit : Decision::change,
+                     wilson_share(10 * k, 200),
+                     {},
+                     {0.1 * static_cast<double>(k), 0.0, 0.0}});
+  const DocumentTable table = changes_table(r, tried);
+  ASSERT_EQ(table.rows.size(), 9u);  // eight, and the balancer as it is
+  EXPECT_EQ(table.rows[0][0].text, "change 7");
+  EXPECT_EQ(table.rows[0][0].tone, Tone::good);
+  EXPECT_EQ(table.rows[0][1].text, "35.0 % (28.7 to 41.8)");
+  EXPECT_EQ(table.rows[0][2].text, "42");  // 0.7 of 60 mm
+  EXPECT_EQ(table.rows[1][0].text, "change 10");
+  EXPECT_EQ(table.rows[1][0].tone, Tone::plain);
+  EXPECT_EQ(table.rows[8][0].text, "as it is");
+  EXPECT_EQ(table.header[1], "keep every limit");
+  EXPECT_TRUE(table.caption.starts_with("Of 10 changes tried, each on 200 starts, best first."));
+  tried.resize(2);
+  EXPECT_TRUE(changes_table(r, tried).caption.starts_with("2 changes tried"));
+  EXPECT_EQ(changes_table(ensemble(false), tried).header[1], "RMS velocity at the end, mm/s");
+}
+
+TEST(Changes, AreAskedForByVerdictsOfNoUse) {
+  BasinResult stopped = ensemble(true);
+  stopped.partial = true;
+  EXPECT_TRUE(changes_asked_for(stopped).empty());
+  EXPECT_TRUE(changes_asked_for(with_numbers(true, {.kept = 1000})).empty());
+  EXPECT_TRUE(changes_asked_for(with_numbers(true, {.kept = 955})).empty());  // not judged yet
+  // Others are tried: the first report of it ends that here.
+  struct Asked {};
+  RunOptions options;
+  options.progress = [](const Progress&) { throw Asked(); };
+  EXPECT_THROW(changes_asked_for(with_numbers(true, {.kept = 900}), options), Asked);
+  EXPECT_THROW(changes_asked_for(with_numbers(true, {.kept = 1000, .peak = 1.2}), options), Asked);
+}
+
 TEST(BasinText, KeepsToEightyColumns) {
   for (const bool limited : {false, true}) {
     std::istringstream lines(basin_text(ensemble(limited), TextStyle{}));

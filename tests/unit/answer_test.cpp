@@ -11,6 +11,7 @@
 #include "equipoise/html/given_keys.hpp"
 #include "equipoise/plots/quantities.hpp"
 #include "equipoise/shown/shown_runs.hpp"
+#include "equipoise/statistics/quantile.hpp"
 
 namespace equipoise {
 namespace {
@@ -95,20 +96,45 @@ TEST(GivenKeys, AreThoseOfTheTextInItsUnits) {
   EXPECT_TRUE(mass);
 }
 
-TEST(Runs, TypicalHasTheMedianPeakAndWorstTheLargest) {
+TEST(GivenKeys, HaveEveryPlace) {
+  const std::string place =
+      "[[place]]\nname = \"laundry\"\nmass = \"24 g\"\nradius = \"100 mm\"\nangle = \"90 degree\"\n";
+  const auto tables = given_tables(machine + place + place, "m.toml", {"place.2.mass=\"30 g\""});
+  ASSERT_EQ(tables.size(), 6u);
+  EXPECT_EQ(tables[1].name, "place 1");
+  EXPECT_EQ(tables[1].keys[2], (std::array<std::string, 2>{"name", "laundry"}));
+  EXPECT_EQ(tables[2].name, "place 2");
+  EXPECT_EQ(tables[2].keys[1], (std::array<std::string, 2>{"mass", "30 g"}));
+  EXPECT_EQ(tables[3].name, "balancer");
+}
+
+TEST(Runs, AreAtTheQuantilesThatSummariesTell) {
   StartArrays starts;
   const float lost = std::numeric_limits<float>::quiet_NaN();
   std::vector<float>& peak = starts.transients[0];
   peak = {0.3f, 0.1f, lost, 0.5f, 0.2f, 0.4f};
-  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{0, 3}));
+  EXPECT_EQ(median_and_worst(starts), (std::vector<std::uint64_t>{0, 3}));
   // On a grid a start may stand for several cells.
   starts.weight = {1.0, 1.0, 1.0, 1.0, 1.0, 9.0};
-  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{5, 3}));
+  EXPECT_EQ(median_and_worst(starts), (std::vector<std::uint64_t>{5, 3}));
   starts.weight.clear();
   peak = {0.3f};
-  EXPECT_EQ(typical_and_worst(starts), (std::vector<std::uint64_t>{0}));
+  EXPECT_EQ(median_and_worst(starts), (std::vector<std::uint64_t>{0}));
   peak = {lost};
-  EXPECT_TRUE(typical_and_worst(starts).empty());
+  EXPECT_TRUE(median_and_worst(starts).empty());
+  // Of a thousand different peaks, 500 are at most that of the typical start, and ten are above that of the worst.
+  Distribution all;
+  peak.clear();
+  for (int k = 0; k < 1000; ++k) {
+    peak.push_back(0.001f * static_cast<float>((k * 377) % 1000));
+    all.add(peak.back());
+  }
+  const auto chosen = median_and_worst(starts);
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(peak[chosen[0]], 0.001f * 499.0f);
+  EXPECT_EQ(peak[chosen[1]], 0.001f * 989.0f);
+  EXPECT_EQ(peak[chosen[0]], static_cast<float>(all.summary().quantiles[0].value));
+  EXPECT_EQ(peak[chosen[1]], static_cast<float>(all.summary().quantiles[2].value));
 }
 
 TEST(Svg, WritesOutWhatIsNoMarkupAndPlacesDataInItsFrame) {
@@ -118,6 +144,12 @@ TEST(Svg, WritesOutWhatIsNoMarkupAndPlacesDataInItsFrame) {
   const SvgPoint middle = axes.at(1.0, 2.0);
   EXPECT_DOUBLE_EQ(middle.x, 50.0);
   EXPECT_DOUBLE_EQ(middle.y, 45.0);
+  // A scale above the frame leaves out words that would touch the one before, and those outside.
+  Svg above(100.0, 100.0, "scale");
+  SvgAxes scaled(above, {10.0, 30.0}, {90.0, 80.0}, {0.0, 2.0}, {0.0, 4.0}, {"x", 1.0}, {"y", 1.0});
+  scaled.scale_above({0.0, 0.1, 1.0, 3.0}, {"a1", "a2", "a3", "a4"}, "above");
+  for (const char* words : {">a1<", ">a3<", ">above<"}) EXPECT_TRUE(holds(above.str(), words)) << words;
+  for (const char* words : {">a2<", ">a4<"}) EXPECT_FALSE(holds(above.str(), words)) << words;
   const auto ticks = round_ticks({0.0, 0.95}, 4);
   ASSERT_EQ(ticks.size(), 2u);  // a quarter is 0.24: the next round step is 0.5
   EXPECT_DOUBLE_EQ(ticks[1], 0.5);

@@ -54,6 +54,23 @@ TEST(Form, ShowsQuantitiesWithTheirUnits) {
   EXPECT_EQ(speed->unit, "rpm");
 }
 
+TEST(Form, HasAFieldForEveryKeyOfAPlace) {
+  const std::string bare = with(machine, "eccentricity = \"0.2 mm\"\n", "");
+  const std::string place = "[[place]]\nmass = \"24 g\"\nradius = \"100 mm\"\nangle = \"90 degree\"\n";
+  const std::vector<FormField> form = form_of(bare + place + place, "machine");
+  const FormField* mass = find(form, "place.2.mass");
+  ASSERT_TRUE(mass);
+  EXPECT_EQ(mass->label, "mass");
+  EXPECT_EQ(mass->value, "24");
+  EXPECT_EQ(mass->unit, "g");
+  EXPECT_TRUE(mass->given);
+  EXPECT_FALSE(find(form, "place.3.mass"));
+  // The resultant is no unbalance of the rotor's own: stated as that, it would count twice.
+  EXPECT_FALSE(find(form, "rotor.unbalance"));
+  EXPECT_FALSE(find(form, "rotor.eccentricity"));
+  EXPECT_EQ(find(form_of(machine + place, "machine"), "rotor.eccentricity")->value, "0.2");
+}
+
 // A study's echo omits angles that nobody chose; the form offers those in effect.
 TEST(Form, OffersTheAnglesWhereBallsStart) {
   const std::vector<FormField> form = form_of(constant_speed, "rotor");

@@ -19,11 +19,11 @@ std::string motion_svg(const MachinePage& page, const DrawnMotion& motion);
 std::string distribution_svg(const MachinePage& page, const FigureDistribution& distribution);
 
 /// The page's main picture: the displacement of every shown run against time, with the limit if there is one and a
-/// legend in words; above it the speed, where that is prescribed and does not fall.
+/// legend in words; above it the speed, where that is the same in all runs and never falls.
 std::string run_up_svg(const MachinePage& page);
 /// Whether run_up_svg() says how fast the rotor turns when: it need not at a constant speed.
 bool run_up_tells_speed(const MachinePage& page);
-/// The speed of every shown run of a driven rotor against time; of any other one line.
+/// The speed of the shown runs against time; one line where it is prescribed.
 std::string speed_svg(const MachinePage& page);
 
 /// "typical start, half peak lower: peak 26.5 mm; balanced at the end", "without balls: peak 10.6 mm; 2.58 mm at the

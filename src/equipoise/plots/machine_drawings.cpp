@@ -50,8 +50,19 @@ std::string run_name(const MachinePage& page, const ShownRun& run) {
   return all ? "with balls" : "typical start, half peak lower";
 }
 
-// Rotor speeds in round numbers, and when the runs come to them; empty where the speed is not prescribed, constant or
-// falls.
+// Whether all runs turn alike, to what can be seen of it: a motor may feel what shakes.
+bool turn_alike(const std::vector<ShownRun>& runs) {
+  constexpr double seen = 0.01;
+  const std::vector<double>& first = runs.front().speed;
+  const double most = std::fabs(
+      *std::max_element(first.begin(), first.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+  return std::all_of(runs.begin(), runs.end(), [&](const ShownRun& run) {
+    return std::equal(first.begin(), first.end(), run.speed.begin(), run.speed.end(),
+                      [&](double a, double b) { return std::fabs(a - b) <= seen * most; });
+  });
+}
+
+// Rotor speeds in round numbers, and when all runs come to them; empty where the speed is constant, falls or differs.
 struct SpeedScale {
   std::vector<double> times;
   std::vector<std::string> words;
@@ -59,11 +70,16 @@ struct SpeedScale {
 };
 SpeedScale speed_scale(const MachinePage& page) {
   const Study& study = page.basin.study;
-  if (page.runs.empty() || study.speed.driven() || study.speed.profile == Profile::constant) return {};
+  if (page.runs.empty() || study.speed.profile == Profile::constant || !turn_alike(page.runs)) return {};
   std::vector<double> speed = page.runs.front().speed;
   const std::vector<double>& time = page.runs.front().t;
   for (double& s : speed) s = std::fabs(s);
-  if (!std::is_sorted(speed.begin(), speed.end()) || !(speed.back() > speed.front())) return {};
+  if (!(speed.back() > speed.front())) return {};
+  for (std::size_t k = 1; k < speed.size(); ++k) {
+    constexpr double rounded = 1e-9;  // means over stretches of one speed
+    if (speed[k] < speed[k - 1] - rounded * speed.back()) return {};
+    speed[k] = std::max(speed[k], speed[k - 1]);
+  }
   const AxisWords axis = PageQuantities(study).axis("speed", speed.back(), Dimension::speed);
   SpeedScale scale{{}, {}, axis.label};
   constexpr int ticks = 6;
