@@ -57,7 +57,7 @@ foreach(header
     changes/try_changes.hpp
     reports/attractors_report.hpp reports/basin_report.hpp reports/branches_report.hpp reports/capacity_report.hpp
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
-      reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
+      design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
     plots/map_plot.hpp plots/sweep_plot.hpp
     explain/explain.hpp explain/study_check.hpp
     html/answer.hpp html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp

@@ -81,8 +81,9 @@ ROOMS = {
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
     "decision": "statistics standards units study columns results drawing text",
+    "design_words": "model study results drawing text",
     "changes": "running model study ensembles decision text",
-    "reports": "model mechanics proof units study results drawing text decision",
+    "reports": "model mechanics proof units study results drawing text decision design_words",
     "plots": "units study echo results drawing text decision reports",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "

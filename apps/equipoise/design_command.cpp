@@ -58,6 +58,7 @@ int run_design(const DesignArguments& a) {
   });
   if (!problem) return bad_input;
   if (!team.leads()) return team.follow(design_survey(*problem, options), options.threads, options.stop);
+  options.search_time_over = half_of_the_time();
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
@@ -81,10 +82,13 @@ int run_design(const DesignArguments& a) {
 
 Command add_design(CLI::App& app) {
   const auto a = std::make_shared<DesignArguments>();
-  app.add_option("study", a->study, "study file (TOML) with a [design]")->required()->type_name("STUDY");
+  app.add_option("study", a->study, "study file (TOML); without a [design] one is proposed and taken")
+      ->required()
+      ->type_name("STUDY");
   app.add_option("--best", a->best, "write the chosen design as a study that every other command takes")
       ->type_name("FILE.toml");
-  app.add_option("--trajectories", a->trajectories, "budget (default: design.trajectories, else 2000000)")
+  app.add_option("--trajectories", a->trajectories,
+                 "budget (default: design.trajectories, else 2000000; a proposed [design] states its own)")
       ->type_name("N");
   app.add_option("--seed", a->seed, "seed of the starts, which are the same for all candidates")->type_name("S");
   app.add_option("-o,--output", a->output,

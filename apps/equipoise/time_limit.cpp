@@ -1,6 +1,7 @@
 // One deadline per run of the program.
 #include "time_limit.hpp"
 
+#include <atomic>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace {
 
 struct Time {
   std::string given;
-  bool half_used = false;
+  std::atomic<bool> half_used{false};  // asked from several threads
   std::optional<Deadline> deadline;
 };
 

@@ -3,6 +3,7 @@
 
     design_test.py PROGRAM STUDIES
 """
+import json
 import os
 import sys
 import unittest
@@ -90,10 +91,34 @@ class Design(Case):
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("No candidate keeps all requirements: spin_up_time must be below 30 and is at best", done.stdout)
 
+    def test_study_without_a_design_gets_one_that_can_be_pasted(self):
+        small = ["--trajectories", "2000", "--set", "design.method=latin", "--quiet"]
+        told = answer("design", ROW, *small)
+        proposed = told["proposed_design"]
+        self.assertIn('"balancer.balls"', proposed)
+        pasted = answer("design", self.file("pasted.toml", text_of(ROW) + proposed), *small)
+        self.assertIsNone(pasted["proposed_design"])
+        self.assertEqual(pasted["chosen"], told["chosen"])
+        self.assertIn("balls", told["chosen"]["things"])
+        text = run("design", ROW, *small).stdout
+        self.assertEqual([line[:9] for line in text.splitlines() if line[:7] in ("verdict", "because", "margins")],
+                         ["verdict  ", "because  ", "margins  "])
+        self.assertTrue(text.startswith("verdict  "))
+        self.assertIn("proposed [design]:", text)
+
+    def test_within_leaves_time_to_check_the_best(self):
+        done = run("design", self.study(), "--within", "4s", "--set", "design.trajectories=100_000_000", "--json", "--quiet")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        told = json.loads(done.stdout)
+        self.assertTrue(told["partial"] and told["chosen"]["held_out"])
+        self.assertEqual(told["before"]["starts"], told["chosen"]["starts"])
+        self.assertTrue(told["verdict"]["words"].startswith("PARTIAL: "))
+        self.assertIn("not worked out", told["verdict"]["margins"])
+
     def test_designs_of_the_examples_are_problems(self):
         # A budget too small for any work is the only reason for refusing them.
         for name in sorted(os.listdir(os.path.join(STUDIES, "examples"))):
-            done = run("design", os.path.join(STUDIES, "examples", name), "--trajectories", "1000", "--set", "limits.settled=5 um")
+            done = run("design", os.path.join(STUDIES, "examples", name), "--trajectories", "1001", "--set", "design.starts=1000", "--set", "limits.settled=5 um")
             self.assertEqual(done.returncode, 2, name)
             self.assertIn("design.trajectories", done.stderr, name)
 

@@ -1,6 +1,9 @@
 // [design] read and refused; spin-ups within their limits; the ranking of candidates.
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +12,10 @@
 #include "../support/studies.hpp"
 #include "equipoise/base/random.hpp"
 #include "equipoise/design/problem.hpp"
+#include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/design/standing.hpp"
+#include "equipoise/design_words/design_words.hpp"
 #include "equipoise/drives/spin_up_shape.hpp"
 
 namespace equipoise {
@@ -52,8 +57,7 @@ TEST(DesignProblem, IsRefusedInTheWordsOfTheSnapshot) {
   EXPECT_EQ(refusal_text([&] { problem_of(mass + energy); }), "");  // at constant speed inertia has no effect
   const std::string drawn = with(vary, "= 0.01", "= { uniform = [0.005, 0.02] }");
   expect_said("design_refusals.txt",
-              {{"constant", constant_speed},
-               {"design", plain_design},
+              {{"design", plain_design},
                {"design.vary", vary},
                {"design.vary of drawn values", drawn},
                {"design of the mass", mass},
@@ -117,6 +121,161 @@ TEST(DesignProblem, ChoicesWholeNumbersAndScalesAreReached) {
   EXPECT_EQ(at({0.0, 0.0, 0.0}), "balancer.balls = 2; balancer.drag = 0.01; balancer.mass = 0.03");
   EXPECT_EQ(at({0.5, 0.5, 0.6}), "balancer.balls = 3; balancer.drag = 0.1; balancer.mass = 0.05");
   EXPECT_EQ(at({1.0, 1.0, 1.0}), "balancer.balls = 4; balancer.drag = 1.0; balancer.mass = 0.05");
+}
+
+const std::string oiled = R"([rotor]
+mass = "10 kg"
+stiffness = "100 kN/m"
+damping_ratio = 0.1
+eccentricity = "0.1 mm"
+[balancer]
+balls = 3
+race_radius = "50 mm"
+ball_diameter = "10 mm"
+ball_material = "steel"
+oil = { grade = "ISO VG 32", at = "40 degC" }
+[speed]
+profile = "constant"
+speed = "3000 rpm"
+)";
+const std::string oiled_design = oiled + "[design]\nmethod = \"random\"\nobjective = [\"balanced\"]\n[design.vary]\n";
+
+TEST(DesignProblem, OnlyAllowedValuesAreReached) {
+  const DesignProblem problem = problem_of(oiled_design +
+                                           "\"balancer.ball_diameter\" = { stock = [\"9 mm\", \"13 mm\"] }\n"
+                                           "\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 100\"] }\n"
+                                           "\"release.time\" = { range = [\"0 s\", \"2 s\"], step = \"0.5 s\" }\n"
+                                           "\"rotor.damping_ratio\" = { range = [0.095, 0.3], digits = 2 }\n");
+  std::vector<std::vector<std::string>> choices;
+  for (const DesignVariable& v : problem.variables()) {
+    choices.emplace_back();
+    for (const StudyValue& choice : v.choices) choices.back().push_back(text_of(choice));
+  }
+  // Variables are by key.
+  std::map<std::string, std::vector<std::string>> of;
+  for (std::size_t k = 0; k < choices.size(); ++k) of[problem.variables()[k].key] = choices[k];
+  EXPECT_EQ(of["balancer.ball_diameter"],
+            (std::vector<std::string>{"\"9.525 mm\"", "\"10 mm\"", "\"10.3187 mm\"", "\"11.1125 mm\"", "\"11.9062 mm\"",
+                                      "\"12 mm\"", "\"12.7 mm\""}));
+  EXPECT_EQ(of["balancer.oil.grade"],
+            (std::vector<std::string>{"\"ISO VG 10\"", "\"ISO VG 15\"", "\"ISO VG 22\"", "\"ISO VG 32\"",
+                                      "\"ISO VG 46\"", "\"ISO VG 68\"", "\"ISO VG 100\""}));
+  EXPECT_EQ(of["release.time"], (std::vector<std::string>{"\"0 s\"", "\"0.5 s\"", "\"1 s\"", "\"1.5 s\"", "\"2 s\""}));
+  EXPECT_EQ(of["rotor.damping_ratio"].front(), "0.095");
+  EXPECT_EQ(of["rotor.damping_ratio"][5], "0.1");
+  EXPECT_EQ(of["rotor.damping_ratio"][6], "0.11");
+  EXPECT_EQ(of["rotor.damping_ratio"].back(), "0.3");
+  RandomStream draws(3);
+  for (int n = 0; n < 200; ++n) {
+    std::vector<double> at(problem.dimensions());
+    for (double& x : at) x = draws.uniform();
+    for (const DesignSetting& s : problem.settings_at(at))
+      EXPECT_NE(std::find(of[s.key].begin(), of[s.key].end(), text_of(s.value)), of[s.key].end()) << text_of(s.value);
+  }
+}
+
+TEST(DesignProblem, WhatCannotBeAllowedIsRefused) {
+  const auto said = [](const std::string& line) {
+    return refusal_text([&] { problem_of(oiled_design + line + "\n"); });
+  };
+  for (const auto& [line, words] : std::map<std::string, std::string>{
+           {"\"balancer.ball_diameter\" = { stock = [\"26 mm\", \"40 mm\"] }", "stock sizes"},
+           {"\"balancer.ball_diameter\" = { stock = [\"9 mm\"] }", "two ends"},
+           {"\"balancer.oil.grade\" = { stock = [\"VG 10\", \"VG 33\"] }", "ISO 3448"},
+           {"\"rotor.mass\" = { stock = [\"9 kg\", \"12 kg\"] }", "stock is of"},
+           {"\"release.time\" = { range = [\"0 s\", \"2 s\"], step = \"5 ms\" }", "unit of the range"},
+           {"\"release.time\" = { range = [\"0 s\", \"2 s\"], step = \"0.00001 s\" }", "10000 values"},
+           {"\"rotor.damping_ratio\" = { range = [0.1, 0.2], digits = 2, step = 0.1 }", "either step or digits"},
+           {"\"rotor.damping_ratio\" = { range = [0.1, 0.2], digits = 9 }", "1, 2 or 3"},
+           {"\"balancer.balls\" = { range = [2, 4], step = 1 }", "whole numbers"}})
+    EXPECT_NE(said(line).find(words), std::string::npos) << line << ": " << said(line);
+  const std::string known =
+      with(oiled_design, "grade = \"ISO VG 32\",", "grade = \"ISO VG 32\", viscosity_100 = \"5 cSt\",");
+  EXPECT_NE(refusal_text([&] {
+              problem_of(known + "\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 100\"] }\n");
+            }).find("viscosity_100"),
+            std::string::npos);
+}
+
+TEST(DesignProblem, StudyWithoutADesignGetsOneThatCanBePasted) {
+  const DesignProblem plain = problem_of(oiled);
+  EXPECT_EQ(plain.proposed(), "\n[design]\nobjective = [\"peak_radial.0.95\"]\nstarts = 100\ntrajectories = 40000\n" +
+                                  std::string(optimisers_built_in() ? "" : "method = \"latin\"\n") +
+                                  "\n[design.vary]\n\"balancer.balls\" = [2, 8]\n"
+                                  "\"balancer.ball_diameter\" = { stock = [\"6.35 mm\", \"16 mm\"] }\n"
+                                  "\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 460\"] }\n"
+                                  "\n[design.require]\nbalanced = { above = 0.95 }\n");
+  EXPECT_EQ(problem_of(oiled + plain.proposed()).identity(), plain.identity());
+  EXPECT_EQ(problem_of(oiled + plain.proposed()).proposed(), "");
+  const std::string limited = oiled + "[release]\ntime = \"0.4 s\"\n[limits]\ndisplacement = \"1 mm\"\nshare = 0.99\n";
+  const std::string proposed = problem_of(limited).proposed();
+  for (const char* words : {"peak_radial.0.99", "starts = 400", "limits_kept = { above = 0.99 }", "\"release.time\""})
+    EXPECT_NE(proposed.find(words), std::string::npos) << proposed;
+  // Where larger numbers do not fit beside each other, they are left out.
+  const std::string tight = with(oiled, "race_radius = \"50 mm\"", "race_radius = \"12 mm\"");
+  EXPECT_NE(problem_of(tight).proposed().find("\"balancer.balls\" = [2, 7]"), std::string::npos)
+      << problem_of(tight).proposed();
+}
+
+TEST(DesignProblem, LimitsKeptNeedLimits) {
+  const std::string vary = "[design.vary]\n\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 100\"] }\n";
+  const auto refused_for = [&](const std::string& limits, const std::string& figure) {
+    return refusal_text([&] {
+      problem_of(oiled + limits + "[design]\nmethod = \"random\"\nobjective = [\"" + figure + "\"]\n" + vary);
+    });
+  };
+  EXPECT_NE(refused_for("", "limits_kept").find("needs [limits]"), std::string::npos);
+  const std::string at_end = "[limits]\nvelocity = \"5 mm/s\"\n";
+  EXPECT_EQ(refused_for(at_end, "limits_kept"), "");
+  EXPECT_EQ(refused_for(at_end, "limits_kept_at_end"), "");
+  EXPECT_NE(refused_for(at_end, "limits_kept_on_the_way").find("limits.displacement"), std::string::npos);
+}
+
+DesignResult chosen_of(const DesignProblem& problem, const std::vector<DesignSetting>& settings) {
+  DesignResult r;
+  r.study = problem.study();
+  r.variables = problem.variables();
+  for (const FigureSource& f : problem.figures()) r.figures.push_back(f.figure);
+  r.objectives = problem.objectives();
+  r.limits = problem.limits();
+  r.front.push_back({settings, {}, DesignSample{100, {{1.0, 0.97, 1.0}}, {}, ""}});
+  r.chosen = 0;
+  r.feasible = true;
+  return r;
+}
+
+TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
+  const DesignProblem problem = problem_of(oiled_design +
+                                           "\"balancer.ball_diameter\" = { stock = [\"9 mm\", \"13 mm\"] }\n"
+                                           "\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 100\"] }\n");
+  DesignResult r = chosen_of(problem, {{"balancer.ball_diameter", "12 mm"}, {"balancer.oil.grade", "ISO VG 46"}});
+  EXPECT_EQ(things_chosen(r.study, r.front[0].settings), "3 balls of 12 mm, ISO VG 46");
+  EXPECT_EQ(things_chosen(r.study, {{"balancer.balls", 4}, {"release.speed", "840 rpm"}}),
+            "4 balls of 10 mm, balls let go at 840 rpm");
+  r.before = DesignSample{100, {{0.5, 0.4, 0.6}}, {}, ""};
+  EXPECT_EQ(design_verdict(r).words, "3 balls of 12 mm, ISO VG 46.");
+  EXPECT_NE(design_verdict(r).because.find("as it is 50 % (40"), std::string::npos) << design_verdict(r).because;
+  EXPECT_NE(design_verdict(r).margins.find("not worked out"), std::string::npos);
+  r.before = DesignSample{100, {{1.0, 0.97, 1.0}}, {}, ""};
+  EXPECT_EQ(design_verdict(r).words,
+            "Leave it as it is: nothing found is surely better. Best found: 3 balls of 12 mm, "
+            "ISO VG 46.");
+  r.feasible = false;
+  EXPECT_EQ(design_verdict(r).words,
+            "Nothing tried keeps all requirements surely; nearest: 3 balls of 12 mm, ISO VG 46.");
+  r.partial = true;
+  EXPECT_EQ(design_verdict(r).words.substr(0, 9), "PARTIAL: ");
+  DesignMargin m;
+  m.key = "balancer.oil.grade";
+  m.prefix = "ISO VG ";
+  m.value = 46.0;
+  m.keeps_from = 32.0;
+  m.keeps_to = 100.0;
+  m.fails_below = "balanced";
+  r.margins.push_back(m);
+  EXPECT_NE(design_verdict(r).margins.find("oil ISO VG 32 or more"), std::string::npos) << design_verdict(r).margins;
+  r.margins[0].fails_above = "balanced";
+  EXPECT_NE(design_verdict(r).margins.find("oil ISO VG 32 to ISO VG 100"), std::string::npos);
 }
 
 TEST(DesignProblem, LimitsInOtherUnitsAreThoseOfTheFigure) {

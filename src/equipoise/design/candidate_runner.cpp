@@ -104,7 +104,7 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
   run.without_balls = false;
   run.keep_starts = true;
   run.searches = &met.searches;
-  run.brief_search = wanted.seed == problem_.study().sampling.seed;  // the check gives every candidate a whole one
+  run.brief_search = !wanted.whole;
   const std::size_t dimension = static_cast<std::size_t>(study->system().dimension());
   for (const std::vector<double>& state : warm_start_states_)
     if (state.size() == dimension) run.warm_start_states.push_back(state);
@@ -116,7 +116,7 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
 }
 
 CellRecord record_of(const WantedSample& wanted) {
-  StudyValue tree{{"ensemble", {{"starts", wanted.starts}, {"seed", wanted.seed}}}};
+  StudyValue tree{{"ensemble", {{"starts", wanted.starts}, {"seed", wanted.seed}, {"whole", wanted.whole}}}};
   for (std::size_t k = 0; k < wanted.settings.size(); ++k)
     tree.set(fmt::format("setting_{:02}", k),
              StudyValue{{"key", wanted.settings[k].key}, {"value", wanted.settings[k].value}});
@@ -127,7 +127,8 @@ CellRecord record_of(const WantedSample& wanted) {
 WantedSample wanted_from(const CellRecord& record) {
   const StudyValue tree = study::parse_toml(std::string(record.begin(), record.end()));
   const auto number = [&](const char* key) { return static_cast<std::uint64_t>(*tree.find_path(key)->integer()); };
-  WantedSample wanted{{}, number("ensemble.starts"), number("ensemble.seed")};
+  WantedSample wanted{
+      {}, number("ensemble.starts"), number("ensemble.seed"), *tree.find_path("ensemble.whole")->boolean()};
   for (const auto& [name, setting] : *tree.table())
     if (const StudyValue* key = setting.find("key"))
       wanted.settings.push_back({*key->string(), without_lines(*setting.find("value"))});

@@ -22,6 +22,7 @@ namespace equipoise {
 struct WantedSample {
   std::vector<DesignSetting> settings;
   std::uint64_t starts = 0, seed = 0;
+  bool whole = false;  ///< with a whole search for attractors, not a first look's
 };
 
 class CandidateRunner {

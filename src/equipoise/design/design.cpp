@@ -49,6 +49,7 @@ class DesignRun {
     // Any other number will do: starts of different seeds share nothing.
     result_.held_out_seed = (result_.search_seed + 1'000'003) & 0x7fffffffffffffff;
     result_.identity = problem.identity();
+    result_.proposed = problem.proposed();
     result_.threads = thread_count(options.threads);
     result_.cpu_target = cpu_target();
   }
@@ -58,7 +59,8 @@ class DesignRun {
     const double cpu_begin = cpu_seconds();
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
-    ensembles_ = std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers);
+    ensembles_ =
+        std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers, options_.search_time_over);
     find();
     ensembles_->end();
     result_.trajectories = ensembles_->trajectories();
@@ -97,14 +99,18 @@ class DesignRun {
     std::vector<DesignCandidate> candidates = race.candidates();
     result_.candidates = candidates.size();
     result_.partial = ensembles_->stopped();
+    const bool cut = ensembles_->out_of_time() && !result_.partial;
+    ensembles_->after_search();
     take_front(candidates, false);
     try {
-      if (!result_.partial) choose(candidates);
-      if (!result_.partial) check();
-      if (!result_.partial) move();
+      if (cut) check_best();
+      if (!cut && !result_.partial) choose(candidates);
+      if (!cut && !result_.partial) check();
+      if (!cut && !result_.partial) move();
     } catch (const SearchOver&) {
       result_.partial = true;
     }
+    result_.partial = result_.partial || cut;
   }
 
   bool one_objective() const { return result_.objectives.size() == 1; }
@@ -205,12 +211,32 @@ class DesignRun {
     }
   }
 
+  // In the time that is left: as many fresh starts as a first look has, for the study as it is and for the best one.
+  void check_best() {
+    if (!result_.chosen) return;
+    const DesignCandidate best = result_.front[*result_.chosen];
+    const std::uint64_t starts = problem_.first_look(), seed = result_.held_out_seed;
+    const std::vector<WantedSample> wanted{{{}, starts, seed, true}, {best.settings, starts, seed, true}};
+    const auto take = [&] {
+      if (const DesignSample* before = ensembles_->known(wanted[0])) result_.before = *before;
+      if (const DesignSample* own = ensembles_->known(wanted[1]))
+        result_.front = {best}, result_.front[0].held_out = *own, result_.chosen = 0;
+    };
+    try {
+      ensembles_->run(wanted);
+    } catch (const SearchOver&) {
+      take();
+      throw;
+    }
+    take();
+  }
+
   // Judges the front on starts that the search did not see, beside the original study.
   void check() {
     if (result_.front.empty()) return;
     const std::uint64_t starts = each(part(for_check), result_.front.size() + 1);
-    std::vector<WantedSample> wanted{{{}, starts, result_.held_out_seed}};
-    for (const DesignCandidate& c : result_.front) wanted.push_back({c.settings, starts, result_.held_out_seed});
+    std::vector<WantedSample> wanted{{{}, starts, result_.held_out_seed, true}};
+    for (const DesignCandidate& c : result_.front) wanted.push_back({c.settings, starts, result_.held_out_seed, true});
     const std::vector<DesignSample> samples = ensembles_->run(wanted);
     result_.before = samples.front();
     for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];

@@ -1,6 +1,7 @@
 // Design: the best balancer and spin-up for a machine that a budget of trajectories can find.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "equipoise/design/problem.hpp"
@@ -14,6 +15,9 @@ namespace equipoise {
 struct DesignOptions : RunOptions {
   std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
   SurveyHelpers helpers;
+  /// Says, from any thread, that the search has had its time; the best by then is still checked. Empty: the budget
+  /// says.
+  std::function<bool()> search_time_over;
 };
 
 /// For other processes of a job: a block is a candidate.

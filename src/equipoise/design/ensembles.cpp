@@ -18,15 +18,17 @@ namespace equipoise {
 namespace {
 
 std::string name_of_sample(const WantedSample& w) {
-  return fmt::format("{} starts, seed {}: {}", w.starts, w.seed, text_of(w.settings));
+  return fmt::format("{} starts, seed {}{}: {}", w.starts, w.seed, w.whole ? ", whole search" : "",
+                     text_of(w.settings));
 }
 
 }  // namespace
 
 DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
-                                 const SurveyHelpers& helpers)
+                                 const SurveyHelpers& helpers, std::function<bool()> search_time)
     : options_(options),
       file_(file),
+      search_time_(std::move(search_time)),
       threads_(thread_count(options.threads)),
       survey_(candidate_survey(std::make_shared<CandidateRunner>(problem, options))) {
   if (helpers)
@@ -53,7 +55,7 @@ void DesignEnsembles::end() {
 std::optional<std::size_t> DesignEnsembles::next_block() {
   const std::lock_guard guard(taking_);
   while (next_ < batch_.size() && answers_[next_]) ++next_;
-  if (next_ >= batch_.size() || stopped() || failure_) return std::nullopt;
+  if (next_ >= batch_.size() || stopped() || out_of_time() || failure_) return std::nullopt;
   return asked_ + next_++;
 }
 
@@ -92,7 +94,8 @@ void DesignEnsembles::work_off(std::size_t missing) {
   });
   constexpr std::chrono::milliseconds until_a_look{10};
   std::unique_lock lock(taking_);
-  while (!stopped() && !failure_ && std::find(answers_.begin(), answers_.end(), std::nullopt) != answers_.end())
+  while (!stopped() && !out_of_time() && !failure_ &&
+         std::find(answers_.begin(), answers_.end(), std::nullopt) != answers_.end())
     answered_.wait_for(lock, until_a_look);
   if (failure_) std::rethrow_exception(failure_);
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -30,7 +31,7 @@ class DesignEnsembles final : public SurveyWork {
  public:
   /// `file`: what an earlier run kept, or null.
   DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
-                  const SurveyHelpers& helpers = {});
+                  const SurveyHelpers& helpers = {}, std::function<bool()> search_time = {});
   ~DesignEnsembles() override { over_ = true; }
 
   /// Results in the order of `wanted`; candidates run in parallel and share the threads. Throws SearchOver if stopped;
@@ -45,6 +46,10 @@ class DesignEnsembles final : public SurveyWork {
   std::uint64_t trajectories() const { return trajectories_; }  ///< trajectories followed, including earlier runs
   std::uint64_t resumed() const { return resumed_; }
   bool stopped() const { return is_set(options_.stop); }
+  /// From now on only the stop flag ends the work: the search is over.
+  void after_search() { search_time_ = {}; }
+  /// Whether the search has had its time.
+  bool out_of_time() const { return search_time_ && search_time_(); }
 
   std::optional<std::size_t> next_block() override;
   CellRecord known(std::size_t number) const override;
@@ -58,6 +63,7 @@ class DesignEnsembles final : public SurveyWork {
 
   const RunOptions& options_;
   DesignFile* file_;
+  std::function<bool()> search_time_;
   int threads_;
   Survey survey_;
   CellDesk desk_;  // nothing lies there: candidates are shared out, not their starts

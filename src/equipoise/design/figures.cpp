@@ -93,8 +93,9 @@ std::optional<FigureSource> limits_source(const std::string& name, const Study& 
     return study.limits.*l.limit && (source.within != Within::on_the_way || !l.at_end);
   });
   if (some || (source.within != Within::on_the_way && study.limits.settled)) return source;
-  problem = source.within == Within::on_the_way ? "needs limits.displacement, force or clearance; must be stated in the study"
-                                                : "needs [limits]; must be stated in the study";
+  problem = source.within == Within::on_the_way
+                ? "needs limits.displacement, force or clearance; must be stated in the study"
+                : "needs [limits]; must be stated in the study";
   return std::nullopt;
 }
 
@@ -132,8 +133,9 @@ std::optional<FigureSource> variable_source(const std::string& name, const std::
   source.kind = FigureKind::variable;
   source.figure.up = name.front() != '-';
   source.key = source.figure.up ? name : name.substr(1);
-  const auto at = std::find_if(variables.begin(), variables.end(),
-                               [&](const DesignVariable& v) { return v.key == source.key && !v.spin_up && v.prefix.empty(); });
+  const auto at = std::find_if(variables.begin(), variables.end(), [&](const DesignVariable& v) {
+    return v.key == source.key && !v.spin_up && v.prefix.empty();
+  });
   if (at == variables.end()) return std::nullopt;
   source.figure.unit = at->unit;
   return source;
@@ -221,7 +223,8 @@ std::optional<FigureSource> figure_source(const std::string& name, const Study& 
   if (!source) {
     if (problem.empty())
       problem = fmt::format(
-          "must be balanced{}, limits_kept, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or a key of "
+          "must be balanced{}, limits_kept, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or "
+          "a key of "
           "[design.vary], with - before it if less is better",
           study.speed.driven() ? ", passed" : ", spin_up_time, acceleration", column_names());
     return std::nullopt;
@@ -268,7 +271,9 @@ DesignSample sample_without_balance(const std::vector<FigureSource>& sources, st
   sample.note = "no balanced state attracts";
   for (const FigureSource& source : sources) {
     const bool endless = source.kind == FigureKind::transient || source.kind == FigureKind::time_to_balance;
-    sample.figures.push_back(certain(source.figure.share ? 0.0 : endless ? no_end : stated(source, candidate, settings)));
+    sample.figures.push_back(certain(source.figure.share ? 0.0
+                                     : endless           ? no_end
+                                                         : stated(source, candidate, settings)));
   }
   return sample;
 }

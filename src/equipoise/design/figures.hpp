@@ -14,14 +14,25 @@
 namespace equipoise {
 
 /// A name as people write it, taken apart: "balanced" and "passed" (shares; more is better), "time_to_balance.Q" and
-/// "limits_kept", "limits_kept_at_end", "limits_kept_on_the_way" (shares of starts that keep all of [limits]), "COLUMN.Q" (the Q-quantile over starts of a column of transient_figures), "ball_mass", "spin_up_time" and
+/// "limits_kept", "limits_kept_at_end", "limits_kept_on_the_way" (shares of starts that keep all of [limits]),
+/// "COLUMN.Q" (the Q-quantile over starts of a column of transient_figures), "ball_mass", "spin_up_time" and
 /// "acceleration" of the prescribed speed (less is better), or a number that is varied: "-balancer.mass" if less of it
 /// is better, "balancer.mass" if more is.
 struct FigureSource {
-  enum class Kind { balanced, passed, limits_kept, transient, time_to_balance, ball_mass, spin_up_time, acceleration, variable };
+  enum class Kind {
+    balanced,
+    passed,
+    limits_kept,
+    transient,
+    time_to_balance,
+    ball_mass,
+    spin_up_time,
+    acceleration,
+    variable
+  };
   Kind kind = Kind::balanced;
-  std::size_t column = 0;         ///< of transient_figures
-  Within within = Within::both;   ///< of limits_kept
+  std::size_t column = 0;        ///< of transient_figures
+  Within within = Within::both;  ///< of limits_kept
   double quantile = 0.0;
   std::string key;  ///< of the variable
   /// Its value in the original study, in the variable's unit; NaN: unknown.

@@ -154,8 +154,7 @@ class MarginJudge {
       if (p.value > m.value) above = std::min(above, p.value);
     }
     for (const DesignPoint& p : m.points)
-      if (!p.sample.figures.empty() &&
-          (!ordered || near(m, p.value) || p.value == below || p.value == above))
+      if (!p.sample.figures.empty() && (!ordered || near(m, p.value) || p.value == below || p.value == above))
         m.effect = std::max(m.effect, change(p.sample.figures[first].value, chosen_.figures[first].value));
   }
 
@@ -230,7 +229,8 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
         v.logarithmic ? std::log(value / v.low) / std::log(v.high / v.low) : (value - v.low) / (v.high - v.low);
     if (part <= at_end || part >= 1.0 - at_end)
       words.push_back(fmt::format("{} is at the {} end of its range: {}{:.4g}{}", v.key,
-                                  part <= at_end ? "lower" : "upper", v.prefix, value, v.unit.empty() ? "" : " " + v.unit));
+                                  part <= at_end ? "lower" : "upper", v.prefix, value,
+                                  v.unit.empty() ? "" : " " + v.unit));
   }
   return words;
 }

@@ -141,10 +141,8 @@ std::size_t coordinates_of(const DesignVariable& v) { return v.spin_up ? coordin
 }  // namespace
 
 DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), study_(source.with()) {
-  const Document document = study::parse_document(source.toml, source.name, source.overrides);
-  if (!document.root.find("design"))
-    throw InputError(source.name, "design", "",
-                     "missing; must be a table that says what may be varied and what is wanted");
+  if (!study::parse_document(source.toml, source.name, {}).root.find("design")) proposed_ = proposed_design(source);
+  const Document document = study::parse_document(source.toml + proposed_, source.name, source.overrides);
   for (const auto& [key, value] : table_of(document, "design.vary")) {
     const DesignEntry entry(document, "design.vary", key, value);
     for (const DesignVariable& v : variables_)
@@ -181,7 +179,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   }
   method_ = chosen_method(table, objectives_.size());
   trajectories_ =
-      static_cast<std::uint64_t>(table.integer("trajectories", 10'000, 1'000'000'000'000, usual_trajectories));
+      static_cast<std::uint64_t>(table.integer("trajectories", 1000, 1'000'000'000'000, usual_trajectories));
   first_look_ = static_cast<std::uint64_t>(table.integer("starts", 50, 1'000'000, usual_first_look));
   seed_ = static_cast<std::uint64_t>(table.integer("seed", 0, 1'000'000'000, 1));
   if (trajectories_ < 20 * first_look_)
@@ -196,8 +194,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
 }
 
 bool DesignProblem::transients() const {
-  return std::any_of(figures_.begin(), figures_.end(),
-                     [](const FigureSource& f) { return f.needs_transients(); });
+  return std::any_of(figures_.begin(), figures_.end(), [](const FigureSource& f) { return f.needs_transients(); });
 }
 
 bool DesignProblem::by_outcome() const {

@@ -14,10 +14,15 @@ namespace equipoise {
 
 inline constexpr std::size_t most_design_variables = 20, most_design_objectives = 4, most_spin_up_points = 8;
 
+/// A [design] for a study that states none, as TOML that can stand at its end: the balls' number and stock size, oil or
+/// drag, and a latch if there is one; the least peak among those that balance and keep [limits] in limits.share of
+/// starts; a budget of a minute or two on two cores. Throws InputError if nothing can be chosen.
+std::string proposed_design(const StudySource& source);
+
 class DesignProblem {
  public:
-  /// Throws InputError, naming the key, for a study without [design], unknown variables or figures, reversed ranges,
-  /// values that make no valid study, and requests known to be impossible before any work.
+  /// Of a study without [design] the proposed one is taken. Throws InputError, naming the key, for unknown variables or
+  /// figures, reversed ranges, values that make no valid study, and requests known to be impossible before any work.
   explicit DesignProblem(const StudySource& source);
 
   const Study& study() const { return study_; }
@@ -27,8 +32,9 @@ class DesignProblem {
   const std::vector<DesignLimit>& limits() const { return limits_; }
   DesignMethod method() const { return method_; }  ///< never automatic
   std::uint64_t trajectories() const { return trajectories_; }
-  std::uint64_t first_look() const { return first_look_; }  ///< starts of a candidate's first look
-  std::uint64_t seed() const { return seed_; }              ///< of the search
+  std::uint64_t first_look() const { return first_look_; }   ///< starts of a candidate's first look
+  const std::string& proposed() const { return proposed_; }  ///< the [design], if the study states none
+  std::uint64_t seed() const { return seed_; }               ///< of the search
   /// Whether figures need statistics of transients, or starts followed where no balanced state attracts.
   bool transients() const;
   bool by_outcome() const;
@@ -51,7 +57,7 @@ class DesignProblem {
   void check_candidates() const;
   void check_one(const std::vector<DesignSetting>& settings, const std::string& key, const std::string& text) const;
 
-  std::string name_;
+  std::string name_, proposed_;
   StudyValue tree_;  ///< without [design]
   Study study_;
   std::vector<DesignVariable> variables_;

@@ -114,7 +114,8 @@ void Race::note_best() {
 }
 
 std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
-  if (ensembles_.stopped()) throw SearchOver();  // known points start no ensemble that would notice
+  if (ensembles_.stopped() || ensembles_.out_of_time())
+    throw SearchOver();  // known points start no ensemble that would notice
   std::vector<std::size_t> places, fresh;
   std::set<std::size_t> seen;
   const std::size_t known = candidates_.size();

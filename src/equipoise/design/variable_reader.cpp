@@ -151,8 +151,9 @@ void read_rounding(const DesignEntry& entry, DesignVariable& variable) {
   if (written.unit != (steps ? variable.unit : ""))
     entry.fail(steps ? fmt::format("step must have the unit of the range, \"{}\"", variable.unit)
                      : "digits must be 1, 2 or 3");
-  allow(entry, variable, steps ? multiples(entry, written.value, variable.low, variable.high)
-                               : of_digits(entry, written.value, variable.low, variable.high));
+  allow(entry, variable,
+        steps ? multiples(entry, written.value, variable.low, variable.high)
+              : of_digits(entry, written.value, variable.low, variable.high));
 }
 
 // One of the unit as a dimensionless number.

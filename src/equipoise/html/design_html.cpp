@@ -24,9 +24,14 @@ class DesignDocument {
   DesignDocument(const DesignResult& result, const GivenMachine& machine) : r_(result), machine_(machine) {}
 
   Document make() {
-    document_ = page_with(r_.study, design_answer(r_));
+    const DesignVerdict verdict = design_verdict(r_);
+    document_ = page_with(r_.study, verdict.words + " " + verdict.because);
+    add(Paragraph{"How far each may be off: " + verdict.margins});
     if (r_.partial)
-      add(Paragraph{"Stopped early: what the search had found by then, judged on its own starts.", Tone::open});
+      add(Paragraph{
+          fmt::format("Stopped early: what the search had found by then, judged on {}.",
+                      r_.chosen && r_.front[*r_.chosen].held_out ? "starts that it did not see" : "its own starts"),
+          Tone::open});
     if (r_.chosen) {
       chosen();
       front();
@@ -68,6 +73,9 @@ class DesignDocument {
   }
 
   static std::string range_words(const DesignVariable& v) {
+    if (!v.numbers.empty())
+      return fmt::format("{} values from {} to {}", v.choices.size(), setting_text(v.choices.front()),
+                         setting_text(v.choices.back()));
     if (!v.choices.empty()) {
       std::string words;
       for (const StudyValue& choice : v.choices) words += (words.empty() ? "" : ", ") + setting_text(choice);
@@ -113,6 +121,8 @@ class DesignDocument {
     text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
     if (r_.resumed > 0) text += fmt::format("; {} ensembles from an earlier run's file", r_.resumed);
     add(Paragraph{text + "."});
+    if (!r_.proposed.empty())
+      add(Listing{"The study states no [design]; this one was proposed and taken", r_.proposed});
     if (!r_.best_study.empty()) add(Listing{"The chosen design as a study", r_.best_study});
     add_study(document_, r_.study);
   }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/design_words/design_words.hpp"
 #include "equipoise/reports/result_tables.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/csv.hpp"
@@ -26,18 +27,12 @@ using DesignOut = nlohmann::ordered_json;
 // What is no number, or has no end, is written as null.
 DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
 
-bool keeps(const DesignLimit& limit, double value) {
-  return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
-}
-
-bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {
-  return keeps(limit, e.low) && keeps(limit, e.high);
-}
-
 DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
   const DesignSample& sample = c.best_known();
-  DesignOut out{
-      {"variables", DesignOut::object()}, {"objectives", DesignOut::object()}, {"constraints", DesignOut::object()}};
+  DesignOut out{{"things", things_chosen(r.study, c.settings)},
+                {"variables", DesignOut::object()},
+                {"objectives", DesignOut::object()},
+                {"constraints", DesignOut::object()}};
   for (const DesignSetting& s : c.settings) out["variables"][s.key] = tree_json(s.value);
   if (!sample.figures.empty()) {
     for (const std::size_t k : r.objectives) {
@@ -82,14 +77,6 @@ std::string estimate_or_dash(const DesignResult& r, const DesignSample* s, std::
   return s && !s->figures.empty() ? estimate_with_interval(r.figures[k], s->figures[k]) : "-";
 }
 
-// "below 0.3 mm".
-std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
-  std::string text;
-  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
-  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
-  return text;
-}
-
 // What fails where a margin ends; what was tried, if nothing does.
 std::string fails_text(const DesignMargin& m) {
   std::string text;
@@ -111,48 +98,6 @@ std::string optimism_text(const DesignResult& r) {
 }
 
 }  // namespace
-
-std::string estimate_text(const DesignFigure& figure, double value) {
-  if (std::isnan(value)) return "not stated";
-  if (!std::isfinite(value)) return "no end";
-  if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
-  return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
-}
-
-std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
-  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
-  if (figure.share) {
-    Share share;  // the fewest starts that distinguish none, some and all
-    share.total = 2;
-    share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
-    share.low = e.low;
-    share.high = e.high;
-    return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
-  }
-  const std::string high = std::isfinite(e.high) ? fmt::format("{:.4g}", e.high) : "no end";
-  return fmt::format("{} ({:.4g} to {})", estimate_text(figure, e.value), e.low, high);
-}
-
-std::string setting_text(const StudyValue& value) {
-  if (const auto* text = value.string()) return *text;
-  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
-  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
-  const StudyValue *times = value.find("times"), *speeds = value.find("speeds");
-  if (!times || !speeds) return fmt::format("{:.6g}", value.number());
-  std::string text;
-  for (std::size_t k = 0; k < times->array()->size(); ++k)
-    text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
-                        setting_text((*times->array())[k]));
-  return text;
-}
-
-std::string margin_name(const std::string& key) {
-  const std::string_view times = "speed.times[", speeds = "speed.speeds[";
-  const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
-  if (key.starts_with(times)) return "time of point " + place(times);
-  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
-  return key;
-}
 
 DocumentTable front_table(const DesignResult& r, KeyWords words) {
   DocumentTable table;
@@ -203,11 +148,12 @@ DocumentTable margin_table(const DesignResult& r, KeyWords words) {
       {"varied alone", "chosen", "may go from", "to", "near it", "what fails beyond"}, {}, "", false, {}};
   for (const DesignMargin& m : r.margins) {
     const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
-    table.rows.push_back(
-        row_of("lnnnnt",
-               {words(margin_name(m.key)), fmt::format("{:.4g}{}{}", m.value, m.unit.empty() ? "" : " ", m.unit),
-                ordered ? fmt::format("{:.4g}", m.keeps_from) : "-", ordered ? fmt::format("{:.4g}", m.keeps_to) : "-",
-                estimate_text(first, m.effect), ordered ? fails_text(m) : "choices have no ends"}));
+    table.rows.push_back(row_of(
+        "lnnnnt",
+        {words(margin_name(m.key)), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
+         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
+         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_to) : "-", estimate_text(first, m.effect),
+         ordered ? fails_text(m) : "choices have no ends"}));
   }
   table.caption = fmt::format(
       "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
@@ -215,36 +161,12 @@ DocumentTable margin_table(const DesignResult& r, KeyWords words) {
   return table;
 }
 
-std::string design_answer(const DesignResult& r) {
-  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
-  const DesignCandidate& best = r.front[*r.chosen];
-  const DesignSample& sample = best.best_known();
-  std::string text;
-  for (const std::size_t k : r.objectives)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", r.figures[k].name,
-                        estimate_with_interval(r.figures[k], sample.figures[k]));
-  std::string before;
-  if (r.before && !r.before->figures.empty())
-    before = fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
-                         estimate_text(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()].value));
-  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : "All requirements are kept: ", text, before);
-  std::string missed;
-  for (const DesignLimit& limit : r.limits) {
-    const DesignEstimate& e = sample.figures[limit.figure];
-    if (surely_keeps(limit, e)) continue;
-    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ", r.figures[limit.figure].name,
-                          limit_text(r.figures[limit.figure], limit),
-                          keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
-                          estimate_with_interval(r.figures[limit.figure], e));
-  }
-  return fmt::format("No candidate keeps all requirements: {}. There {}{}.", missed, text, before);
-}
-
 namespace {
 
 std::string stopped_design_text(const DesignResult& r) {
-  std::string text = "\nPARTIAL: stopped; what the search had found by then, judged on its own starts. ";
+  const bool checked = r.chosen && r.front[*r.chosen].held_out;
+  std::string text = fmt::format("\nPARTIAL: stopped; what the search had found by then, judged on {}. ",
+                                 checked ? "starts that it did not see" : "its own starts");
   if (r.trajectories >= r.budget) return text + "Some of its checks were still to be made.\n";
   return text + fmt::format("{} of {} trajectories were left, for more candidates and for checks of the best.\n",
                             r.budget - r.trajectories, r.budget);
@@ -253,8 +175,11 @@ std::string stopped_design_text(const DesignResult& r) {
 }  // namespace
 
 std::string design_text(const DesignResult& r, const TextStyle& style) {
-  std::string text = lines_filled(design_answer(r) + "\n\n" + study_heading(r.study) + uncertain_text(r.study), style);
+  std::string text =
+      design_verdict_text(r, style) + lines_filled(study_heading(r.study) + uncertain_text(r.study), style);
+  if (!r.proposed.empty()) text += "\nThe study states no [design]; proposed [design]:\n" + r.proposed;
   if (r.front.empty()) return text;
+  text += r.proposed.empty() ? "" : "\n";
   text += fmt::format(
       "{}, * the chosen one:\n",
       r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
@@ -264,7 +189,7 @@ std::string design_text(const DesignResult& r, const TextStyle& style) {
     for (const std::string& words : r.limited_by) text += filled("  ", words, style);
   }
   if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, key_itself), style);
-  if (r.partial) text += stopped_design_text(r);
+  if (r.partial) text += lines_filled(stopped_design_text(r), style);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
   return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
                             design_method_names[static_cast<std::size_t>(r.method)], r.trajectories, r.budget,
@@ -272,7 +197,11 @@ std::string design_text(const DesignResult& r, const TextStyle& style) {
 }
 
 std::string design_json(const DesignResult& r) {
-  DesignOut json{{"front", DesignOut::array()}, {"chosen", nullptr}, {"before", nullptr}};
+  const DesignVerdict verdict = design_verdict(r);
+  DesignOut json{{"verdict", {{"words", verdict.words}, {"because", verdict.because}, {"margins", verdict.margins}}},
+                 {"front", DesignOut::array()},
+                 {"chosen", nullptr},
+                 {"before", nullptr}};
   for (const DesignCandidate& c : r.front) json["front"].push_back(candidate_out(r, c));
   if (r.chosen) json["chosen"] = candidate_out(r, r.front[*r.chosen]);
   if (r.before && !r.before->figures.empty()) {
@@ -300,6 +229,7 @@ std::string design_json(const DesignResult& r) {
   json["held_out_seed"] = r.held_out_seed;
   json["resumed"] = r.resumed;
   json["best_study"] = r.best_study;
+  json["proposed_design"] = r.proposed.empty() ? DesignOut(nullptr) : DesignOut(r.proposed);
   add_computed(json, r);
   return json.dump(2) + "\n";
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "equipoise/design_words/design_words.hpp"
 #include "equipoise/results/design_result.hpp"
 #include "equipoise/text/table_text.hpp"
 
@@ -15,16 +16,5 @@ std::string design_text(const DesignResult& result, const TextStyle& style = wid
 std::string design_json(const DesignResult& result);
 /// One line per member of the front.
 std::string design_csv(const DesignResult& result);
-
-/// The result in a sentence or two.
-std::string design_answer(const DesignResult& result);
-
-/// "99.62 %", "0.31 mm", and with its interval "99.62 % (99.50 to 99.71 %)".
-std::string estimate_text(const DesignFigure& figure, double value);
-std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& estimate);
-/// "0.05", "12 g", "0 at 0, 2.8 at 60": a candidate's value.
-std::string setting_text(const StudyValue& value);
-/// "balancer.drag"; for a spin-up "speed of point 1", where point 0 is its start.
-std::string margin_name(const std::string& key);
 
 }  // namespace equipoise

@@ -74,7 +74,7 @@ struct DesignPoint {
   DesignSample sample;
 };
 struct DesignMargin {
-  std::string key;  ///< "balancer.drag", "speed.speeds[1]": the second point
+  std::string key;                            ///< "balancer.drag", "speed.speeds[1]": the second point
   std::string unit, prefix;                   ///< as of DesignVariable
   double value = 0.0, low = 0.0, high = 0.0;  ///< the chosen value; the range examined
   std::vector<DesignPoint> points;            ///< by value, without the chosen one
@@ -119,6 +119,7 @@ struct DesignResult {
   std::string best_study;     ///< the chosen study as TOML
   bool partial = false;       ///< stopped: the front rests only on the search's starts
   std::uint64_t resumed = 0;  ///< ensembles read from an earlier run's file
+  std::string proposed;       ///< of a study that states no [design]: the one that was used, as TOML
   std::string identity;
   int threads = 0;
   std::string cpu_target;

@@ -1,0 +1,243 @@
+// Things, verdicts and margins in words.
+#include "equipoise/design_words/design_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+struct Thing {
+  const char* key;
+  const char* name;    // "ball diameter"
+  const char* before;  // its value follows: "balls let go at "
+};
+constexpr std::array<Thing, 12> things{{{"balancer.balls", "number of balls", ""},
+                                        {"balancer.ball_diameter", "ball diameter", ""},
+                                        {"balancer.mass", "mass of a ball", ""},
+                                        {"balancer.oil.grade", "oil", ""},
+                                        {"balancer.oil_viscosity", "oil's viscosity", "oil of "},
+                                        {"balancer.drag", "drag", "drag "},
+                                        {"balancer.race_radius", "race radius", "race radius "},
+                                        {"rotor.damping_ratio", "damping ratio", "damping ratio "},
+                                        {"rotor.stiffness", "stiffness", "stiffness "},
+                                        {"release.speed", "speed of release", "balls let go at "},
+                                        {"release.time", "time of release", "balls let go after "},
+                                        {"speed", "run-up", "run-up "}}};
+
+const Thing* known_thing(const std::string& key) {
+  const auto at = std::find_if(things.begin(), things.end(), [&](const Thing& t) { return key == t.key; });
+  return at == things.end() ? nullptr : &*at;
+}
+
+// "12 mm" of balls whose size the study states.
+std::string own_size(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  if (!study.scales || !p.equal_balls() || !(p.ball_radius[0] > 0.0)) return "";
+  return fmt::format("{:.6g} mm", 2e3 * p.ball_radius[0] * study.scales->length);
+}
+
+// "4 balls of 12 mm"
+std::string balls_chosen(const Study& study, const std::vector<DesignSetting>& settings) {
+  const auto of = [&](const char* key) {
+    for (const DesignSetting& s : settings)
+      if (s.key == key) return setting_text(s.value);
+    return std::string();
+  };
+  std::string number = of("balancer.balls"), size = of("balancer.ball_diameter");
+  if (number.empty() && size.empty() && of("balancer.mass").empty()) return "";
+  if (number.empty()) number = fmt::format("{}", study.parameters.balls);
+  if (size.empty() && !of("balancer.mass").empty()) size = of("balancer.mass") + (study.scales ? "" : " (mass)");
+  if (size.empty()) size = own_size(study);
+  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : " of ", size);
+}
+
+std::string shown(const DesignMargin& m, double value) { return fmt::format("{}{:.4g}", m.prefix, value); }
+
+bool has_ends(const DesignMargin& m) {
+  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+}
+
+// "ball diameter 10 to 15 mm"; what failed nowhere within what was tried is not told.
+std::string margins_words(const DesignResult& r) {
+  constexpr std::size_t most_told = 3;
+  std::string words;
+  std::size_t told = 0;
+  for (const DesignMargin& m : r.margins) {
+    if (!has_ends(m) || (m.fails_below.empty() && m.fails_above.empty())) continue;
+    const std::string unit = m.unit.empty() ? "" : " " + m.unit;
+    if (told++ == most_told) return words + "; and others below";
+    words += fmt::format("{}{} ", words.empty() ? "" : "; ", thing_of(m.key));
+    if (m.keeps_from == m.keeps_to && !m.fails_below.empty() && !m.fails_above.empty())
+      words += fmt::format("{}{} only", shown(m, m.value), unit);
+    else if (m.fails_above.empty())
+      words += fmt::format("{}{} or more", shown(m, m.keeps_from), unit);
+    else if (m.fails_below.empty())
+      words += fmt::format("{}{} or less", shown(m, m.keeps_to), unit);
+    else
+      words += fmt::format("{} to {}{}", shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
+  }
+  return words;
+}
+
+// Whether the study as it is keeps all requirements, and the chosen design is not surely better.
+bool as_good_before(const DesignResult& r, const DesignSample& now) {
+  if (!r.before || r.before->figures.empty() || !r.feasible) return false;
+  for (const DesignLimit& limit : r.limits) {
+    const DesignEstimate& e = r.before->figures[limit.figure];
+    if ((limit.below && !(e.high <= *limit.below)) || (limit.above && !(e.low >= *limit.above))) return false;
+  }
+  return std::none_of(r.objectives.begin(), r.objectives.end(), [&](std::size_t k) {
+    const DesignEstimate &is = now.figures[k], &was = r.before->figures[k];
+    return std::isnan(was.value) || (r.figures[k].up ? is.low > was.high : is.high < was.low);
+  });
+}
+
+}  // namespace
+
+bool keeps(const DesignLimit& limit, double value) {
+  return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
+}
+
+bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {
+  return keeps(limit, e.low) && keeps(limit, e.high);
+}
+
+std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
+  std::string text;
+  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
+  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
+  return text;
+}
+
+std::string estimate_text(const DesignFigure& figure, double value) {
+  if (std::isnan(value)) return "not stated";
+  if (!std::isfinite(value)) return "no end";
+  if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
+  return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
+}
+
+std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
+  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
+  if (figure.share) {
+    Share share;  // the fewest starts that distinguish none, some and all
+    share.total = 2;
+    share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
+    share.low = e.low;
+    share.high = e.high;
+    return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
+  }
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.4g}", e.high) : "no end";
+  return fmt::format("{} ({:.4g} to {})", estimate_text(figure, e.value), e.low, high);
+}
+
+std::string setting_text(const StudyValue& value) {
+  if (const auto* text = value.string()) return *text;
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
+  const StudyValue *times = value.find("times"), *speeds = value.find("speeds");
+  if (!times || !speeds) return fmt::format("{:.6g}", value.number());
+  std::string text;
+  for (std::size_t k = 0; k < times->array()->size(); ++k)
+    text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
+                        setting_text((*times->array())[k]));
+  return text;
+}
+
+std::string margin_name(const std::string& key) {
+  const std::string_view times = "speed.times[", speeds = "speed.speeds[";
+  const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
+  if (key.starts_with(times)) return "time of point " + place(times);
+  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
+  return key;
+}
+
+std::string design_answer(const DesignResult& r) {
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& sample = best.best_known();
+  std::string text;
+  for (const std::size_t k : r.objectives)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", r.figures[k].name,
+                        estimate_with_interval(r.figures[k], sample.figures[k]));
+  std::string before;
+  if (r.before && !r.before->figures.empty())
+    before =
+        fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
+                    estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
+  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : "All requirements are kept: ", text, before);
+  std::string missed;
+  for (const DesignLimit& limit : r.limits) {
+    const DesignEstimate& e = sample.figures[limit.figure];
+    if (surely_keeps(limit, e)) continue;
+    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ", r.figures[limit.figure].name,
+                          limit_text(r.figures[limit.figure], limit),
+                          keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
+                          estimate_with_interval(r.figures[limit.figure], e));
+  }
+  return fmt::format("No candidate keeps all requirements: {}. There {}{}.", missed, text, before);
+}
+
+std::string thing_of(const std::string& key) {
+  if (const Thing* thing = known_thing(key)) return thing->name;
+  std::string name = margin_name(key);
+  if (name != key) return name;
+  name = key.substr(key.rfind('.') + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string things_chosen(const Study& study, const std::vector<DesignSetting>& settings) {
+  std::string words = balls_chosen(study, settings);
+  for (const DesignSetting& s : settings) {
+    if (s.key == "balancer.balls" || s.key == "balancer.ball_diameter" || s.key == "balancer.mass") continue;
+    const Thing* thing = known_thing(s.key);
+    words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thing ? thing->before : thing_of(s.key) + " ",
+                         setting_text(s.value));
+  }
+  return words;
+}
+
+DesignVerdict design_verdict(const DesignResult& r) {
+  DesignVerdict verdict;
+  const std::string partial = r.partial ? "PARTIAL: " : "";
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return {design_answer(r), "No candidate was followed to its end.",
+            "Not known. A longer --within, or fewer values to choose from, may tell more."};
+  const DesignSample& now = r.front[*r.chosen].best_known();
+  const std::string things = things_chosen(r.study, r.front[*r.chosen].settings);
+  const bool alone = r.limits.empty();
+  if (as_good_before(r, now))
+    verdict.words = fmt::format("{}Leave it as it is: {}nothing found is surely better. Best found: {}.", partial,
+                                alone ? "" : "it keeps all requirements, and ", things);
+  else if (r.feasible)
+    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : ": all requirements are kept");
+  else
+    verdict.words = fmt::format("{}Nothing tried keeps all requirements surely; nearest: {}.", partial, things);
+  verdict.because = design_answer(r);
+  if (r.margins.empty()) {
+    verdict.margins = "How far each number may be off was not worked out: the time was over.";
+  } else {
+    const std::string words = margins_words(r);
+    verdict.margins = words.empty() ? "Nothing that was tried, each number alone, misses what the design keeps."
+                                    : words + (alone ? ": surely no worse." : ": requirements kept.");
+  }
+  return verdict;
+}
+
+std::string design_verdict_text(const DesignResult& r, const TextStyle& style) {
+  const DesignVerdict verdict = design_verdict(r);
+  const Tone tone = r.partial ? Tone::open : r.feasible ? Tone::good : Tone::bad;
+  return in_tone(filled("verdict  ", verdict.words, style), tone, style) + filled("because  ", verdict.because, style) +
+         filled("margins  ", verdict.margins, style) + "\n";
+}
+
+}  // namespace equipoise
