@@ -36,6 +36,6 @@ struct DesignVerdict {
 };
 DesignVerdict design_verdict(const DesignResult& result);
 /// Three lines, "verdict  4 balls of 12 mm...", and the empty line after them.
-std::string design_verdict_text(const DesignResult& result, const TextStyle& style = {});
+std::string design_verdict_text(const DesignResult& result, const TextStyle& style = wide_style);
 
 }  // namespace equipoise
