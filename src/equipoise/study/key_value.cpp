@@ -105,6 +105,10 @@ void read_key(TableReader& reader, const Key& key, Study& study) {
     std::visit(KeyReading{reader, key, study.parameters.balls}, key.member(study));
 }
 
+void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
+  for (const Key& key : key_table(table).of(variants, false)) read_key(reader, key, study);
+}
+
 std::optional<StudyValue> value_of(const Key& key, const Study& study) {
   const Member member = key.member(const_cast<Study&>(study));  // only read here
   return std::visit([&](const auto& v) { return KeyEcho{study.parameters.balls}(v); }, member);

@@ -97,6 +97,8 @@ unsigned variants_of(const TorqueSetting& torque);
 
 /// Reads the key from the table into its member, which otherwise keeps its value.
 void read_key(TableReader& reader, const Key& key, Study& study);
+/// Reads the keys that a table has in these variants.
+void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
 /// The member as written in a study; empty if it is not set.
 std::optional<StudyValue> value_of(const Key& key, const Study& study);
 

@@ -383,12 +383,12 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
       if (f.needs) figure["for_good"] = group.for_good(f);
     }
     one["exceeded"] = Json::object();
-    for (std::size_t k = 0; k < transient_limits.size(); ++k)
-      if (const auto& share = group.exceeded[k]) one["exceeded"][transient_limits[k].name] = sure_share_json(*share);
     one["exceeded_at_end"] = one["within"] = Json::object();
-    for (std::size_t k = 0; k < transient_limits.size(); ++k)
-      if (const auto& share = group.exceeded_at_end[k])
-        one["exceeded_at_end"][transient_limits[k].name] = sure_share_json(*share);
+    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
+      if (const auto& s = group.exceeded[k]) one["exceeded"][transient_limits[k].name] = sure_share_json(*s);
+      if (const auto& s = group.exceeded_at_end[k])
+        one["exceeded_at_end"][transient_limits[k].name] = sure_share_json(*s);
+    }
     for (std::size_t k = 0; k < within_names.size(); ++k)
       if (const auto& share = group.within[k]) one["within"][within_names[k]] = sure_share_json(*share);
     const std::optional<double> grade = left_grade(group, study);

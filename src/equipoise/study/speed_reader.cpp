@@ -1,0 +1,115 @@
+// Ramp functions, motors by the keys that are there, loads.
+#include "equipoise/study/speed_reader.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/study/keys.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+// Times or speeds must increase, and each needs a value.
+void check_points(TableReader& reader, const char* key, const std::vector<double>& points, const char* values_key,
+                  const std::vector<double>& values) {
+  const bool times = key == std::string_view("times");
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!(points[i] > points[i - 1]))
+      reader.fail(key, fmt::format("{} out of order: entry {} must be greater than {}", key, i + 1,
+                                   times ? reader.time_text(points[i - 1]) : reader.speed_text(points[i - 1])));
+  if (points.size() != values.size())
+    reader.fail(values_key, fmt::format("has {} entries; must have one a {}, {}", values.size(),
+                                        times ? "time" : "speed", points.size()));
+}
+
+void read_ramp(TableReader& reader, const char* table, Study& study) {
+  const RampSetting& ramp = study.speed;
+  const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
+    if (!(time > earlier))
+      reader.fail(key, fmt::format("must be greater than {}, {}", before, reader.time_text(earlier)));
+  };
+  read_keys(reader, table, variant_of(ramp.profile), study);
+  if (ramp.profile == Profile::trapezoid) {
+    check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
+    check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
+  } else if (ramp.profile == Profile::points) {
+    if (ramp.times.front() != 0.0) reader.fail("times", "the first time must be 0");
+    check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
+  }
+}
+
+void read_target(const Document& document, RampSetting& target) {
+  TableReader reader(document, "speed.torque.target");
+  Study study;
+  study.speed.profile = reader.choice<Profile>("profile", std::span(profile_names).first(ramp_functions));
+  read_ramp(reader, "speed.torque.target", study);
+  reader.finish();
+  target = study.speed;
+}
+
+// The keys present determine the law.
+void read_torque(const Document& document, Study& study) {
+  using Kind = model::MotorLaw::Kind;
+  TableReader reader(document, "speed.torque");
+  TorqueSetting& torque = study.speed.torque;
+  if (reader.has("stall") || reader.has("no_load_speed"))
+    torque.by_stall = true;
+  else if (reader.has("speeds"))
+    torque.kind = Kind::curve;
+  else if (reader.has("times") || reader.has("values"))
+    torque.kind = Kind::table;
+  else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
+    torque.kind = Kind::control;
+  read_keys(reader, "speed.torque", variants_of(torque), study);
+  if (torque.kind == Kind::table) check_points(reader, "times", torque.times, "values", torque.values);
+  if (torque.kind == Kind::curve) {
+    check_points(reader, "speeds", torque.speeds, "values", torque.values);
+    const std::size_t points = torque.speeds.size();
+    if (points < 2 || points > model::most_curve_points)
+      reader.fail("speeds", fmt::format("has {} entries; must have 2 to {}", points, model::most_curve_points));
+  }
+  if (torque.kind == Kind::control) {
+    if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
+    read_target(document, torque.target);
+  }
+  reader.finish();
+}
+
+void read_load(const Document& document, Study& study) {
+  TableReader reader(document, "speed.load");
+  read_keys(reader, "speed.load", all_variants, study);
+  const LoadSetting& load = study.speed.load;
+  if ((load.linear != 0.0 || load.quadratic != 0.0) && !reader.has("at"))
+    reader.fail("at", "missing; must be the speed at which linear and quadratic are so large");
+  reader.finish();
+}
+
+}  // namespace
+
+void read_speed(const Document& document, Study& study) {
+  TableReader reader(document, "speed");
+  read_key(reader, *key_table("speed").find("profile", false), study);
+  read_ramp(reader, "speed", study);
+  if (study.speed.driven()) {
+    if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
+    read_torque(document, study);
+    if (reader.has("load")) read_load(document, study);
+    if (study.speed.law != model::SpeedLaw::kinematic)
+      reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
+    if (!(study.parameters.inertia > 0.0)) {
+      TableReader rotor(document, "rotor");
+      rotor.fail("inertia", fmt::format("must be {} for a driven rotor (profile \"torque\"){}",
+                                        document.scales ? "a moment of inertia greater than 0, such as \"0.02 kg m2\","
+                                                        : "a finite number greater than 0",
+                                        document.scales ? ", or give rotor.radius_of_gyration or rotor.gd2" : ""));
+    }
+  }
+  reader.finish();
+}
+
+}  // namespace equipoise::study
