@@ -56,26 +56,26 @@ void read_target(const Document& document, RampSetting& target) {
 void read_torque(const Document& document, Study& study) {
   using Kind = model::MotorLaw::Kind;
   TableReader reader(document, "speed.torque");
-  TorqueSetting& torque = study.speed.torque;
+  TorqueSetting& motor = study.speed.torque;
   if (reader.has("stall") || reader.has("no_load_speed"))
-    torque.by_stall = true;
+    motor.by_stall = true;
   else if (reader.has("speeds"))
-    torque.kind = Kind::curve;
+    motor.kind = Kind::curve;
   else if (reader.has("times") || reader.has("values"))
-    torque.kind = Kind::table;
+    motor.kind = Kind::table;
   else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
-    torque.kind = Kind::control;
-  read_keys(reader, "speed.torque", variants_of(torque), study);
-  if (torque.kind == Kind::table) check_points(reader, "times", torque.times, "values", torque.values);
-  if (torque.kind == Kind::curve) {
-    check_points(reader, "speeds", torque.speeds, "values", torque.values);
-    const std::size_t points = torque.speeds.size();
+    motor.kind = Kind::control;
+  read_keys(reader, "speed.torque", variants_of(motor), study);
+  if (motor.kind == Kind::table) check_points(reader, "times", motor.times, "values", motor.values);
+  if (motor.kind == Kind::curve) {
+    check_points(reader, "speeds", motor.speeds, "values", motor.values);
+    const std::size_t points = motor.speeds.size();
     if (points < 2 || points > model::most_curve_points)
       reader.fail("speeds", fmt::format("has {} entries; must have 2 to {}", points, model::most_curve_points));
   }
-  if (torque.kind == Kind::control) {
+  if (motor.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
-    read_target(document, torque.target);
+    read_target(document, motor.target);
   }
   reader.finish();
 }
@@ -83,8 +83,8 @@ void read_torque(const Document& document, Study& study) {
 void read_load(const Document& document, Study& study) {
   TableReader reader(document, "speed.load");
   read_keys(reader, "speed.load", all_variants, study);
-  const LoadSetting& load = study.speed.load;
-  if ((load.linear != 0.0 || load.quadratic != 0.0) && !reader.has("at"))
+  const LoadSetting& taken = study.speed.load;
+  if ((taken.linear != 0.0 || taken.quadratic != 0.0) && !reader.has("at"))
     reader.fail("at", "missing; must be the speed at which linear and quadratic are so large");
   reader.finish();
 }
