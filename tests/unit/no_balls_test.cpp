@@ -115,6 +115,10 @@ TEST(NoBalls, APageTellsOfTheRotor) {
   EXPECT_TRUE(holds(page, "The rotor alone"));
   EXPECT_TRUE(holds(page, "nothing is drawn, and one run tells all"));
   EXPECT_FALSE(holds(page, "Where starts end"));
+  EXPECT_TRUE(holds(page, "How it shakes on its way up"));
+  EXPECT_TRUE(holds(page, "<li>viscous damping</li>"));
+  EXPECT_FALSE(holds(page, "<li>balls"));
+  EXPECT_FALSE(holds(page, "class=\"notice"));
 }
 
 TEST(NoBalls, EverybodyElseRefusesThem) {
