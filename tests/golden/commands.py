@@ -18,9 +18,9 @@ def commands(name, study, values, folder):
 
     yield "explain", ["explain", *given], []
     yield "explain-json", ["explain", *given, "--json"], []
-    yield "basin", ["basin", *given, *starts, *runs, "--transients", "-o", file("basin.nc"), "--report", file("basin.html")], [
+    yield "basin", ["basin", *given, *starts, *runs, "--transients", "--no-changes", "-o", file("basin.nc"), "--report", file("basin.html")], [
         "basin.nc", "basin.html"]
-    yield "basin-json", ["basin", *given, *starts, *runs, "--transients", "--json"], []
+    yield "basin-json", ["basin", *given, *starts, *runs, "--transients", "--no-changes", "--json"], []
     yield "start", ["basin", *given, "--start-index", "3", *runs], []
     yield "inspect", ["inspect", file("basin.nc")], []
     yield "simulate", ["simulate", *given, "--every", "2", "--until", "40", "-o", file("run.csv")], ["run.csv"]

@@ -127,6 +127,10 @@ TEST(NoBalls, APageTellsOfTheRotor) {
   EXPECT_TRUE(holds(page, "The rotor alone"));
   EXPECT_TRUE(holds(page, "nothing is drawn, and one run tells all"));
   for (const char* words : {"Where starts end", "balls can cancel", "rule of thumb"}) EXPECT_FALSE(holds(page, words));
+  EXPECT_TRUE(holds(page, "How it shakes on its way up"));
+  EXPECT_TRUE(holds(page, "<li>viscous damping</li>"));
+  EXPECT_FALSE(holds(page, "<li>balls"));
+  EXPECT_FALSE(holds(page, "class=\"notice"));
 }
 
 TEST(NoBalls, EverybodyElseRefusesThem) {

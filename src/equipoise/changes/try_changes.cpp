@@ -9,6 +9,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensembles/basin.hpp"
+#include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/text/text.hpp"
 
@@ -115,7 +116,9 @@ class Changes {
 std::vector<TriedChange> tried(const Study& study, const RunOptions& options) {
   const std::vector<Change> changes = usual_changes(study);
   std::vector<TriedChange> done;
+  const double begin = cpu_seconds();
   for (std::size_t k = 0; k < changes.size() && !is_set(options.stop); ++k) {
+    if (cpu_seconds() - begin > seconds_for_changes) break;
     if (options.progress) options.progress({k, changes.size(), "changes", {}, false});
     BasinOptions one;
     one.threads = options.threads;

@@ -23,6 +23,10 @@ std::vector<Change> usual_changes(const Study& study);
 /// Starts on which each change is tried: if all keep the limits, 96 % surely do.
 inline constexpr std::uint64_t starts_of_a_change = 100;
 
+/// No further change is begun after so many seconds of CPU time: an answer is wanted within a minute. How many changes
+/// are tried may thus depend on the machine; what each is worth does not.
+inline constexpr double seconds_for_changes = 30.0;
+
 /// The usual changes tried on the study's first starts, in their order; stops after the first that makes the balancer
 /// fit. Stopped, it returns what is done. Progress counts changes.
 std::vector<TriedChange> try_changes(const Study& study, const RunOptions& options = {});

@@ -226,9 +226,11 @@ class Assumptions {
       : given_(given), s_(s), balls_(balls) {}
 
   std::vector<std::string> list() {
-    add_release();
-    add_balls();
-    add_drag();
+    if (s_.parameters.balls > 0) {
+      add_release();
+      add_balls();
+      add_drag();
+    }
     add_supports();
     return std::move(list_);
   }
