@@ -254,7 +254,8 @@ TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
             "4 balls of 10 mm, balls let go at 840 rpm");
   r.before = DesignSample{100, {{0.5, 0.4, 0.6}}, {}, ""};
   EXPECT_EQ(design_verdict(r).words, "3 balls of 12 mm, ISO VG 46.");
-  EXPECT_NE(design_verdict(r).because.find("as it is 50 % (40"), std::string::npos) << design_verdict(r).because;
+  EXPECT_NE(design_verdict(r).because.find("as it is 50.0 % (40.0 to 60.0 %)"), std::string::npos)
+      << design_verdict(r).because;
   EXPECT_NE(design_verdict(r).margins.find("not worked out"), std::string::npos);
   r.before = DesignSample{100, {{1.0, 0.97, 1.0}}, {}, ""};
   EXPECT_EQ(design_verdict(r).words,

@@ -211,24 +211,19 @@ class DesignRun {
     }
   }
 
-  // In the time that is left: as many fresh starts as a first look has, for the study as it is and for the best one.
+  // In the time that is left: the study as it is on the search's starts; then it and the best one on as many fresh
+  // starts as a first look has.
   void check_best() {
     if (!result_.chosen) return;
-    const DesignCandidate best = result_.front[*result_.chosen];
+    DesignCandidate best = result_.front[*result_.chosen];
     const std::uint64_t starts = problem_.first_look(), seed = result_.held_out_seed;
-    const std::vector<WantedSample> wanted{{{}, starts, seed, true}, {best.settings, starts, seed, true}};
-    const auto take = [&] {
-      if (const DesignSample* before = ensembles_->known(wanted[0])) result_.before = *before;
-      if (const DesignSample* own = ensembles_->known(wanted[1]))
-        result_.front = {best}, result_.front[0].held_out = *own, result_.chosen = 0;
-    };
-    try {
-      ensembles_->run(wanted);
-    } catch (const SearchOver&) {
-      take();
-      throw;
-    }
-    take();
+    result_.before = ensembles_->run({{{}, starts, result_.search_seed, false}}).front();
+    const std::vector<DesignSample> own =
+        ensembles_->run({{{}, starts, seed, true}, {best.settings, starts, seed, true}});
+    result_.before = own[0];
+    best.held_out = own[1];
+    result_.front = {best};
+    result_.chosen = 0;
   }
 
   // Judges the front on starts that the search did not see, beside the original study.

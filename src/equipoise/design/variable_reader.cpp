@@ -79,7 +79,8 @@ std::vector<double> multiples(const DesignEntry& entry, double step, double low,
   if (!(step > 0.0) || (high - low) / step > most_allowed)
     entry.fail(fmt::format("step must be greater than 0 and leave {:.0f} values at most", most_allowed));
   std::vector<double> numbers;
-  for (double k = std::ceil(low / step - rounded); k * step <= high + rounded * step; ++k) numbers.push_back(k * step);
+  for (double k = std::ceil(low / step - rounded); k * step <= high + rounded * step; ++k)
+    numbers.push_back(k * step + 0.0);  // not -0
   return numbers;
 }
 
@@ -93,7 +94,8 @@ std::vector<double> of_digits(const DesignEntry& entry, double digits, double lo
   for (double decade = std::floor(std::log10(from) + rounded); decade <= std::log10(high); ++decade) {
     const double step = std::pow(10.0, decade - digits + 1.0);
     for (double k = std::pow(10.0, digits - 1.0); k < std::pow(10.0, digits) - 0.5; ++k)
-      if (k * step >= from * (1.0 - rounded) && k * step <= high * (1.0 + rounded)) numbers.push_back(k * step);
+      if (k * step >= from * (1.0 - rounded) && k * step <= high * (1.0 + rounded))
+        numbers.push_back(k * step + 0.0);  // not -0
   }
   if (static_cast<double>(numbers.size()) > most_allowed) entry.fail("has too many values with so many digits");
   return numbers;

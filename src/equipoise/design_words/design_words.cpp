@@ -14,6 +14,8 @@ namespace equipoise {
 
 namespace {
 
+constexpr std::string_view all_kept = "All requirements are kept: ";
+
 struct Thing {
   const char* key;
   const char* name;    // "ball diameter"
@@ -173,7 +175,7 @@ std::string design_answer(const DesignResult& r) {
     before =
         fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
                     estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
-  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : "All requirements are kept: ", text, before);
+  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : all_kept, text, before);
   std::string missed;
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
@@ -223,6 +225,7 @@ DesignVerdict design_verdict(const DesignResult& r) {
   else
     verdict.words = fmt::format("{}Nothing tried keeps all requirements surely; nearest: {}.", partial, things);
   verdict.because = design_answer(r);
+  if (verdict.because.starts_with(all_kept)) verdict.because.erase(0, all_kept.size());  // the verdict says so
   if (r.margins.empty()) {
     verdict.margins = "How far each number may be off was not worked out: the time was over.";
   } else {

@@ -177,23 +177,24 @@ std::string stopped_design_text(const DesignResult& r) {
 std::string design_text(const DesignResult& r, const TextStyle& style) {
   std::string text =
       design_verdict_text(r, style) + lines_filled(study_heading(r.study) + uncertain_text(r.study), style);
-  if (!r.proposed.empty()) text += "\nThe study states no [design]; proposed [design]:\n" + r.proposed;
+  if (!r.proposed.empty()) text += "The study states no [design]; proposed [design]:\n" + r.proposed;
   if (r.front.empty()) return text;
   text += r.proposed.empty() ? "" : "\n";
   text += fmt::format(
       "{}, * the chosen one:\n",
       r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
-  text += table_text(front_table(r, key_itself), style) + "\n" + table_text(figure_table(r), style);
+  text += table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style);
   if (!r.limited_by.empty()) {
     text += "\nWhat limits it:\n";
     for (const std::string& words : r.limited_by) text += filled("  ", words, style);
   }
-  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, key_itself), style);
+  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, thing_of), style);
   if (r.partial) text += lines_filled(stopped_design_text(r), style);
   if (r.resumed > 0) text += fmt::format("\n{} ensembles from an earlier run. ", r.resumed);
-  return text + fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n", r.candidates,
-                            design_method_names[static_cast<std::size_t>(r.method)], r.trajectories, r.budget,
-                            computed_text(r), version_string);
+  return text + lines_filled(fmt::format("\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n",
+                                         r.candidates, design_method_names[static_cast<std::size_t>(r.method)],
+                                         r.trajectories, r.budget, computed_text(r), version_string),
+                             style);
 }
 
 std::string design_json(const DesignResult& r) {
@@ -208,7 +209,7 @@ std::string design_json(const DesignResult& r) {
     DesignCandidate as_it_is;
     as_it_is.search = *r.before;
     json["before"] = candidate_out(r, as_it_is);
-    json["before"]["held_out"] = true;
+    json["before"]["held_out"] = r.chosen && r.front[*r.chosen].held_out.has_value();
   }
   json["feasible"] = r.feasible;
   json["trajectories"] = r.trajectories;
