@@ -81,7 +81,7 @@ class Golden:
         file, values, starts = FATES[name]
         where = self.folder / f"{name}.{target}.nc"
         said = self.run(["basin", str(self.studies / file), *overrides(values), "--starts", str(starts), "--cpu", target, "--threads",
-                         "1", "--quiet", "-o", str(where)])
+                         "1", "--quiet", "--no-transients", "-o", str(where)])
         if not where.exists():
             raise SystemExit(f"golden: {name} on {target}: {said}")
         with netcdf_file(where, mmap=False) as data:
