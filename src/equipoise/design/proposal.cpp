@@ -24,7 +24,7 @@ namespace {
 
 // Trajectories that take a minute or two of two cores: of balls that strike each other every turn, of balls that touch,
 // and of others.
-constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 100'000;
+constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 3000;
 constexpr double usual_share = 0.95, greatest_share = 0.99;
 constexpr double fewest_that_prove = 3.9;  // starts times (1 - share): if all do it, so surely does that share
 constexpr int most_balls_proposed = 8, more_dear_balls = 2;
