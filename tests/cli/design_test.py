@@ -93,14 +93,16 @@ class Design(Case):
 
     def test_study_without_a_design_gets_one_that_can_be_pasted(self):
         small = ["--trajectories", "2000", "--set", "design.method=latin", "--quiet"]
-        told = answer("design", ROW, *small)
+        bare = text_of(os.path.join(STUDIES, "examples", "washing-machine.toml")).split("[design]")[0]
+        study = self.file("bare.toml", bare)
+        told = answer("design", study, *small)
         proposed = told["proposed_design"]
         self.assertIn('"balancer.balls"', proposed)
-        pasted = answer("design", self.file("pasted.toml", text_of(ROW) + proposed), *small)
+        pasted = answer("design", self.file("pasted.toml", bare + proposed), *small)
         self.assertIsNone(pasted["proposed_design"])
         self.assertEqual(pasted["chosen"], told["chosen"])
         self.assertIn("balls", told["chosen"]["things"])
-        text = run("design", ROW, *small).stdout
+        text = run("design", study, *small).stdout
         self.assertEqual([line[:9] for line in text.splitlines() if line[:7] in ("verdict", "because", "margins")],
                          ["verdict  ", "because  ", "margins  "])
         self.assertTrue(text.startswith("verdict  "))

@@ -201,7 +201,7 @@ TEST(DesignProblem, StudyWithoutADesignGetsOneThatCanBePasted) {
   const DesignProblem plain = problem_of(oiled);
   EXPECT_EQ(plain.proposed(), "\n[design]\nobjective = [\"peak_radial.0.95\"]\nstarts = 100\ntrajectories = 40000\n" +
                                   std::string(optimisers_built_in() ? "" : "method = \"latin\"\n") +
-                                  "\n[design.vary]\n\"balancer.balls\" = [2, 8]\n"
+                                  "\n[design.vary]\n\"balancer.balls\" = [2, 5]\n"
                                   "\"balancer.ball_diameter\" = { stock = [\"6.35 mm\", \"16 mm\"] }\n"
                                   "\"balancer.oil.grade\" = { stock = [\"ISO VG 10\", \"ISO VG 460\"] }\n"
                                   "\n[design.require]\nbalanced = { above = 0.95 }\n");
@@ -212,7 +212,8 @@ TEST(DesignProblem, StudyWithoutADesignGetsOneThatCanBePasted) {
   for (const char* words : {"peak_radial.0.99", "starts = 400", "limits_kept = { above = 0.99 }", "\"release.time\""})
     EXPECT_NE(proposed.find(words), std::string::npos) << proposed;
   // Where larger numbers do not fit beside each other, they are left out.
-  const std::string tight = with(oiled, "race_radius = \"50 mm\"", "race_radius = \"12 mm\"");
+  const std::string tight =
+      with(with(oiled, "race_radius = \"50 mm\"", "race_radius = \"12 mm\""), "balls = 3", "balls = 6");
   EXPECT_NE(problem_of(tight).proposed().find("\"balancer.balls\" = [2, 7]"), std::string::npos)
       << problem_of(tight).proposed();
 }

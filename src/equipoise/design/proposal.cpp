@@ -24,10 +24,10 @@ namespace {
 
 // Trajectories that take a minute or two of two cores: of balls that strike each other every turn, of balls that touch,
 // and of others.
-constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 100'000;
+constexpr int dear_budget = 3000, contact_budget = 40'000, plain_budget = 3000;
 constexpr double usual_share = 0.95, greatest_share = 0.99;
 constexpr double fewest_that_prove = 3.9;  // starts times (1 - share): if all do it, so surely does that share
-constexpr int most_balls_proposed = 8, more_dear_balls = 2;
+constexpr int most_balls_proposed = 8, more_touching_balls = 2;
 constexpr double around_size = 1.6, around_drag = 5.0, around_mass = 3.0, around_release = 3.0;
 
 class Proposal {
@@ -91,7 +91,8 @@ class Proposal {
     const int now = study_.parameters.balls;
     int low = now, high = now;
     while (low > 2 && valid("balancer.balls", low - 1)) --low;
-    const int most = dear_ ? std::min(now + more_dear_balls, most_balls_proposed) : most_balls_proposed;
+    const bool touch = study_.parameters.balls_collide();  // many that do are costly to follow
+    const int most = touch ? std::min(now + more_touching_balls, most_balls_proposed) : most_balls_proposed;
     while (high < most && valid("balancer.balls", high + 1)) ++high;
     if (low < high) add("balancer.balls", fmt::format("[{}, {}]", low, high));
   }
