@@ -30,8 +30,7 @@ struct BasinArguments : ComputingArguments {
   std::vector<std::string> overrides;
   std::optional<std::string> starts, seed, start_index, half_width, decide, rows;
   std::string output, report;
-  std::optional<bool> transients;
-  bool json = false, sensitivity = false, no_changes = false;
+  bool json = false, transients = false, no_transients = false, sensitivity = false, no_changes = false;
 };
 
 std::vector<std::string> overrides_from(const BasinArguments& a) {
@@ -111,9 +110,9 @@ int run_basin(const BasinArguments& a) {
         option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
   if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
   options.limit_given = a.starts.has_value();
-  if (a.transients)
-    options.transients = *a.transients;
-  else if (StudySource{text, name, overrides}.physical())
+  if (a.no_transients)
+    options.transients = false;
+  else if (a.transients || StudySource{text, name, overrides}.physical())
     options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
@@ -170,9 +169,11 @@ Command add_basin(CLI::App& app) {
       ->type_name("HOW");
   app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
       ->type_name("FILE.nc");
-  app.add_flag("--transients,!--no-transients", a->transients,
-               "peak vibration, bearing force, settling time and their like (default where the study has [limits] or "
-               "[standards], or is in physical units)");
+  CLI::Option* asked = app.add_flag(
+      "--transients", a->transients,
+      "peak vibration, bearing force, settling time and their like (default where the study has [limits] or "
+      "[standards], or is in physical units)");
+  app.add_flag("--no-transients", a->no_transients, "leave these out, and with them the verdict")->excludes(asked);
   app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
       ->type_name("FILE.html");
   add_no_changes(app, a->no_changes);

@@ -55,13 +55,13 @@ class Capacity(Case):
         balls = 4 * 7.8e-3 * math.pi / 6 * 38 ** 3 * 250  # g mm: what they can cancel
         by_length = self.file("length.toml", text_of(WASHER).replace('unbalance = "100 kg mm"', 'eccentricity = "2.5 mm"'))
         for path, key, unit, most in ((WASHER, "rotor.unbalance", "g mm", balls),
-                                      (by_length, "rotor.eccentricity", "mm", balls / 40000),
+                                      (by_length, "rotor.unbalance", "g mm", balls),
                                       (ROW, "rotor.eccentricity", "", 0.1)):
             found = answer("capacity", path, *few)
             self.assertEqual((found["of"], found["unit"]), (key, unit))
             self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
             text = run("capacity", path, *few, "--quiet").stdout
-            told = re.search(rf"The largest {key} at which 30 % of starts end balanced, looked for from (\S+) to (\S+?)( g mm| mm)?\.\n", text)
+            told = re.search(rf"The largest {key} at which 30 % of starts end balanced, looked for from (\S+) to (\S+?)( g mm)?\.\n", text)
             self.assertTrue(told, text)
             self.assertEqual((told[3] or "").strip(), unit)
             self.assertTrue(abs(float(told[2]) / most - 1) < 1e-3, told[2])  # four digits
