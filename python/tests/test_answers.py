@@ -157,7 +157,7 @@ def test_explanations(program):
     machine = eq.Study.from_file(studies / "examples" / "washing-machine.toml")
     said = eq.explain(machine)
     assert without_times(said.data) == without_times(told(program, "explain", studies / "examples" / "washing-machine.toml"))
-    assert said.text == program("explain", studies / "examples" / "washing-machine.toml").stdout
+    assert said.text == program("explain", studies / "examples" / "washing-machine.toml", "--wide").stdout
     assert list(said.advice) == ["ball_mass", "critical_speed", "room", "drag", "settling", "torque"]
     assert said.advice["ball_mass"]["kept"] is True and "rules-of-thumb.md" in said.advice["drag"]["source"]
     assert isinstance(said.warnings, list) and "<pre>" in said._repr_html_()
