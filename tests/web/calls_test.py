@@ -62,7 +62,7 @@ class Calls(unittest.TestCase):
             expected = json.loads(program("explain", path, "--json"))
             self.assertEqual(check["study"], expected["study"], path)
             # Except for the study's name, which the page does not know.
-            self.assertEqual(check["explain"].split("\n")[1:], program("explain", path).split("\n")[1:], path)
+            self.assertEqual(check["explain"].split("\n")[1:], program("explain", path, "--wide").split("\n")[1:], path)
 
     def test_wrong_values_are_refused_in_the_programs_words(self):
         for path, key, value in ((ROW, "rotor.damping", "-1"), (ROW, "rotor.dampign", "1"), (DRIVE, "rotor.mass", "3 mm"),
