@@ -175,7 +175,7 @@ TEST(Changes, AreAskedForByVerdictsOfNoUse) {
   RunOptions options;
   options.progress = [](const Progress&) { throw Asked(); };
   EXPECT_THROW(changes_asked_for(with_numbers(true, {.kept = 900}), options), Asked);
-  EXPECT_THROW(changes_asked_for(with_numbers(true, {.kept = 1000, .peak = 1.2}), options), Asked);
+  EXPECT_THROW(changes_asked_for(with_numbers(false, {.end = 0.1, .peak = 1.2}), options), Asked);
 }
 
 TEST(BasinText, KeepsToEightyColumns) {
