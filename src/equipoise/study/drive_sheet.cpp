@@ -109,45 +109,6 @@ void put_nameplate(Document& document) {
     torque->erase(key);
 }
 
-// What the motor's shaft does, seen from the rotor's: speeds over the ratio, torques times it.
-double gear_power(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::speed:
-      return -1.0;
-    case Dimension::torque:
-      return 1.0;
-    case Dimension::gain:
-      return 2.0;
-    default:
-      return 0.0;
-  }
-}
-
-void put_gear(Document& document, const std::string& name, double ratio) {
-  StudyValue* table = find_table(document.root, name);
-  if (!table) return;
-  QuantityReader reader(document, name);
-  for (const Key& key : key_table(name).keys) {
-    const StudyValue* value = table->find(key.name);
-    if (!value || !key.dimension || gear_power(*key.dimension) == 0.0) continue;
-    const double factor = std::pow(ratio, gear_power(*key.dimension));
-    const auto geared = [&](const StudyValue& given) {
-      const auto reject = [&](const std::string& problem) { reader.fail(key.name, problem); };
-      const double si = measure_value(given, {*key.dimension}, quantity_range(key), reject).value;
-      return in_si(si * factor, *key.dimension);
-    };
-    StudyValue result = StudyValue::Array{};
-    if (const auto* array = value->array()) {
-      StudyValue::Array entries;
-      for (const StudyValue& entry : *array) entries.push_back(geared(entry));
-      result = std::move(entries);
-    } else {
-      result = geared(*value);
-    }
-    put_for(document, name, key.name, key.name, std::move(result));
-  }
-}
-
 }  // namespace
 
 void infer_profile(Document& document) {
@@ -162,22 +123,33 @@ void infer_profile(Document& document) {
     state(Profile::constant);
 }
 
-double put_drive_sheet(Document& document) {
+double gear_factor(Dimension dimension, double ratio) {
+  switch (dimension) {
+    case Dimension::speed:
+      return 1.0 / ratio;
+    case Dimension::torque:
+      return ratio;
+    case Dimension::gain:
+      return ratio * ratio;
+    default:
+      return 1.0;
+  }
+}
+
+DriveSheet put_drive_sheet(Document& document) {
   put_run_up(document);
   put_nameplate(document);
   StudyValue* speed = find_table(document.root, "speed");
-  if (!speed) return 0.0;
+  if (!speed) return {};
   QuantityReader reader(document, "speed");
   const Range range = key_table("speed").find("gear_ratio", true)->range;
   const double ratio = reader.optional_number("gear_ratio", range).value_or(1.0);
   const double inertia = reader.optional_quantity("motor_inertia").value_or(0.0);
-  if (reader.has("gear_ratio"))
-    for (const char* table : {"speed.torque", "speed.torque.target"}) put_gear(document, table, ratio);
   for (const char* key : {"gear_ratio", "motor_inertia"}) {
     if (reader.has(key) && !speed->find("torque")) reader.fail(key, "belongs to a motor: needs speed.torque");
     speed->erase(key);
   }
-  return ratio * ratio * inertia;
+  return {ratio, ratio * ratio * inertia};
 }
 
 }  // namespace equipoise::study

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
 
@@ -9,9 +10,16 @@ namespace equipoise::study {
 /// or `speed` alone.
 void infer_profile(Document& document);
 
-/// Replaces speed.run_up, a nameplate in speed.torque, speed.gear_ratio and speed.motor_inertia of a physical study by
-/// quantities at the rotor's shaft. Returns the moment of inertia that the motor adds to the rotor's, kg m^2. Throws
-/// InputError.
-double put_drive_sheet(Document& document);
+struct DriveSheet {
+  double gear_ratio = 1.0;  ///< motor speed over rotor speed; speed.torque is at the motor's shaft
+  double inertia = 0.0;     ///< that the motor adds to the rotor's, kg m^2
+};
+/// Replaces speed.run_up and a nameplate in speed.torque of a physical study by the keys that they stand for, and takes
+/// out speed.gear_ratio and speed.motor_inertia. Throws InputError.
+DriveSheet put_drive_sheet(Document& document);
+
+/// What a quantity at the motor's shaft is multiplied by at the rotor's: speeds by 1/ratio, torques by the ratio,
+/// torques for a speed by its square.
+double gear_factor(Dimension dimension, double ratio);
 
 }  // namespace equipoise::study

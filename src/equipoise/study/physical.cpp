@@ -75,7 +75,7 @@ void replace_balancer(Document& document, const BalancerSheet& b, double turn, c
   replace(document, "balancer", derived, s);
 }
 
-void replace_quantities(Document& document, const KeyTable& keys, const model::Scales& s) {
+void replace_quantities(Document& document, const KeyTable& keys, const model::Scales& s, double gear_ratio) {
   StudyValue* table = find_table(document.root, keys.name);
   if (!table) return;  // absent, or not a table: the study reader says so
   TableReader reader(document, keys.name);
@@ -86,17 +86,18 @@ void replace_quantities(Document& document, const KeyTable& keys, const model::S
     const StudyValue* value = table->find(key);
     if (!value) continue;
     const double scale = scale_of(*line.dimension, s);
+    const double factor = keys.name.starts_with("speed.torque") ? gear_factor(*line.dimension, gear_ratio) : 1.0;
     Derived derived{key, key, {}};
     const StudyValue::Array* array = value->array();
     if (!array) {
       const auto reject = [&](const std::string& problem) { reader.fail(key, problem); };
-      derived.values.push_back(measure_value(*value, {*line.dimension}, range, reject).value / scale);
+      derived.values.push_back(measure_value(*value, {*line.dimension}, range, reject).value * factor / scale);
     } else {
       for (const StudyValue& entry : *array) {
         const auto reject = [&](const std::string& problem) {
           reader.fail(key, fmt::format("entry {} {}", derived.values.size() + 1, problem));
         };
-        derived.values.push_back(measure_value(entry, {*line.dimension}, range, reject).value / scale);
+        derived.values.push_back(measure_value(entry, {*line.dimension}, range, reject).value * factor / scale);
       }
     }
     put(document, *table, keys.name, derived, array != nullptr);
@@ -156,17 +157,17 @@ void make_dimensionless(Document& document) {
         "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
         "rotor.stiffness");
   require_mass(document);
-  const double motor_inertia = put_drive_sheet(document);
+  const DriveSheet drive = put_drive_sheet(document);
   const RotorSheet rotor = read_rotor_sheet(document);
   const BalancerSheet balancer = read_balancer_sheet(document);
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
   replace(document, "rotor", rotor.derived, scales);
   replace_balancer(document, balancer, rotor.turn, scales);
-  if (StudyValue* inertia = document.root.find_path("rotor.inertia"); inertia && motor_inertia > 0.0)
-    *inertia = inertia->number() + motor_inertia / scales.inertia();
+  if (StudyValue* inertia = document.root.find_path("rotor.inertia"); inertia && drive.inertia > 0.0)
+    *inertia = inertia->number() + drive.inertia / scales.inertia();
   document.root.erase("place");
   for (const KeyTable& table : key_tables())
-    if (!is_machine(table.name)) replace_quantities(document, table, scales);
+    if (!is_machine(table.name)) replace_quantities(document, table, scales, drive.gear_ratio);
   document.scales = scales;
   check_horizon(document, scales);
 }

@@ -107,7 +107,7 @@ class RotorReader {
                              {"static_sag", "under its own weight, such as \"3 mm\""}});
     const auto gravity = reader_.optional_quantity("gravity");
     if (gravity) put("gravity", "gravity", {*gravity}, Dimension::acceleration);
-    const double g = gravity.value_or(0.0) > 0.0 ? *gravity : model::standard_gravity;
+    const double g = gravity.value_or(0.0) > 0.0 ? *gravity : standard_gravity;
     std::vector<double> k = reader_.one_or_each(from, 2, each_direction);
     for (double& v : k) {
       if (from == "natural_frequency") v = model::stiffness_of_frequency(r_.mass, v);
@@ -168,7 +168,7 @@ class RotorReader {
     double inertia =
         from == "gd2" ? reader_.quantity(from, Dimension::weight_inertia, &measured) : reader_.quantity(from);
     if (from == "radius_of_gyration") inertia = model::inertia_of_gyration(r_.mass, inertia);
-    if (measured == Dimension::weight_inertia) inertia /= model::standard_gravity;
+    if (measured == Dimension::weight_inertia) inertia /= standard_gravity;
     if (from == "gd2") inertia = model::inertia_of_gd2(inertia);
     put("inertia", from, {inertia}, Dimension::inertia);
   }
