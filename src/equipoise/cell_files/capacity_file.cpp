@@ -30,17 +30,16 @@ class CapacityWriter {
     define_boundaries();
     define_trials();
     table_.define_records();
-    io::define_cell_attributes(
-        file_, "capacity",
-        fmt::format("Largest {} at which a share of {} of the starts {}", result_.key, result_.at_least, doing()),
-        identity_, result_.study, result_.complete());
+    io::define_cell_attributes(file_, "capacity",
+                               fmt::format("Largest {} at which a share of {} of the starts {}", result_.key,
+                                           result_.at_least, result_.asked_of_one()),
+                               identity_, result_.study, result_.complete());
     file_.attribute(NC_GLOBAL, "of", result_.key);
     file_.end_definitions();
     table_.write();
   }
 
  private:
-  std::string doing() const { return result_.by == "balanced" ? "ends balanced" : "keeps " + result_.by; }
   std::string unit() const { return result_.unit.empty() ? "1" : result_.unit; }
 
   void by_cell(const char* name, const std::string& units, const std::string& meaning,
@@ -51,12 +50,12 @@ class CapacityWriter {
 
   void define_boundaries() {
     const std::string& key = result_.key;
-    table_.column(
-        "capacity", unit(),
-        fmt::format("{}: the largest at which a share of {} of the starts {}", key, result_.at_least, doing()),
-        [this](std::size_t index, double* v) {
-          if (const auto& value = result_.cells[index]->value) *v = *value;
-        });
+    table_.column("capacity", unit(),
+                  fmt::format("{}: the largest at which a share of {} of the starts {}", key, result_.at_least,
+                              result_.asked_of_one()),
+                  [this](std::size_t index, double* v) {
+                    if (const auto& value = result_.cells[index]->value) *v = *value;
+                  });
     by_cell("capacity_low", unit(), key + ": up to here the share is as large with 95 % confidence",
             [](const CapacityCell& c) { return c.low; });
     by_cell("capacity_high", unit(), key + ": here the share is smaller with 95 % confidence",

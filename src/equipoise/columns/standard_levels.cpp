@@ -25,7 +25,7 @@ std::optional<double> zone_boundary(const Study& study, int boundary) {
 std::optional<double> sliding_level(const Study& study) {
   const Standards& s = study.standards;
   if (!s.standing_mass || !s.friction || !study.scales) return std::nullopt;
-  const double mass = *s.standing_mass * study.scales->mass, weight = mass * standards::standard_gravity;
+  const double mass = *s.standing_mass * study.scales->mass, weight = mass * standard_gravity;
   const model::Parameters& p = study.parameters;
   // Without gravity in the plane the force turns in a level plane: it pushes and never lifts.
   if (p.gravity == 0.0) return *s.friction * weight / study.scales->force();

@@ -1,13 +1,13 @@
 // What a test or a data sheet tells of supports and rotor, as the quantities of the equations.
 #pragma once
 
+#include "equipoise/base/standard_gravity.hpp"
+
 #include <cmath>
 
 #include "equipoise/base/angles.hpp"
 
 namespace equipoise::model {
-
-inline constexpr double standard_gravity = 9.80665;  ///< m/s^2
 
 /// k = M omega^2, of the rotor alone. `frequency` in rad/s.
 inline double stiffness_of_frequency(double mass, double frequency) { return mass * frequency * frequency; }

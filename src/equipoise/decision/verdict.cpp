@@ -140,7 +140,7 @@ class Judge {
                        peak.value * unit.size, unit.name, bare * unit.size, unit.name);
   }
 
-  // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 200 starts keep every limit."
+  // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
   std::string best_words(std::span<const TriedChange> tried) const {
     const TriedChange* best = &tried.front();
     for (const TriedChange& t : tried)

@@ -75,7 +75,7 @@ class BasinRun {
     result_.note = balance.note;
     note_open_starts(result_, horizon_, look_at_these(undecided_), look_at_these(stalled_));
     if (gathers_ && options_.without_balls && result_.starts > 0 && !is_set(options_.stop))
-      // As many starts as the file has, so that it says the same whoever reads it.
+      // As many starts as the file has, so that it says the same to every reader.
       result_.without_balls =
           without_balls({result_.study, *sampler_, std::max(result_.starts, file_ ? file_->stored() : 0),
                          options_.initial, threads_, options_.stop});

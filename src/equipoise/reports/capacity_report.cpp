@@ -134,10 +134,9 @@ std::string capacity_json(const CapacityResult& r) {
 }
 
 std::string capacity_csv(const CapacityResult& r) {
-  std::string text =
-      fmt::format("# equipoise {}: largest {} at which a share of {} of {} starts {}, looked for from {}{}\n",
-                  version_string, r.key, r.at_least, r.starts, r.by == "balanced" ? "ends balanced" : "keeps " + r.by,
-                  sought_text(r), r.complete() ? "" : ", PARTIAL");
+  std::string text = fmt::format(
+      "# equipoise {}: largest {} at which a share of {} of {} starts {}, looked for from {}{}\n", version_string,
+      r.key, r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

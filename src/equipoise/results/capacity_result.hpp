@@ -66,6 +66,8 @@ struct CapacityResult {
   std::string asked() const {
     return by == "balanced" ? "end balanced" : by == "limits" ? "keep every limit" : "keep limits." + by;
   }
+  /// The same of one start: "ends balanced", "keeps velocity".
+  std::string asked_of_one() const { return by == "balanced" ? "ends balanced" : "keeps " + by; }
   bool complete() const {
     for (const auto& cell : cells)
       if (!cell) return false;
