@@ -40,7 +40,7 @@ int block_option(const std::string& text) {
 }
 
 void put_map(const ResultForms& a, const BasinSlice& map, const std::function<GivenMachine()>& machine) {
-  put_forms(a, {[&] { return map_text(map); },
+  put_forms(a, {[&] { return map_text(map, text_style()); },
                 [&] { return map_json(map); },
                 {},
                 [&](const std::string& file) {
@@ -107,6 +107,7 @@ Command add_map(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--from", a->from, "take pixels with the same centres from another map's file")->type_name("FILE");
   add_forms(app, *a, {nullptr, "a picture (.png or .svg), darker where decided later; drawn by gnuplot"});
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_map(*a); };

@@ -41,13 +41,13 @@ struct SweepArguments : ResultForms, ComputingArguments {
 };
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
-  put_forms(a,
-            {[&] { return sweep_text(result); }, [&] { return sweep_json(result); }, [&] { return sweep_csv(result); },
-             [&](const std::string& file) {
-               return sweep_plot_script(
-                   result, display_text(std::filesystem::path(result.study.name).filename().string()), file);
-             },
-             [&] { return sweep_html(result, machine()); }});
+  put_forms(a, {[&] { return sweep_text(result, text_style()); }, [&] { return sweep_json(result); },
+                [&] { return sweep_csv(result); },
+                [&](const std::string& file) {
+                  return sweep_plot_script(
+                      result, display_text(std::filesystem::path(result.study.name).filename().string()), file);
+                },
+                [&] { return sweep_html(result, machine()); }});
 }
 
 constexpr FormWords sweep_words{
@@ -185,6 +185,7 @@ Command add_sweep(CLI::App& app) {
   app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
       ->type_name("I/N");
   add_forms(app, *a, sweep_words);
+  add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_sweep(*a); };
@@ -197,6 +198,7 @@ Command add_merge(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("-o,--output", a->output, "what they are put together into (.nc)")->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
+  add_text_style(app);
   return [a] { return run_merge(*a); };
 }
 

@@ -34,7 +34,7 @@ void named_members(Record& r, T& s) {
 template <class Record, Like<TransientGroup> T>
 void named_members(Record& r, T& g) {
   r("name", g.name, "id", g.id, "starts", g.starts, "mean_speed", g.mean_speed, "lasting", g.lasting);
-  r("never", g.never, "figures", g.figures, "exceeded", g.exceeded);
+  r("never", g.never, "figures", g.figures, "exceeded", g.exceeded, "within", g.within);
 }
 
 template <class Record, Like<SweepOutcome> T>

@@ -159,17 +159,27 @@ class SweepWriter {
       of_quantiles("_low", "lower end of its 95 % interval: ", &QuantileEstimate::low);
       of_quantiles("_high", "upper end of its 95 % interval: ", &QuantileEstimate::high);
     }
-    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
-      const std::string limit = transient_limits[k].name;
-      const auto exceeded = [&](const std::string& name, const std::string& words, double Share::*part) {
-        column(name, "1", words, 1, [k, part](const SweepCell& cell, double* value) {
-          if (cell.transients && cell.transients->exceeded[k]) *value = *cell.transients->exceeded[k].*part;
-        });
-      };
-      exceeded("exceeded_" + limit, "share of starts above limits." + limit, &Share::share);
-      exceeded("exceeded_" + limit + "_low", "lower end of its 95 % interval", &Share::low);
-      exceeded("exceeded_" + limit + "_high", "upper end of its 95 % interval", &Share::high);
-    }
+    for (std::size_t k = 0; k < transient_limits.size(); ++k)
+      of_starts(std::string("exceeded_") + transient_limits[k].name,
+                std::string("share of starts above limits.") + transient_limits[k].name,
+                [k](const TransientGroup& all) { return all.exceeded[k]; });
+    for (std::size_t k = 0; k < within_names.size(); ++k)
+      of_starts(std::string("limits_kept_") + within_names[k],
+                fmt::format("share of starts that keep all limits: {}", within_titles[k]),
+                [k](const TransientGroup& all) { return all.within[k]; });
+  }
+
+  // A share of all starts, empty where it is not asked for, with its interval.
+  template <class Of>
+  void of_starts(const std::string& name, const std::string& words, const Of& of) {
+    const auto part = [&](const std::string& suffix, const std::string& meaning, double Share::*member) {
+      column(name + suffix, "1", meaning, 1, [of, member](const SweepCell& cell, double* value) {
+        if (const auto share = cell.transients ? of(*cell.transients) : std::nullopt) *value = *share.*member;
+      });
+    };
+    part("", words, &Share::share);
+    part("_low", "lower end of its 95 % interval", &Share::low);
+    part("_high", "upper end of its 95 % interval", &Share::high);
   }
 
   NetcdfFile& file_;

@@ -17,6 +17,8 @@ namespace equipoise {
 
 namespace {
 
+constexpr std::chrono::milliseconds until_a_look{10};
+
 std::string name_of_sample(const WantedSample& w) {
   return fmt::format("{} starts, seed {}{}: {}", w.starts, w.seed, w.whole ? ", whole search" : "",
                      text_of(w.settings));
@@ -29,8 +31,18 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions&
     : options_(options),
       file_(file),
       search_time_(std::move(search_time)),
-      threads_(thread_count(options.threads)),
-      survey_(candidate_survey(std::make_shared<CandidateRunner>(problem, options))) {
+      candidate_options_(options),
+      threads_(thread_count(options.threads)) {
+  if (search_time_) {
+    candidate_options_.stop = &cut_;
+    clock_ = std::thread([this] { watch_time(); });
+  }
+  try {
+    survey_ = candidate_survey(std::make_shared<CandidateRunner>(problem, candidate_options_));
+  } catch (...) {
+    end_clock();
+    throw;
+  }
   if (helpers)
     helpers_ = std::async(std::launch::async, [this, helpers] {
       try {
@@ -39,6 +51,29 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions&
         fail(std::current_exception());
       }
     });
+}
+
+DesignEnsembles::~DesignEnsembles() { end_clock(); }
+
+void DesignEnsembles::end_clock() {
+  over_ = true;
+  if (clock_.joinable()) clock_.join();
+}
+
+void DesignEnsembles::watch_time() {
+  while (!over_) {
+    {
+      const std::lock_guard guard(taking_);
+      if (stopped() || out_of_time()) cut_ = true;
+    }
+    std::this_thread::sleep_for(until_a_look);
+  }
+}
+
+void DesignEnsembles::after_search() {
+  const std::lock_guard guard(taking_);
+  searching_ = false;
+  cut_ = stopped();
 }
 
 void DesignEnsembles::fail(std::exception_ptr thrown) {
@@ -80,7 +115,7 @@ void DesignEnsembles::work_off(std::size_t missing) {
   if (missing == 0) return;
   const int at_once = std::min(static_cast<int>(missing), threads_);
   const BlockWorkers workers{.threads = threads_ / at_once,
-                             .stop = options_.stop,
+                             .stop = candidate_options_.stop,
                              .known = [this](std::size_t number) { return known(number); },
                              .deliver = [this](std::size_t number, const CellRecord& made) { deliver(number, made); }};
   in_parallel(at_once, static_cast<std::size_t>(at_once), [&](std::size_t) {
@@ -92,7 +127,6 @@ void DesignEnsembles::work_off(std::size_t missing) {
       throw;
     }
   });
-  constexpr std::chrono::milliseconds until_a_look{10};
   std::unique_lock lock(taking_);
   while (!stopped() && !out_of_time() && !failure_ &&
          std::find(answers_.begin(), answers_.end(), std::nullopt) != answers_.end())

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "equipoise/cell_files/design_file.hpp"
@@ -32,7 +33,7 @@ class DesignEnsembles final : public SurveyWork {
   /// `file`: what an earlier run kept, or null.
   DesignEnsembles(const DesignProblem& problem, const RunOptions& options, DesignFile* file,
                   const SurveyHelpers& helpers = {}, std::function<bool()> search_time = {});
-  ~DesignEnsembles() override { over_ = true; }
+  ~DesignEnsembles() override;
 
   /// Results in the order of `wanted`; candidates run in parallel and share the threads. Throws SearchOver if stopped;
   /// finished samples are kept, see known().
@@ -47,9 +48,9 @@ class DesignEnsembles final : public SurveyWork {
   std::uint64_t resumed() const { return resumed_; }
   bool stopped() const { return is_set(options_.stop); }
   /// From now on only the stop flag ends the work: the search is over.
-  void after_search() { search_time_ = {}; }
+  void after_search();
   /// Whether the search has had its time.
-  bool out_of_time() const { return search_time_ && search_time_(); }
+  bool out_of_time() const { return searching_ && search_time_ && search_time_(); }
 
   std::optional<std::size_t> next_block() override;
   CellRecord known(std::size_t number) const override;
@@ -58,12 +59,21 @@ class DesignEnsembles final : public SurveyWork {
   CellDesk& desk() override { return desk_; }
 
  private:
+  void watch_time();
+  void end_clock();
   void work_off(std::size_t missing);
   void fail(std::exception_ptr thrown);
 
   const RunOptions& options_;
   DesignFile* file_;
   std::function<bool()> search_time_;
+  // What a running candidate heeds: also set when the search has had its time, so that one costly candidate cannot take
+  // the time of the checks as well.
+  StopFlag cut_{false};
+  RunOptions candidate_options_;
+  std::atomic<bool> searching_{true};
+  std::atomic<bool> over_{false};
+  std::thread clock_;
   int threads_;
   Survey survey_;
   CellDesk desk_;  // nothing lies there: candidates are shared out, not their starts
@@ -77,7 +87,6 @@ class DesignEnsembles final : public SurveyWork {
   std::vector<std::optional<DesignSample>> answers_;
   std::size_t next_ = 0;
   std::exception_ptr failure_;  // the first, of threads or of helpers
-  std::atomic<bool> over_{false};
   std::future<void> helpers_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/html/answer.hpp"
 #include "equipoise/html/page_parts.hpp"
@@ -59,7 +60,7 @@ class MapDocument {
     DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
     for (const OutcomeShare& c : map_.codes) {
       if (c.share.count == 0 && c.id < undecided_code) continue;
-      table.rows.push_back({{title_of(c)},
+      table.rows.push_back({{reader_title(c, map_.study.scales.has_value())},
                             share_cell(c.share),
                             number_cell(interval(c.share)),
                             number_cell(fmt::format("{}", c.share.count))});

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
@@ -137,7 +138,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
     const bool measured = m.kind == MotionKind::measured;  // its state is unknown
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
     std::vector<std::string> row{fmt::format("{}", a.id),
-                                 title_of(a),
+                                 reader_title(a, r.basin.study.scales.has_value()),
                                  name_of(m.kind),
                                  share.total ? share_cell(share).text : "-",
                                  a.continuum || measured ? "-" : fmt::format("{}", m.copies),

@@ -160,10 +160,11 @@ DocumentTable outcome_table(const BasinResult& r) {
 
 // "No start was undecided, diverged or failed (each below 0.19 %)." With undecided starts: what they could still be.
 std::string none_words(const BasinResult& r) {
+  const bool physical = r.study.scales.has_value();
   std::vector<std::string> names;
   const Share* none = nullptr;
   for (const OutcomeShare& a : r.attractors)
-    if (a.share.count == 0 && a.id != balanced_id) names.push_back("came to " + title_of(a));
+    if (a.share.count == 0 && a.id != balanced_id) names.push_back("came to " + reader_title(a, physical));
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
     none = r.of(o.id);

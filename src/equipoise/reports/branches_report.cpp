@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/results/motion_table.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/text/computed.hpp"
@@ -127,10 +128,11 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   std::string text = lines_filled(study_heading(r.study), style);
   text += fmt::format("along {} ({}): {:.12g} to {:.12g}, {} values\n\n", r.key, parameter_label(r.key),
                       r.values.front(), r.values.back(), r.values.size());
+  const bool physical = r.study.scales.has_value();
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
   for (const Branch& b : r.branches)
-    branches.rows.push_back(
-        row_of("nttt", {fmt::format("{}", b.id), title_of(b), existence_text(r, b), stable_text(b, ranges_of(b))}));
+    branches.rows.push_back(row_of("nttt", {fmt::format("{}", b.id), reader_title(b, physical), existence_text(r, b),
+                                            stable_text(b, ranges_of(b))}));
   std::vector<std::pair<const BranchEvent*, const Branch*>> events;
   for (const Branch& b : r.branches)
     for (const BranchEvent& e : b.events) events.emplace_back(&e, &b);
@@ -138,8 +140,8 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
                    [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
   DocumentTable table{{"at", "between", "id", "attractor", "event", "type"}, {}, "", false, {}};
   for (const auto& [e, b] : events)
-    table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id), title_of(*b),
-                                           name_of(e->change), name_of(e->cause)}));
+    table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id),
+                                           reader_title(*b, physical), name_of(e->change), name_of(e->cause)}));
   table.spare = {2, 5, 1};
   text += table_text(branches, style) + "\n" + table_text(table, style);
   if (events.empty()) text += "  none\n";

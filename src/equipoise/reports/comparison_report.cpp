@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/text.hpp"
@@ -70,8 +71,9 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   DocumentTable table{{"outcome", "first", "second", "difference", "95 % interval, points"}, {}, "", false, {}};
   for (const ComparedShare& s : r.shares) {
     if (s.first.count == 0 && s.second.count == 0) continue;
-    table.rows.push_back(row_of("lnnnn", {title_of(s), percent(s.first.share, 2), percent(s.second.share, 2),
-                                          points(s.difference.difference), interval_text(s.difference)}));
+    table.rows.push_back(
+        row_of("lnnnn", {reader_title(s, r.first.scales.has_value()), percent(s.first.share, 2),
+                         percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference)}));
   }
   text += table_text(table, style) + "\n";
   if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";

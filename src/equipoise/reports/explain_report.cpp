@@ -42,7 +42,7 @@ std::string figure_text(const ExplainedQuantity& figure, const std::optional<Sca
 
 class Text {
  public:
-  explicit Text(const Explanation& e) : e_(e), scales_(e.study.scales) {}
+  Text(const Explanation& e, const TextStyle& style) : e_(e), style_(style), scales_(e.study.scales) {}
 
   std::string all() {
     const std::string held = held_text(e_.study);
@@ -89,12 +89,16 @@ class Text {
     for (const auto& q : e_.quantities) {
       if (!scales_ && (q.symbol == "M" || q.symbol == "R" || q.symbol == "omega_c" || q.symbol == "1/omega_c"))
         continue;  // the units themselves
-      const bool plain = !q.dimension || (*q.dimension == Dimension::angle);
-      std::vector<std::string> row{q.symbol, q.name, fmt::format("{:.6g}", q.value)};
-      if (scales_) row.insert(row.begin() + 2, plain ? "" : physical(q.value, *q.dimension));
+      const std::string number = fmt::format("{:.6g}", q.value);
+      std::vector<std::string> row{q.symbol, q.name, number};
+      if (scales_)
+        row.insert(row.begin() + 2, !q.dimension                       ? number
+                                    : *q.dimension == Dimension::angle ? number + " rad"
+                                                                       : physical(q.value, *q.dimension));
       quantities.rows.push_back(row_of(scales_ ? "ttnn" : "ttn", row));
     }
-    text_ += table_text(quantities) + "\n";
+    if (scales_) quantities.spare = {3};
+    text_ += table_text(quantities, style_) + "\n";
   }
 
   void speeds() {
@@ -256,6 +260,7 @@ class Text {
   }
 
   const Explanation& e_;
+  const TextStyle& style_;
   const std::optional<Scales>& scales_;
   std::string text_;
 };
@@ -332,7 +337,7 @@ std::string verdict_text(const Explanation& e) {
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {
   constexpr std::size_t labels = 22;
-  return lines_filled(Text(e).all(), style, labels);
+  return lines_filled(Text(e, style).all(), style, labels);
 }
 
 std::string explain_json(const Explanation& e) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/plain_names.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
@@ -89,8 +90,8 @@ std::uint64_t open_pixels(const BasinSlice& map) { return map.pixels - map.codes
 std::string part_of_map(const BasinSlice& map, const Share& share) {
   const double all = static_cast<double>(map.pixels), count = static_cast<double>(share.count);
   const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
-  if (map.complete) return fmt::format("{:>10.2f} %", percents(count));
-  return fmt::format("{:>10.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
+  if (map.complete) return fmt::format("{:.2f} %", percents(count));
+  return fmt::format("{:.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
 }
 
 // How the slice was made, if not by one run that computed every pixel.
@@ -110,35 +111,38 @@ std::string making_text(const BasinSlice& map) {
 
 }  // namespace
 
-std::string map_text(const BasinSlice& map) {
+std::string map_text(const BasinSlice& map, const TextStyle& style) {
   const SliceFigures& f = map.figures;
+  const bool physical = map.study.scales.has_value();
   std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
-  text += starts_text(map);
-  text += fmt::format("\n{:>5}  {:<44}{:>10}{}\n", "code", "outcome", "pixels",
-                      map.complete ? "  of the map" : "    of the map");
+  text = lines_filled(text + starts_text(map), style) + "\n";
+  DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}, {}, "", false, {}};
   for (const OutcomeShare& c : map.codes)
-    text += fmt::format("{:>5}  {:<44}{:>10}{}\n", c.id, title_of(c), c.share.count, part_of_map(map, c.share));
+    table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
+                                         fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
+  text += table_text(table, style);
   const std::string figures =
       figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
       figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
       (f.balanced_radius
            ? fmt::format("{:<25} {:.3f} rad around balanced angles\n", "all balanced within", *f.balanced_radius)
            : "");
-  text += "\n";
+  std::string notes = "\n";
   if (!figures.empty())
-    text += figures +
-            "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
-            "boundary's entropy tells a fractal one.\n\n";
-  text += making_text(map);
+    notes += figures +
+             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
+             "boundary's entropy tells a fractal one.\n\n";
+  notes += making_text(map);
   if (!map.complete)
-    text += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
-                        open_pixels(map), map.pixels);
+    notes += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
+                         open_pixels(map), map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
-  return text + fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
-                            now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "",
-                            version_string);
+  notes +=
+      fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
+                  now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
+  return text + lines_filled(notes, style);
 }
 
 std::string map_json(const BasinSlice& map) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/basin_slice.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
 /// Shares and figures for the terminal.
-std::string map_text(const BasinSlice& map);
+std::string map_text(const BasinSlice& map, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string map_json(const BasinSlice& map);

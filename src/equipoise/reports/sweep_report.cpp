@@ -30,7 +30,6 @@ struct SweepColumn {
   std::string title;
   double sum = 0.0, largest = 0.0;  // of its shares: sum over all cells, and largest in any cell
   std::size_t cells = 0;            // in which starts came to it
-  std::size_t width() const { return std::max<std::size_t>(title.size(), 8); }
 };
 
 // "V2"; the second motion of that alias with its number: "V2 (2)".
@@ -90,35 +89,90 @@ std::string others_text(const Columns& columns) {
   return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), columns.others.size() == 1 ? "" : "s", text);
 }
 
+// Of all starts, those within every limit on the way and at the end; null where none is stated or gathered.
+const Share* kept(const SweepCell& cell) {
+  if (!cell.transients) return nullptr;
+  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
+  return share ? &*share : nullptr;
+}
+
 const SweepOutcome* find(const SweepCell& cell, int id) {
   const auto at = std::find_if(cell.outcomes.begin(), cell.outcomes.end(), [&](const auto& o) { return o.id == id; });
   return at == cell.outcomes.end() ? nullptr : &*at;
 }
 
-std::string header_line(const SweepResult& r, const Columns& columns) {
-  std::string line =
-      column_titles(r.axes) + fmt::format("{:>9}  {:>10}  {:<20}", "starts", "balanced", "95 % interval");
-  for (const SweepColumn& column : columns.shown) line += fmt::format("  {:>{}}", column.title, column.width());
-  return line + (columns.others.empty() ? "" : "    others") + (columns.stalled ? "   stalled" : "") + "  undecided\n";
+// The rarest motions go first where the terminal is narrow, then what all cells have alike.
+DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
+  const bool limits = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return c && kept(*c); });
+  DocumentTable table{parameter_titles(r.axes, key_itself), {}, "", false, {}};
+  const auto column = [&](bool there, const std::string& title) {
+    if (there) table.header.push_back(title);
+    return table.header.size() - 1;
+  };
+  const std::size_t starts = column(true, "starts");
+  column(true, "balanced");
+  column(limits, "keep all limits");
+  const std::size_t motions = table.header.size();
+  for (const SweepColumn& c : columns.shown) column(true, c.title);
+  const std::size_t others = column(!columns.others.empty(), "others");
+  const std::size_t stalled = column(columns.stalled, "stalled");
+  column(true, "undecided");
+  if (columns.stalled) table.spare.push_back(stalled);
+  for (std::size_t k = 0; k < columns.shown.size(); ++k) table.spare.push_back(motions + k);
+  if (!columns.others.empty()) table.spare.push_back(others);
+  table.spare.push_back(starts);
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const SweepCell& cell = *r.cells[index];
+    std::vector<DocumentCell> row = parameter_values(r.axes, index);
+    const auto put = [&](bool there, const std::string& text) {
+      if (there) row.push_back(number_cell(text));
+    };
+    const auto share_of = [&](const SweepColumn& c) {
+      const SweepOutcome* o = find(cell, c.id);
+      return o ? o->share.share : 0.0;
+    };
+    put(true, fmt::format("{}", cell.starts));
+    put(true, share_with_interval(cell.outcomes.front().share));
+    put(limits, kept(cell) ? share_with_interval(*kept(cell)) : "-");
+    for (const SweepColumn& c : columns.shown) put(true, find(cell, c.id) ? percent(share_of(c), 2) : "-");
+    double rest = 0.0;
+    for (const SweepColumn& c : columns.others) rest += share_of(c);
+    put(!columns.others.empty(), rest > 0.0 ? percent(rest, 2) : "-");
+    put(columns.stalled, cell.stalled ? percent(cell.stalled->share, 2) : "-");
+    put(true, percent(cell.undecided.share, 2));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
-std::string cell_line(const SweepResult& r, const Columns& columns, std::size_t index) {
-  const SweepCell& cell = *r.cells[index];
-  std::string line = column_values(r.axes, index);
-  const Share& balanced = cell.outcomes.front().share;
-  line += fmt::format("{:>9}  {:>10}  {:<20}", cell.starts, percent(balanced.share, digits_for(balanced)),
-                      interval(balanced));
-  const auto share_of = [&](const SweepColumn& column) {
-    const SweepOutcome* o = find(cell, column.id);
-    return o ? o->share.share : 0.0;
+// "most     98.20 ± 0.52 % of starts are balanced, with balancer.drag = 0.05; ...", and the same of the fewest: what a
+// sweep is made to find. Of one cell there is nothing to say.
+std::string best_and_worst(const SweepResult& r, const TextStyle& style) {
+  const auto limits = [&](const auto& cell) { return !cell || kept(*cell); };
+  const bool judged = std::all_of(r.cells.begin(), r.cells.end(), limits);
+  const auto share = [&](std::size_t k) -> const Share& {
+    return judged ? *kept(*r.cells[k]) : r.cells[k]->outcomes.front().share;
   };
-  for (const SweepColumn& column : columns.shown)
-    line += fmt::format("  {:>{}}", find(cell, column.id) ? percent(share_of(column), 2) : "-", column.width());
-  double rest = 0.0;
-  for (const SweepColumn& column : columns.others) rest += share_of(column);
-  if (!columns.others.empty()) line += fmt::format("  {:>8}", rest > 0.0 ? percent(rest, 2) : "-");
-  if (columns.stalled) line += fmt::format("  {:>8}", cell.stalled ? percent(cell.stalled->share, 2) : "-");
-  return line + fmt::format("  {:>9}\n", percent(cell.undecided.share, 2));
+  std::vector<std::size_t> done;
+  for (std::size_t k = 0; k < r.cells.size(); ++k)
+    if (r.cells[k] && share(k).total > 0) done.push_back(k);
+  if (done.size() < 2) return "";
+  std::stable_sort(done.begin(), done.end(), [&](auto a, auto b) { return share(a).share > share(b).share; });
+  const auto line = [&](const char* label, std::size_t k) {
+    const auto alike = [&](std::size_t other) {
+      return other != k && share(other).low <= share(k).high && share(k).low <= share(other).high;
+    };
+    const auto others = std::count_if(done.begin(), done.end(), alike);
+    return filled(fmt::format("{:<9}", label),
+                  fmt::format("{} of starts {}, with {}{}", share_with_interval(share(k)),
+                              judged ? "keep every limit" : "end balanced", cell_title(r.axes, k),
+                              others == 0   ? ""
+                              : others == 1 ? "; the interval of 1 other cell overlaps"
+                                            : fmt::format("; the intervals of {} other cells overlap", others)),
+                  style);
+  };
+  return line("most", done.front()) + line("fewest", done.back()) + "\n";
 }
 
 // Lost starts, and the cells' notes.
@@ -161,6 +215,8 @@ Json transients_json(const TransientGroup& group) {
   }
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
     if (group.exceeded[k]) transients["exceeded"][transient_limits[k].name] = share_json(*group.exceeded[k]);
+  for (std::size_t k = 0; k < within_names.size(); ++k)
+    if (group.within[k]) transients["within"][within_names[k]] = sure_share_json(*group.within[k]);
   return transients;
 }
 
@@ -183,23 +239,23 @@ Json cell_json(const SweepResult& r, std::size_t index) {
 
 }  // namespace
 
-std::string sweep_text(const SweepResult& r) {
+std::string sweep_text(const SweepResult& r, const TextStyle& style) {
   const Columns columns(r);
-  std::string text = study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)) + header_line(r, columns);
-  for (std::size_t index = 0; index < r.cells.size(); ++index)
-    if (r.cells[index]) text += cell_line(r, columns, index);
-  text += "\n" + others_text(columns) + what_else(r);
+  std::string text = best_and_worst(r, style);
+  text += lines_filled(study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)), style);
+  text += table_text(cells_table(r, columns), style) + "\n";
+  std::string notes = "Behind ± or in brackets: 95 % intervals.\n" + others_text(columns) + what_else(r);
   std::size_t done = 0;
   std::uint64_t starts = 0;
   for (const auto& cell : r.cells)
     if (cell) ++done, starts += cell->starts;
   if (done < r.cells.size())
-    text += fmt::format("PARTIAL: {} of {} cells; the rest is missing.\n", done, r.cells.size());
-  text +=
+    notes += fmt::format("PARTIAL: {} of {} cells; the rest is missing.\n", done, r.cells.size());
+  notes +=
       fmt::format("{} cells, {} starts, seed {}, the same starts in every cell", done, starts, r.study.sampling.seed);
-  if (r.resumed_cells > 0) text += fmt::format("; {} cells from an earlier run", r.resumed_cells);
-  if (r.seconds > 0.0) text += "; " + computed_text(r);
-  return text + fmt::format("; equipoise {}\n", version_string);
+  if (r.resumed_cells > 0) notes += fmt::format("; {} cells from an earlier run", r.resumed_cells);
+  if (r.seconds > 0.0) notes += "; " + computed_text(r);
+  return text + lines_filled(notes + fmt::format("; equipoise {}\n", version_string), style);
 }
 
 std::string sweep_json(const SweepResult& r) {

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "equipoise/results/sweep_result.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
-/// One line per cell, for the terminal.
-std::string sweep_text(const SweepResult& result);
+/// The cells with the largest and the smallest share, then one line per cell, for the terminal.
+std::string sweep_text(const SweepResult& result, const TextStyle& style = wide_style);
 
 /// One JSON object. docs/guide/command-line.md lists the keys.
 std::string sweep_json(const SweepResult& result);

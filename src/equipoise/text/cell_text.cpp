@@ -14,26 +14,6 @@ std::string column_title(const std::string& key, const std::string& unit) {
   return unit.empty() ? key : fmt::format("{}, {}", key, unit);
 }
 
-std::size_t column_width(const SweepParameter& p) {
-  return std::max<std::size_t>(column_title(p.key, p.unit).size(), 10);
-}
-
-std::string column_titles(const std::vector<SweepAxis>& axes) {
-  std::string line;
-  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
-    line += fmt::format("{:>{}}  ", column_title(p.key, p.unit), column_width(p));
-  });
-  return line;
-}
-
-std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
-  std::string line;
-  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
-    line += fmt::format("{:>{}.6g}  ", p.values[k], column_width(p));
-  });
-  return line;
-}
-
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words) {
   std::vector<std::string> titles;
   visit_parameters(axes, 0,

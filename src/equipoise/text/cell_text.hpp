@@ -12,14 +12,10 @@
 
 namespace equipoise {
 
-/// "rotor.unbalance, g mm": the title of a column in a terminal, and its width.
+/// "rotor.unbalance, g mm": the title of a column.
 std::string column_title(const std::string& key, const std::string& unit);
-std::size_t column_width(const SweepParameter& parameter);
-/// The columns of all parameters: titles, and values in a cell.
-std::string column_titles(const std::vector<SweepAxis>& axes);
-std::string column_values(const std::vector<SweepAxis>& axes, std::size_t cell);
-
-/// The same in a document's table. What a key is called there: itself, or words (plots/quantities.hpp).
+/// The columns of all parameters: titles, and values in a cell. What a key is called there: itself, or words
+/// (plots/quantities.hpp).
 using KeyWords = std::string (*)(const std::string& key);
 inline std::string key_itself(const std::string& key) { return key; }
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words);
