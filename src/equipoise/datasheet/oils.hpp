@@ -25,14 +25,16 @@ inline constexpr double coldest_mineral_oil = celsius_zero - 20.0, hottest_miner
 std::optional<double> viscosity_at_100(double at_40, double viscosity_index);
 
 /// Kinematic viscosity in mm^2/s at `kelvin` of an oil known at 40 and 100 degC: Ubbelohde and Walther,
-/// lg lg(nu + 0.7) = A - B lg T (ASTM D341, for 2 mm^2/s and more). Needs at_40 > at_100 > 0.3.
+/// lg lg Z = A - B lg T with Z = nu + 0.7 + exp(-1.47 - 1.84 nu - 0.51 nu^2) (ASTM D341, for 0.21 mm^2/s and more).
+/// Needs at_40 > at_100 > 0.3.
 double mineral_oil_viscosity(double at_40, double at_100, double kelvin);
 
-/// Of dimethyl silicone oils of 100 to 100 000 mm^2/s.
+/// Of dimethyl silicone oils. The limits of viscosity and temperature are ours: thinner ones follow the law less well,
+/// and above 200 degC the oil oxidises.
 inline constexpr double silicone_density = 970.0;  ///< kg/m^3, at 25 degC
 inline constexpr double thinnest_silicone = 100.0, thickest_silicone = 1e5;
-inline constexpr double coldest_silicone = celsius_zero - 25.0, hottest_silicone = celsius_zero + 250.0;
-/// lg nu = lg nu_25 + 763.1 K (1/T - 1/298.15 K) [KF-96]: a viscosity-temperature coefficient of 0.60.
+inline constexpr double coldest_silicone = celsius_zero - 25.0, hottest_silicone = celsius_zero + 200.0;
+/// lg nu = lg nu_25 + 763.1 K (1/T - 1/298.15 K) [silicone], which makes the viscosity-temperature coefficient 0.60.
 double silicone_viscosity(double at_25, double kelvin);
 
 }  // namespace equipoise::model

@@ -108,6 +108,7 @@ void DesignEnsembles::deliver(std::size_t number, const CellRecord& made) {
   if (k >= batch_.size() || answers_[k]) return;
   if (file_) file_->append(number, name_of_sample(batch_[k]), kept->sample);
   answers_[k] = std::move(kept->sample);
+  some_known_ = true;
   answered_.notify_all();
 }
 
@@ -146,7 +147,7 @@ std::vector<DesignSample> DesignEnsembles::run(const std::vector<WantedSample>& 
     if (const DesignSample* before = known(wanted[k]))
       there[k] = *before;
     else if (auto kept = file_ ? file_->sample(asked_ + k, name_of_sample(wanted[k])) : std::nullopt)
-      there[k] = std::move(*kept), ++resumed_;
+      there[k] = std::move(*kept), ++resumed_, some_known_ = true;
     else
       ++missing;
   }

@@ -49,8 +49,9 @@ class DesignEnsembles final : public SurveyWork {
   bool stopped() const { return is_set(options_.stop); }
   /// From now on only the stop flag ends the work: the search is over.
   void after_search();
-  /// Whether the search has had its time.
-  bool out_of_time() const { return searching_ && search_time_ && search_time_(); }
+  /// Whether the search has had its time. It has not before something is known: without a candidate the rest of the
+  /// time would be of no use.
+  bool out_of_time() const { return searching_ && some_known_ && search_time_ && search_time_(); }
 
   std::optional<std::size_t> next_block() override;
   CellRecord known(std::size_t number) const override;
@@ -71,7 +72,7 @@ class DesignEnsembles final : public SurveyWork {
   // the time of the checks as well.
   StopFlag cut_{false};
   RunOptions candidate_options_;
-  std::atomic<bool> searching_{true};
+  std::atomic<bool> searching_{true}, some_known_{false};
   std::atomic<bool> over_{false};
   std::thread clock_;
   int threads_;

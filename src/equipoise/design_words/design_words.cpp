@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {
@@ -33,6 +36,17 @@ constexpr std::array<Thing, 12> things{{{"balancer.balls", "number of balls", ""
                                         {"release.speed", "speed of release", "balls let go at "},
                                         {"release.time", "time of release", "balls let go after "},
                                         {"speed", "run-up", "run-up "}}};
+
+// Shares and times of the starts; quantiles are named by transient_figures.
+constexpr std::array<std::pair<const char*, const char*>, 7> figures_in_words{{
+    {"balanced", "starts that balance"},
+    {"passed", "starts that pass resonance"},
+    {"limits_kept", "starts within all limits"},
+    {"limits_kept_at_end", "starts within all limits at the end"},
+    {"limits_kept_on_the_way", "starts never over a limit on the way"},
+    {"undecided", "undecided starts"},
+    {"time_to_balance", "time to balance"},
+}};
 
 const Thing* known_thing(const std::string& key) {
   const auto at = std::find_if(things.begin(), things.end(), [&](const Thing& t) { return key == t.key; });
@@ -112,6 +126,20 @@ bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {
   return keeps(limit, e.low) && keeps(limit, e.high);
 }
 
+std::string figure_words(const DesignFigure& figure, bool brief) {
+  const std::size_t dot = figure.name.find('.');
+  const std::string column = figure.name.substr(0, dot);
+  std::string words;
+  for (const auto& [name, meaning] : figures_in_words)
+    if (column == name) words = meaning;
+  for (const TransientFigure& f : transient_figures)
+    if (column == f.name) words = f.title;
+  if (words.empty()) return figure.name;
+  if (dot == std::string::npos) return words;
+  const double percents = 100.0 * std::strtod(figure.name.c_str() + dot + 1, nullptr);
+  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : " of starts below");
+}
+
 std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
   std::string text;
   if (limit.below) text = "below " + estimate_text(figure, *limit.below);
@@ -136,8 +164,8 @@ std::string estimate_with_interval(const DesignFigure& figure, const DesignEstim
     share.high = e.high;
     return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
   }
-  const std::string high = std::isfinite(e.high) ? fmt::format("{:.4g}", e.high) : "no end";
-  return fmt::format("{} ({:.4g} to {})", estimate_text(figure, e.value), e.low, high);
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : "no end";
+  return fmt::format("{} ({:.3g} to {})", estimate_text(figure, e.value), e.low, high);
 }
 
 std::string setting_text(const StudyValue& value) {
@@ -168,20 +196,20 @@ std::string design_answer(const DesignResult& r) {
   const DesignSample& sample = best.best_known();
   std::string text;
   for (const std::size_t k : r.objectives)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", r.figures[k].name,
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", figure_words(r.figures[k]),
                         estimate_with_interval(r.figures[k], sample.figures[k]));
   std::string before;
   if (r.before && !r.before->figures.empty())
-    before =
-        fmt::format("; as it is {}{}", r.objectives.size() > 1 ? r.figures[r.objectives.front()].name + " " : "",
-                    estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
+    before = fmt::format(
+        "; as it is {}{}", r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
+        estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
   if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : all_kept, text, before);
   std::string missed;
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
     if (surely_keeps(limit, e)) continue;
-    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ", r.figures[limit.figure].name,
-                          limit_text(r.figures[limit.figure], limit),
+    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ",
+                          figure_words(r.figures[limit.figure]), limit_text(r.figures[limit.figure], limit),
                           keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
                           estimate_with_interval(r.figures[limit.figure], e));
   }

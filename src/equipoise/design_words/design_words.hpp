@@ -11,6 +11,9 @@ namespace equipoise {
 /// Whether a figure keeps a limit; whether its whole interval does.
 bool keeps(const DesignLimit& limit, double value);
 bool surely_keeps(const DesignLimit& limit, const DesignEstimate& estimate);
+/// A figure in words: "starts that balance" of "balanced", "peak displacement, 95 % of starts below" of
+/// "peak_radial.0.95"; `brief`: for a table, "peak displacement, 95 %". A name that has no words stands for itself.
+std::string figure_words(const DesignFigure& figure, bool brief = false);
 /// "below 0.3 mm".
 std::string limit_text(const DesignFigure& figure, const DesignLimit& limit);
 /// "99.62 %", "0.31 mm", and with its interval "99.62 % (99.50 to 99.71 %)".

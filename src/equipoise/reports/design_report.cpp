@@ -93,7 +93,7 @@ std::string optimism_text(const DesignResult& r) {
   const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
   const double gain = r.figures[k].up ? search - held_out : held_out - search;
   if (gain == 0.0 || !std::isfinite(gain)) return "";
-  return fmt::format("; on the {} starts of the search {} was {}, {}", best.search.starts, r.figures[k].name,
+  return fmt::format("; on the {} starts of the search {} was {}, {}", best.search.starts, figure_words(r.figures[k]),
                      estimate_text(r.figures[k], search), gain > 0.0 ? "which was optimistic" : "no better");
 }
 
@@ -101,7 +101,7 @@ std::string optimism_text(const DesignResult& r) {
 
 DocumentTable front_table(const DesignResult& r, KeyWords words) {
   DocumentTable table;
-  for (const std::size_t k : r.objectives) table.header.push_back(r.figures[k].name);
+  for (const std::size_t k : r.objectives) table.header.push_back(figure_words(r.figures[k], true));
   for (const DesignVariable& v : r.variables) table.header.push_back(words(v.key));
   for (std::size_t m = 0; m < r.front.size(); ++m) {
     std::vector<DocumentCell> row;
@@ -121,11 +121,11 @@ DocumentTable front_table(const DesignResult& r, KeyWords words) {
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  DocumentTable table{{"figure", "as it is", "chosen", "must be"}, {}, "", false, {}};
+  DocumentTable table{{"figure", "as it is", "chosen", "must be"}, {}, "", false, {3}};
   const DesignSample* before = r.before ? &*r.before : nullptr;
   for (std::size_t k = 0; k < now.figures.size(); ++k) {
-    table.rows.push_back(
-        row_of("lnnt", {r.figures[k].name, estimate_or_dash(r, before, k), estimate_or_dash(r, &now, k), ""}));
+    table.rows.push_back(row_of(
+        "lnnt", {figure_words(r.figures[k], true), estimate_or_dash(r, before, k), estimate_or_dash(r, &now, k), ""}));
     for (const DesignLimit& limit : r.limits)
       if (limit.figure == k) {
         table.rows.back()[2].tone = surely_keeps(limit, now.figures[k]) ? Tone::good : Tone::bad;
@@ -134,7 +134,7 @@ DocumentTable figure_table(const DesignResult& r) {
   }
   const DesignFigure undecided{"undecided", "", false, true};
   table.rows.push_back(
-      row_of("lnnt", {undecided.name, before ? estimate_with_interval(undecided, before->undecided) : "-",
+      row_of("lnnt", {figure_words(undecided), before ? estimate_with_interval(undecided, before->undecided) : "-",
                       estimate_with_interval(undecided, now.undecided), ""}));
   table.caption = fmt::format("With 95 % intervals, over {} starts{}, seed {}{}.", now.starts,
                               best.held_out ? " that the search did not see" : " of the search",
@@ -157,11 +157,20 @@ DocumentTable margin_table(const DesignResult& r, KeyWords words) {
   }
   table.caption = fmt::format(
       "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.",
-      r.limits.empty() ? "Until the first objective is surely worse." : "Until a requirement fails.", first.name);
+      r.limits.empty() ? "Until the first objective is surely worse." : "Until a requirement fails.",
+      figure_words(first));
   return table;
 }
 
 namespace {
+
+std::string required_text(const DesignResult& r, const TextStyle& style) {
+  std::string text;
+  for (const DesignLimit& limit : r.limits)
+    text += fmt::format("{}{} {}", text.empty() ? "Must be: " : "; ", figure_words(r.figures[limit.figure]),
+                        limit_text(r.figures[limit.figure], limit));
+  return text.empty() ? "" : filled("", text + ".", style);
+}
 
 std::string stopped_design_text(const DesignResult& r) {
   const bool checked = r.chosen && r.front[*r.chosen].held_out;
@@ -183,7 +192,8 @@ std::string design_text(const DesignResult& r, const TextStyle& style) {
   text += fmt::format(
       "{}, * the chosen one:\n",
       r.front.size() == 1 ? "The best candidate" : fmt::format("{} candidates that no other beats", r.front.size()));
-  text += table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style);
+  text +=
+      table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style) + required_text(r, style);
   if (!r.limited_by.empty()) {
     text += "\nWhat limits it:\n";
     for (const std::string& words : r.limited_by) text += filled("  ", words, style);
