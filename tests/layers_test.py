@@ -82,7 +82,7 @@ ROOMS = {
     "text": "model types mechanics statistics sampling units study results drawing",
     "decision": "statistics standards units study columns results drawing text",
     "design_words": "model study columns results drawing text",
-    "changes": "running model study ensembles decision text",
+    "changes": "running model units study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision design_words",
     "plots": "units study echo results drawing text decision reports",
     "explain":

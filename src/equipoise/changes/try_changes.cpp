@@ -12,6 +12,7 @@
 #include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/units/units.hpp"
 
 namespace equipoise {
 
@@ -93,7 +94,11 @@ class Changes {
     const bool constant = study_.speed.profile == Profile::constant;
     if (study_.release.speed || constant || last < 1.1 * std::sqrt(2.0)) return;
     Study s = study_;
-    const double speed = std::copysign(0.5 * (std::sqrt(2.0) + last), study_.speed_profile().final_speed());
+    // To two digits, as it is shown: nobody sets a latch to 750.99 rpm.
+    const double unit = study::shown_unit(study::Dimension::speed, study_.scales).size;
+    const double shown = 0.5 * (std::sqrt(2.0) + last) * unit,
+                 step = std::pow(10.0, std::floor(std::log10(shown)) - 1.0);
+    const double speed = std::copysign(std::round(shown / step) * step / unit, study_.speed_profile().final_speed());
     s.release = {};
     s.release.speed = speed;
     s.initial.phi_dot.fill(0.0);

@@ -106,10 +106,11 @@ class Judge {
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
     const QuantileEstimate &most = end.quantiles[ninety], &half = end.quantiles[median];
     const double without = bare.quantiles[median].value;
-    const auto number = [&](double v) { return fmt::format("{:.3g}", v * unit.size); };
-    verdict_.because = fmt::format(
-        "RMS velocity at the end in 90 % of starts at most {} {} ({} to {}); without balls {}.", number(most.value),
-        unit.name, number(most.low), std::isfinite(most.high) ? number(most.high) : "?", number(without));
+    const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
+    const std::string low = number(most.low), high = number(most.high);
+    verdict_.because =
+        fmt::format("RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}.", number(most.value),
+                    unit.name, low == high ? "" : fmt::format(" ({} to {})", low, high), number(without));
     if (most.high <= quieter_end * without) {
       if (const std::string more = larger_peaks(); !more.empty())
         say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
@@ -150,13 +151,15 @@ class Judge {
         best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
                    : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
                                  best->end_velocity.value * unit.size, unit.name, best->starts);
-    if (best->decision == Decision::fit) return fmt::format("With {}: {}.", best->words, figure);
+    const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
+    const std::string peak =
+        fmt::format("the peak reaches {:.3g} {} in one start of ten", best->peak.value * length.size, length.name);
+    if (best->decision == Decision::fit)
+      return fmt::format("With {}: {}{}.", best->words, figure,
+                         verdict_.decision == Decision::caution ? "; " + peak : "");
     if (best->decision == Decision::caution) {
-      const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
       const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
-      if (best->peak.high < now)
-        return fmt::format("With {}: the peak reaches {:.3g} {} in one start of ten ({} starts).", best->words,
-                           best->peak.value * length.size, length.name, best->starts);
+      if (best->peak.high < now) return fmt::format("With {}: {} ({} starts).", best->words, peak, best->starts);
       return fmt::format("None of {} changes tried lowers the peak surely. \"equipoise design\" searches further.",
                          tried.size());
     }
