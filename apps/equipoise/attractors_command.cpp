@@ -98,7 +98,7 @@ Command add_attractors(CLI::App& app) {
          "pilot's")
       ->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output,
-                 "with --along: a line a value and attractor (.csv), or the same as NetCDF (.nc)")
+                 "with --along: one line per value and attractor (.csv), or the same as NetCDF (.nc)")
       ->type_name("FILE");
   app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot")
       ->type_name("FILE");

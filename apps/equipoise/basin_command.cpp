@@ -171,10 +171,10 @@ Command add_basin(CLI::App& app) {
       ->type_name("FILE.nc");
   CLI::Option* asked = app.add_flag(
       "--transients", a->transients,
-      "peak vibration, bearing force, settling time and their like (default where the study has [limits] or "
+      "peak vibration, bearing force, settling time and other transients (default where the study has [limits] or "
       "[standards], or is in physical units)");
   app.add_flag("--no-transients", a->no_transients, "leave these out, and with them the verdict")->excludes(asked);
-  app.add_option("--report", a->report, "the same as a page to be taken to a meeting (see report); with --transients")
+  app.add_option("--report", a->report, "the same as a page to take to a meeting (see report); with --transients")
       ->type_name("FILE.html");
   add_no_changes(app, a->no_changes);
   add_text_style(app);

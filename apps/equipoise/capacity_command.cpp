@@ -1,4 +1,4 @@
-// equipoise capacity: the largest unbalance, or other parameter, that is balanced as often as asked.
+// equipoise capacity: the largest unbalance, or other parameter, at which a stated share of starts balances.
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,17 +110,17 @@ Command add_capacity(CLI::App& app) {
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_option(
          "--of", a->of,
-         "what is to be as large as possible, any key that --set takes (default: the unbalance, in g mm of a study in "
+         "the parameter to maximise, any key that --set takes (default: the unbalance, in g mm of a study in "
          "physical units, else rotor.eccentricity)")
       ->type_name("KEY");
   app.add_option("--between", a->between,
-                 "where it is looked for, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "
+                 "range to search, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "
                  "unbalance: up to what all balls together can make up for)")
       ->type_name("LOW:HIGH");
   app.add_option("--by", a->by,
-                 "what starts have to do: balanced (default), limits (keep all of [limits]), or one limit by its name")
+                 "what a start must do: balanced (default), limits (keep all of [limits]), or one limit by its name")
       ->type_name("WHAT");
-  app.add_option("--at-least", a->at_least, "share of starts that have to (default 0.95)")->type_name("SHARE");
+  app.add_option("--at-least", a->at_least, "share of starts that must do it (default 0.95)")->type_name("SHARE");
   app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
       ->type_name("P");
   app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")
@@ -132,7 +132,7 @@ Command add_capacity(CLI::App& app) {
   app.add_option("-o,--output", a->output,
                  "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
       ->type_name("FILE");
-  add_forms(app, *a, {"a line a cell (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  add_forms(app, *a, {"one line per cell (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

@@ -86,7 +86,7 @@ Command add_compare(CLI::App& app) {
       ->type_name("KEY=VALUE")
       ->take_all();
   app.add_flag("--transients", a->transients,
-               "also compare peaks, forces, settling time and their like (default where a study has [limits])");
+               "also compare peaks, forces, settling time and other transients (default where a study has [limits])");
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

@@ -94,7 +94,7 @@ Command add_design(CLI::App& app) {
   app.add_option("-o,--output", a->output,
                  "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
       ->type_name("FILE");
-  add_forms(app, *a, {"a line a member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  add_forms(app, *a, {"one line per member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

@@ -45,7 +45,7 @@ Command add_explain(CLI::App& app) {
   const auto a = std::make_shared<ExplainArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
   app.add_flag("--cost", a->cost,
-               "also what basin takes, measured on a piece of it: the search for attractors and the first starts");
+               "also how long basin takes, measured on a part of it: the search for attractors and the first starts");
   app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
   add_text_style(app);
   add_overrides(app, a->overrides);

@@ -88,7 +88,7 @@ Command add_map(CLI::App& app) {
       ->type_name("KEY");
   app.add_option("--y", a->y, "the same from bottom to top (default initial.phi_2)")->type_name("KEY");
   app.add_option("--x-range", a->x_range,
-                 "from and to, e.g. 1.5:6, -pi/2:pi/2, \"900 rpm:4000 rpm\" (default for ball angles: a whole turn)")
+                 "range, e.g. 1.5:6, -pi/2:pi/2, \"900 rpm:4000 rpm\" (default for ball angles: a whole turn)")
       ->type_name("LOW:HIGH");
   app.add_option("--y-range", a->y_range, "the same for --y")->type_name("LOW:HIGH");
   app.add_option("--size", a->size, "pixels (default 512x512)")->type_name("WIDTHxHEIGHT");

@@ -96,12 +96,12 @@ TextStyle& asked_style() {
 
 void add_no_changes(CLI::App& app, bool& no_changes) {
   app.add_flag("--no-changes", no_changes,
-               "do not try changes of a balancer that does not do (up to eight, 100 starts each)");
+               "do not try changes to a balancer that falls short (up to eight, 100 starts each)");
 }
 
 void add_text_style(CLI::App& app) {
   app.add_flag_callback(
-      "--wide", [] { asked_style().width = 0; }, "every column, and lines as long as they come");
+      "--wide", [] { asked_style().width = 0; }, "every column, without line breaks");
   app.add_flag_callback(
       "--details", [] { asked_style().details = true; },
       "also grounds of decisions, and every figure of every outcome with its interval");

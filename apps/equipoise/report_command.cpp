@@ -62,7 +62,7 @@ int run_report(const ReportArguments& a) {
 Command add_report(CLI::App& app) {
   const auto a = std::make_shared<ReportArguments>();
   app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("-o,--output", a->output, "page to be written: one file that needs nothing else")
+  app.add_option("-o,--output", a->output, "page to write: one file that needs nothing else")
       ->required()
       ->type_name("FILE.html");
   app.add_option("--starts", a->starts, "number of starts")->type_name("N");

@@ -95,13 +95,13 @@ Command add_reproduce(CLI::App& app) {
   const auto a = std::make_shared<ReproduceArguments>();
   app.add_option("what", a->what, fmt::format("any of {} (default: all)", fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
-  app.add_option("--starts", a->starts, "starts an ensemble (default: as many as the paper used)")->type_name("N");
+  app.add_option("--starts", a->starts, "starts per ensemble (default: as many as the paper used)")->type_name("N");
   app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
   app.add_option("--report", a->report, "one page with everything (HTML), or Markdown with pictures beside it")
       ->type_name("FILE.html|.md");
   app.add_option(
          "--explorer", a->explorer,
-         "where the explorer's page lies, as seen from the report, whose rows then lead to their settings there")
+         "path of the explorer's page relative to the report, whose rows then link to their settings there")
       ->type_name("PAGE");
   app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
       ->type_name("DIR");

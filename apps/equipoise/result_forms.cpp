@@ -13,7 +13,7 @@ void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", forms.plot, words.plot)->type_name("FILE");
   app.add_option("--report", forms.report,
-                 "the same as a page to be taken to a meeting: one file that needs nothing else")
+                 "the same as a page to take to a meeting: one file that needs nothing else")
       ->type_name("FILE.html");
   app.add_flag("--json", forms.json, "print one JSON object");
 }

@@ -134,7 +134,7 @@ Command add_simulate(CLI::App& app) {
       ->type_name("T,T,...");
   app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
   app.add_option("--until", a->until, "last time (the same)")->type_name("T");
-  app.add_option("--tolerance", a->tolerance, "error allowed a step, relative (default 1e-12)")->type_name("E");
+  app.add_option("--tolerance", a->tolerance, "relative error allowed per step (default 1e-12)")->type_name("E");
   app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
       ->type_name("FILE");
   add_within(app, a->within);

@@ -51,7 +51,7 @@ void put_sweep(const ResultForms& a, const SweepResult& result, const std::funct
 }
 
 constexpr FormWords sweep_words{
-    "a line a cell and outcome (.csv)",
+    "one line per cell and outcome (.csv)",
     "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot"};
 
 // "2/8": the second of eight.
@@ -178,7 +178,7 @@ Command add_sweep(CLI::App& app) {
   app.add_option("--half-width", a->half_width,
                  "sample in every cell until every share's 95 % interval is within +- H (a fraction of one)")
       ->type_name("H");
-  app.add_flag("--transients", a->transients, "peak vibration and its like (default where the study has [limits])");
+  app.add_flag("--transients", a->transients, "peak vibration and other transients (default where the study has [limits])");
   app.add_option("-o,--output", a->output,
                  "all cells as NetCDF (.nc), kept as they come; the same command goes on from it")
       ->type_name("FILE");
@@ -196,7 +196,7 @@ Command add_merge(CLI::App& app) {
   app.add_option("files", a->files, "files of one sweep (.nc), or unfinished parts of them (.nc.part)")
       ->required()
       ->type_name("FILE");
-  app.add_option("-o,--output", a->output, "what they are put together into (.nc)")->type_name("FILE")->required();
+  app.add_option("-o,--output", a->output, "the merged file (.nc)")->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
   add_text_style(app);
   return [a] { return run_merge(*a); };

@@ -84,7 +84,7 @@ class BasinResult(Result):
     decided_by : ndarray (starts,), int8
         On what grounds; ``decided_by_names`` tells.
     transients : dict[str, ndarray (starts,)] or None
-        Peak displacement and its like by start (columns of the NetCDF file), dimensionless.
+        Peak displacement and other transients by start (columns of the NetCDF file), dimensionless.
     without_balls : dict or None
         With transients: the same rotor without balls (``["no_balls"]``) and with balls held where they start
         (``["balls_held"]``); of each ``["figures"]`` by the names of `transients`, in the units that they name.
@@ -316,7 +316,7 @@ def basin(
     method : {"random", "sobol", "grid"}, optional
         How starts are chosen.
     transients : bool, optional
-        Gather peak displacement, force, settling time and their like; default: if the study has limits.
+        Gather peak displacement, force, settling time and other transients; default: if the study has limits.
     initial : State, or array_like (n, balls) or (n, 4 + 2 balls), optional
         Starts of your own in place of drawn ones: states, ball angles, or with `frame` rows of x, y, two velocities,
         ball angles, ball rates. The intervals are those of random starts.

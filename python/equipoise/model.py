@@ -156,7 +156,7 @@ class Model:
         t : float, or array of one time a state
         state : State, or array_like (..., dimension)
         piece : int, optional
-            Which piece of time is meant, where `t` is the end of one and the begin of the next; default: the later one.
+            Which piece of time is meant, where `t` is the end of one and the start of the next; default: the later one.
         frame : {"rotating", "inertial"}, optional
             Of such an array; default: the model's.
 

@@ -84,7 +84,7 @@ class State:
         self.frame: Frame = "rotating" if "x_dot" in given else "inertial"
         self.phi = _floats("phi", phi)
         if self.phi.ndim == 0:
-            refuse("phi", phi, "an array of ball angles, one a ball")
+            refuse("phi", phi, "an array of ball angles, one per ball")
         shape, self.balls = self.phi.shape[:-1], self.phi.shape[-1]
 
         def field(name: str, values: npt.ArrayLike, more: tuple[int, ...] = ()) -> Array:

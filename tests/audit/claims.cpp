@@ -31,7 +31,7 @@ std::string not_balanced(const Study& study, const LateMotion& late, const LookT
   const model::Parameters& p = study.parameters;
   const double size = natural_size(p);
   for (int i = 0; i < p.balls; ++i) {
-    // Balls at rest swing at most about their place, under gravity. On the slow way into balance they turn less and
+    // Balls at rest swing at most about their place, under gravity. On the slow approach to balance they turn less and
     // less.
     const bool slower = std::fabs(late.rate_late[i]) < 0.5 * std::fabs(late.rate_early[i]);
     if (std::fabs(late.turned[i]) > 1.0 && !slower)

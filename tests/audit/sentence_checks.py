@@ -176,7 +176,7 @@ def spread(e):
 
 
 def deviation(seen, balls):
-    """Of the rotor from its axis and of the balls from rest: what falls on the way into balance, wherever in a continuum."""
+    """Of the rotor from its axis and of the balls from rest: what falls on the approach to balance, wherever in a continuum."""
     square = seen["radial"] ** 2 + seen["x_dot"] ** 2 + seen["y_dot"] ** 2
     for k in range(1, balls + 1):
         square = square + seen[f"phi_dot_{k}"] ** 2
@@ -189,7 +189,7 @@ def beside(motion):
 
 
 def stability(e):
-    """`way into balance`: stable or not, at the rate told, seen from a thousandth of a radian away."""
+    """`approach to balance`: stable or not, at the rate told, seen from a thousandth of a radian away."""
     motion = e.said["balanced"]
     told_unstable = any(w.startswith("balance is unstable") for w in e.warnings)
     if not motion:

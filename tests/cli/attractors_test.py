@@ -61,7 +61,7 @@ speed = "1250 rpm"
         text = run("attractors", path, "--starts", "50", "--quiet", "--wide").stdout
         self.assertEqual((motion["name"], motion["kind"], motion["stable"]), ("balanced", "measured", True))
         self.assertEqual(motion["radial"], {"min": None, "mean": None, "max": None})
-        self.assertIn("starts come to it, by windows of time", text)
+        self.assertIn("starts end in it; known by its measured motion alone", text)
         self.assertNotIn("UNSTABLE", text)
 
     def test_shares_are_those_of_basin(self):

@@ -61,7 +61,7 @@ class Capacity(Case):
             self.assertEqual((found["of"], found["unit"]), (key, unit))
             self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
             text = run("capacity", path, *few, "--quiet").stdout
-            told = re.search(rf"The largest {key} at which 30 % of starts end balanced, looked for from (\S+) to (\S+?)( g mm)?\.\n", text)
+            told = re.search(rf"The largest {key} at which 30 % of starts end balanced, searched from (\S+) to (\S+?)( g mm)?\.\n", text)
             self.assertTrue(told, text)
             self.assertEqual((told[3] or "").strip(), unit)
             self.assertTrue(abs(float(told[2]) / most - 1) < 1e-3, told[2])  # four digits

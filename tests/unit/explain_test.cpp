@@ -135,7 +135,7 @@ TEST(Explain, LeavesGravityOutOfWhatTheBallsCancel) {
   EXPECT_EQ(e.balanced.kind, model::BalancedStates::Kind::isolated);
   const double omega = 2000.0 * pi / 30.0;
   EXPECT_NEAR(*e.gravity_ratio, 9.81 / (0.03 * omega * omega), 1e-14);
-  EXPECT_TRUE(holds(explain_text(e), "yes, but for gravity"));
+  EXPECT_TRUE(holds(explain_text(e), "yes, apart from what gravity adds"));
 }
 
 TEST(Explain, TakesTheTargetOfAMotorForTheFinalSpeed) {

@@ -48,7 +48,7 @@ double at(const study::Document& document, const std::string& path) {
     begin = dot + 1;
   }
   if (value && value->array()) value = &value->array()->front();
-  if (!value || !value->is_number()) throw std::logic_error(path + " is no number");
+  if (!value || !value->is_number()) throw std::logic_error(path + " is not a number");
   return value->number();
 }
 

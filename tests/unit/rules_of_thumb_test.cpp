@@ -121,8 +121,8 @@ TEST(DragRule, TheScansEndsAreWhereItSays) {
   EXPECT_NEAR(scan.slowest(range->high), 0.25 * scan.slowest(range->best), 1e-4 * std::abs(scan.slowest(range->best)));
   // Whatever drag the scan is scaled by: found to 0.2 % of 0.16.
   const Explanation other = explained(constant_speed, {"balancer.drag=0.37"});
-  EXPECT_NEAR(figure(rule(other, "drag"), "fastest, by linear theory"),
-              figure(rule(e, "drag"), "fastest, by linear theory"), 5e-4);
+  EXPECT_NEAR(figure(rule(other, "drag"), "fastest (linear theory)"),
+              figure(rule(e, "drag"), "fastest (linear theory)"), 5e-4);
   EXPECT_FALSE(DragScan(e.study.parameters, 0.9, e.motion->angles, false).range(0.25, 1e-3, 1e3).has_value());
 }
 

@@ -138,8 +138,8 @@ TEST(InputErrors, TellFileLineKeyValueAndRangeApart) {
   const InputError unknown("f", "k", "1", "unknown key (allowed: a, b)");
   EXPECT_EQ(unknown.wrong(), "unknown key");
   EXPECT_EQ(unknown.allowed(), "a, b");
-  const InputError have("f", "k", "1", "has 2 entries; must have one a time, 3");
-  EXPECT_EQ(have.allowed(), "must have one a time, 3");
+  const InputError have("f", "k", "1", "has 2 entries; must have one per time, 3");
+  EXPECT_EQ(have.allowed(), "must have one per time, 3");
 }
 
 // Studies filled in by code -------------------------------------------------------------------------------------------

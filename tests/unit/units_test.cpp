@@ -175,7 +175,7 @@ TEST(Units, SayWhatIsWrong) {
   EXPECT_EQ(problem("12 degC"), "\"degC\" does not measure that; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(measure("3 rpn", {Dimension::speed}).problem,
             "UDUNITS knows no unit \"rpn\" (did you mean \"rpm\"?); must be a speed of rotation, such as \"3000 rpm\"");
-  EXPECT_EQ(problem("12 kg\n"), "is no number with a unit; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 kg\n"), "is not a number with a unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(measure("3 s", {Dimension::speed}).problem,

@@ -66,7 +66,7 @@ std::unique_ptr<FollowedRun> opened(const Study& uncertain, const Json& start) {
     const auto phi = start.at("phi").get<std::vector<double>>();
     if (phi.size() != static_cast<std::size_t>(study.parameters.balls))
       throw InputError("run", "phi", fmt::format("{} numbers", phi.size()),
-                       fmt::format("must be {}, one a ball", study.parameters.balls));
+                       fmt::format("must be {}, one per ball", study.parameters.balls));
     std::copy(phi.begin(), phi.end(), s.phi.begin());
   }
   return std::make_unique<FollowedRun>(study, s);

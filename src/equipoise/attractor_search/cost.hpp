@@ -8,7 +8,7 @@ namespace equipoise {
 
 /// The work for one start that comes to balance.
 struct StartCost {
-  double time = 0.0;     ///< until it is decided: about one e-folding of the slow way into balance (drag 20: 0.8)
+  double time = 0.0;     ///< until it is decided: about one e-folding of the slow approach to balance (drag 20: 0.8)
   double fastest = 0.0;  ///< decay rate that limits the step of an explicit method
   bool by_drag = false;  ///< whether that is of balls in their race, else of the supports
   double cause = 0.0;    ///< the ball drag or support damping behind it

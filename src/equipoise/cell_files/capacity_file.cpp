@@ -62,7 +62,7 @@ class CapacityWriter {
             [](const CapacityCell& c) { return c.high; });
     by_cell("always", "1", "1: the share is as large up to the end of the range",
             [](const CapacityCell& c) { return c.always ? 1.0 : 0.0; });
-    by_cell("never", "1", "1: the share is smaller from the begin of the range on",
+    by_cell("never", "1", "1: the share is smaller over the whole range",
             [](const CapacityCell& c) { return c.never ? 1.0 : 0.0; });
     by_cell("trials", "1", "values tried", [](const CapacityCell& c) { return static_cast<double>(c.trials.size()); });
   }

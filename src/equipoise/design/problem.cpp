@@ -40,7 +40,7 @@ const StudyValue::Table& table_of(const Document& document, const std::string& n
   return *table->table();
 }
 
-// The number of a value; NaN if it is no number or has another unit.
+// The number of a value; NaN if it is not a number or has another unit.
 double number_in(const StudyValue& value, const std::string& unit) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::string written = unit_of_value(value);

@@ -167,9 +167,9 @@ RuleOfThumb drag(const Explanation& e) {
     if (const auto range = scan.range(rules::settling_share, low, high)) {
       from = range->low * own;
       to = range->high * own;
-      add_drag(rule, e, "from, by linear theory", from);
-      add_drag(rule, e, "fastest, by linear theory", range->best * own);
-      add_drag(rule, e, "to, by linear theory", to);
+      add_drag(rule, e, "from (linear theory)", from);
+      add_drag(rule, e, "fastest (linear theory)", range->best * own);
+      add_drag(rule, e, "to (linear theory)", to);
     } else {
       unstable = true;
     }

@@ -1,4 +1,4 @@
-// The linearised way into balance as drag changes.
+// The linearised approach to balance as drag changes.
 #pragma once
 
 #include <array>

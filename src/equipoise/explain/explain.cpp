@@ -1,4 +1,4 @@
-// Critical speeds, what the balls can cancel, the linearised way into balance, and warnings.
+// Critical speeds, what the balls can cancel, the linearised approach to balance, and warnings.
 #include "equipoise/explain/explain.hpp"
 
 #include <algorithm>

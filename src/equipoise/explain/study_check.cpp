@@ -1,4 +1,4 @@
-// Each quantity changed by a fifth, and what that does to capacity and to the way into balance.
+// Each quantity changed by a fifth, and what that does to capacity and to the approach to balance.
 #include "equipoise/explain/study_check.hpp"
 
 #include <algorithm>
@@ -146,7 +146,7 @@ constexpr std::array<Estimate, 5> estimates{{
 struct Measures {
   bool can_balance = false, stable = false;
   double margin = 0.0;            // what the balls can cancel over what there is
-  std::optional<double> settles;  // rate of the way into balance
+  std::optional<double> settles;  // rate of the approach to balance
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
 };
 

@@ -62,7 +62,7 @@ std::string point_words(const Share& s) { return percent(s.share, digits_for(s))
 
 std::string share_words(const Share& s) {
   const int digits = digits_for(s);
-  if (s.total == 0) return "nobody knows how many";
+  if (s.total == 0) return "an unknown share";
   if (s.count == 0) return "less than " + percent(s.high, digits);
   if (s.count == s.total) return "more than " + percent(s.low, digits);
   return interval(s);

@@ -136,10 +136,9 @@ class MachineDocument {
     if (!page_.runs.empty() && !run_up_tells_speed(page_))
       row.drawings.push_back({"Speed over time", speed_svg(page_), "", ""});
     row.caption =
-        "Bars: shares of starts with 95 % intervals. Circles: left the balls in the race as who turns with the rotor "
-        "sees "
-        "them, the wedge at its heavy side, arrows where balls run; right the way of the rotor's centre as who stands "
-        "beside it sees it, all to one scale";
+        "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the turning rotor, "
+        "with a wedge at its heavy side and arrows where balls move; right, the path of the rotor's centre as seen from "
+        "beside the machine, all to one scale";
     row.caption += study_.limits.displacement ? ", the limit dashed if it is within." : ".";
     if (page_.motions_left_out > 0) row.caption += fmt::format(" {} rarer not drawn.", page_.motions_left_out);
     if (page_.starts_drawn < basin_.starts)
@@ -190,7 +189,7 @@ class MachineDocument {
     const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
     DocumentTable table;
     table.header = {physical_ ? "what the balls do" : "outcome", "share", "95 % interval"};
-    if (open) table.header.push_back("surely within");
+    if (open) table.header.push_back("bounds");
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
     if (graded) table.header.push_back("balance quality");
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
@@ -295,7 +294,7 @@ class MachineDocument {
       table.caption += fmt::format("Settled: displacement below {}.", shown_.text(*limits.settled, Dimension::length));
     if (page_.explanation.sag > 0.0)
       table.caption += fmt::format(
-          " Displacements count from where the rotor rests, {} below slack springs; forces hold its weight.",
+          " Displacements are measured from where the rotor rests, {} below its unloaded springs; forces include its weight.",
           shown_.text(page_.explanation.sag, Dimension::length));
     return table;
   }

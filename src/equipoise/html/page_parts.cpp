@@ -80,7 +80,7 @@ class Derived {
                                                    by_direction(e_.bare->displacement, Dimension::length),
                                                    by_direction(e_.bare->force, Dimension::force))});
     if (e_.motion)
-      rows.push_back({"way into balance",
+      rows.push_back({"approach to balance",
                       (e_.motion->stable ? fmt::format("stable, slowest time constant {}",
                                                        shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
                                          : "not stable by linear theory") +

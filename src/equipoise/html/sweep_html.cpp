@@ -117,7 +117,7 @@ class SweepDocument {
     table.header.insert(table.header.end(), {"balanced", "95 % interval"});
     if (open_) {
       table.spare.push_back(table.header.size());
-      table.header.push_back("surely within");
+      table.header.push_back("bounds");
     }
     table.header.push_back("undecided");
     if (stalls_) table.header.push_back("stalled");
@@ -126,7 +126,7 @@ class SweepDocument {
       if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), l.told_in()));
     table.spare.push_back(table.header.size());
     table.header.push_back("starts");
-    if (open_) table.caption = "Surely within: whatever undecided starts would come to.";
+    if (open_) table.caption = "Bounds: they hold whatever becomes of the undecided starts.";
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
       if (r_.cells[k]) table.rows.push_back(row_of(k));
     add_cell_table(document_, std::move(table), "the CSV file holds all of them");

@@ -26,7 +26,7 @@ struct Certificate {
   Eigen::MatrixXd form;                        ///< P
   double level = 0.0;                          ///< c; 0 if nothing is proved
   /// Columns span coordinates (eta, tau) of the deviation, d = frame (eta; tau), in which V <= c is the unit ball. The
-  /// last columns, one a ball, are tau: the ball angles depend on tau alone.
+  /// last columns, one per ball, are tau: the ball angles depend on tau alone.
   Eigen::MatrixXd frame;
   /// A box in tau. Where its closure holds 0 one bound on the flow's slope proves decrease; elsewhere a multiplier of
   /// the S-lemma does, one for each choice of the smallest or largest ball speeds (bit i: largest for ball i) and,

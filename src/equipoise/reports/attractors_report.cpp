@@ -62,7 +62,7 @@ std::string search_text(const AttractorsResult& r) {
                         detection_limit(decided, least_miss));
   text += ".\n";
   if (undecided > 0)
-    text += fmt::format("{} of all starts stayed undecided: so much may go to attractors that are missing here.\n",
+    text += fmt::format("{} of all starts stayed undecided: attractors missing here may hold up to that share.\n",
                         percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
   return text;
 }

@@ -64,7 +64,7 @@ std::string passage_text(const BasinResult& r) {
 std::string contact_text(const Share& met) {
   if (met.count == 0)
     return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
-  return fmt::format("Contact: balls touched in {} of all starts ({}) before the fate was known.\n",
+  return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
                      percent(met.share, digits_for(met)), interval(met));
 }
 
@@ -129,7 +129,7 @@ DocumentTable outcome_table(const BasinResult& r) {
     if (spare) table.spare.push_back(table.header.size());
     table.header.push_back(title);
   };
-  column(open, "surely within", false);
+  column(open, "bounds", false);
   column(t, fmt::format("RMS at end, {}", velocity.name), false);
   column(true, physical ? "known after, s" : "known after", true);
   column(true, "starts", true);
@@ -188,7 +188,7 @@ std::string outcome_text(const BasinResult& r, const TextStyle& style) {
   std::string text = table_text(outcome_table(r), style) + "\n";
   if (const std::string none = none_words(r); !none.empty()) text += filled("", none, style);
   if (r.undecided.count > 0)
-    text += filled("", "Surely within: with 95 % confidence, whatever the undecided starts would come to.", style);
+    text += filled("", "Bounds: 95 % limits that hold whatever becomes of the undecided starts.", style);
   return text +
          filled("",
                 fmt::format("Known after: mean time until the outcome is certain, from when the drive no longer "

@@ -103,7 +103,7 @@ std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ran
   return text.empty() ? "nowhere" : text;
 }
 
-// What is no number is written as null.
+// What is not a number is written as null.
 Json point_json(const BranchPoint& point, int balls) {
   const Motion& m = point.motion;
   Json json = {{"value", point.value},

@@ -50,11 +50,11 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
   DocumentTable table;
   table.header = parameter_titles(r.axes, words);
   table.header.insert(table.header.end(),
-                      {column_title(words(r.key), r.unit), "surely between", "undecided at most", "trials"});
+                      {column_title(words(r.key), r.unit), "between", "undecided at most", "trials"});
   table.spare = {table.header.size() - 1};
   table.caption =
-      "Surely between: up to the first value the share is as large with 95 % confidence, whatever undecided starts "
-      "would come to; at the second it is smaller with 95 % confidence.";
+      "Between: at the first value the share is large enough with 95 % confidence, whatever becomes of the undecided "
+      "starts; at the second it is too small with 95 % confidence.";
   const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     const auto add_row = [&](const std::string& value, const auto& of, const std::string& undecided,
@@ -82,7 +82,7 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   std::string text = lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += fmt::format("The largest {} at which {:.4g} % of starts {}, looked for from {}.\n\n", r.key,
+  text += fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key,
                       100.0 * r.at_least, r.asked(), sought_text(r));
   text += table_text(capacity_table(r, key_itself), style);
   std::string notes =
@@ -135,7 +135,7 @@ std::string capacity_json(const CapacityResult& r) {
 
 std::string capacity_csv(const CapacityResult& r) {
   std::string text = fmt::format(
-      "# equipoise {}: largest {} at which a share of {} of {} starts {}, looked for from {}{}\n", version_string,
+      "# equipoise {}: largest {} at which a share of {} of {} starts {}, searched from {}{}\n", version_string,
       r.key, r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {

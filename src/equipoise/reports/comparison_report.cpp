@@ -79,7 +79,7 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
   std::string notes;
   if (r.changed && r.starts > 0) {
-    notes += fmt::format("{} of {} common starts end otherwise: {} ({})\n", r.changed->count, r.starts,
+    notes += fmt::format("{} of {} common starts end differently: {} ({})\n", r.changed->count, r.starts,
                          percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
     for (const ChangedFate& c : r.changes) notes += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
   } else if (!r.common) {

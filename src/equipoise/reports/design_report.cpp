@@ -24,7 +24,7 @@ namespace {
 
 using DesignOut = nlohmann::ordered_json;
 
-// What is no number, or has no end, is written as null.
+// What is not a number, or has no end, is written as null.
 DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
 
 DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {

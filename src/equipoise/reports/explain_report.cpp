@@ -157,12 +157,12 @@ class Text {
                            both(e_.study.parameters.eccentricity, Dimension::unbalance)));
     if (e_.sag > 0.0)
       item("static sag",
-           fmt::format("{} under the weight of {}; displacements count from there, bearing forces hold it",
+           fmt::format("{} under the weight of {}; displacements are measured from there, bearing forces include it",
                        both(e_.sag, Dimension::length),
                        both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
     if (e_.gravity_ratio)
       item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
-    if (!e_.motion && e_.study.parameters.balls > 0) item("way into balance", "not linearised: " + e_.no_motion);
+    if (!e_.motion && e_.study.parameters.balls > 0) item("approach to balance", "unknown: " + e_.no_motion);
   }
 
   void motion(const BalancedMotion& m) {
@@ -177,7 +177,7 @@ class Text {
     const std::string where =
         (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
     const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
-    item("way into balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
+    item("approach to balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
                                                     either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
                              : m.grows()
                                  ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
@@ -332,7 +332,7 @@ std::string verdict_text(const Explanation& e) {
   if (e.motion && !e.motion->stable)
     return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
   if (!e.motion) return "yes by mass and room, but " + e.no_motion;
-  return e.study.parameters.gravity > 0.0 ? "yes, but for gravity" : "yes";
+  return e.study.parameters.gravity > 0.0 ? "yes, apart from what gravity adds" : "yes";
 }
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {

@@ -132,7 +132,7 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   std::string notes = "\n";
   if (!figures.empty())
     notes += figures +
-             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. Above log 2 = 0.693 the "
+             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. A boundary entropy above "
              "boundary's entropy tells a fractal one.\n\n";
   notes += making_text(map);
   if (!map.complete)

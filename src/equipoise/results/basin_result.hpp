@@ -40,7 +40,7 @@ struct BasinResult : OtherShares {
   /// seen; and starts that came to something slower. Undecided starts that were slower when last seen may still come to
   /// either (least, most). Empty on a grid.
   std::optional<Share> passed, not_passed;
-  /// For balls that collide: starts in which two touched before the fate was known. All other starts would have gone
+  /// For balls that collide: starts in which two touched before the outcome was known. All other starts would have gone
   /// the same way without collisions. Empty on a grid.
   std::optional<Share> met;
   std::optional<TransientResult> transients;  ///< if they were gathered

@@ -50,7 +50,7 @@ struct CapacityResult {
   std::string key, unit;  ///< the key asked for, and the unit of its values
   double from = 0.0, to = 0.0, precision = 0.0;
   double at_least = 0.95;
-  std::string by = "balanced";  ///< what starts have to do: balance, keep all "limits", or keep one, by its name
+  std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name
   std::uint64_t starts = 0;  ///< of each ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep

@@ -132,7 +132,7 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
   constexpr std::array<const char*, restlessness_kinds> words{"{} near balance",
                                                               "{} creeping, all balls nearly at rest",
                                                               "{} wandering chaotically",
-                                                              "{} in motions whose windows of time do not repeat yet",
+                                                              "{} in motions that do not repeat yet",
                                                               "{} whose balls are never let go",
                                                               "{} whose motor speeds the rotor up without end",
                                                               "{} whose rotor still speeds up",
@@ -155,7 +155,7 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
     parts.back() += fmt::format(" (largest Lyapunov exponent {:.2g})", sum / static_cast<double>(count));
   }
   if (parts.empty()) return horizon_text(study, horizon);
-  const std::string seen = fmt::format("of {} looked at: {}", ends.size(), fmt::join(parts, ", "));
+  const std::string seen = fmt::format("of {} examined: {}", ends.size(), fmt::join(parts, ", "));
   return hopeless == ends.size() ? seen : seen + "; " + horizon_text(study, horizon);
 }
 

@@ -78,13 +78,13 @@ class DistributionReader {
       if (unit.empty())
         fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
     } else if (!entry.is_number()) {
-      fail(fmt::format("{} entry {} is no number; must be a finite number, or a quantity with its unit", name, place));
+      fail(fmt::format("{} entry {} is not a number; must be a finite number, or a quantity with its unit", name, place));
     }
     if (!any_number.contains(result)) fail(fmt::format("{} entry {} must be {}", name, place, any_number.text()));
     if (!std::exchange(has_unit_, true))
       value_.unit = unit;
     else if (value_.unit != unit)
-      fail(fmt::format("{} entry {} is in another unit than the entries before; must be all in one unit", name, place));
+      fail(fmt::format("{} entry {} has another unit than the entries before; all must have the same unit", name, place));
     return result;
   }
 

@@ -47,7 +47,7 @@ std::string stability_text(const Attractor& a, const TableUnits& units) {
   if (a.motion.set_valued) return "a continuum that dry friction holds";
   if (a.continuum) return continuum_text(*a.continuum, units);
   const Motion& m = a.motion;
-  if (m.kind == MotionKind::measured) return "starts come to it, by windows of time";
+  if (m.kind == MotionKind::measured) return "starts end in it; known by its measured motion alone";
   const char* verdict = m.stable ? "stable" : "UNSTABLE";
   if (m.kind == MotionKind::equilibrium && !m.depends_on_angle && !m.exponents.empty())
     return fmt::format("{}, slowest rate {:.5f}{}", verdict, m.exponents.front() / units.time, units.rate);

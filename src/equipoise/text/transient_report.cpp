@@ -282,7 +282,7 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
   DocumentTable table{{"starts", "share", "95 % interval"}, {}, "", false, {}};
   const auto opens = [](const std::optional<Share>& s) { return s && (s->least < s->low || s->most > s->high); };
   const bool open = std::any_of(group.within.begin(), group.within.end(), opens);
-  if (open) table.header.emplace_back("surely within");
+  if (open) table.header.emplace_back("bounds");
   for (std::size_t k = 0; k < within_titles.size(); ++k) {
     if (!group.within[k]) continue;
     const Share& s = *group.within[k];
@@ -298,7 +298,7 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study) {
     if (const auto& limit = study.limits.*l.limit) add(l.name, *limit, unit_of(study, l));
   if (study.limits.settled) add("settled", *study.limits.settled, unit_of(study, Dimension::length));
   table.caption += ".";
-  if (study.limits.force) table.caption += " A force in the end is told by its root mean square.";
+  if (study.limits.force) table.caption += " Forces at the end are RMS values.";
   return table;
 }
 
@@ -342,7 +342,7 @@ std::string transient_text(const TransientResult& r, const Study& study) {
     text += fmt::format("Settled: displacement below {:.4g} {}.\n", r.settings.settled * length.size, length.name);
   const bool undecided =
       std::any_of(r.groups.begin(), r.groups.end(), [](const auto& g) { return g.id == undecided_code; });
-  text += fmt::format("\n\"At the end\": of the steady motion that a start comes to{}.\n",
+  text += fmt::format("\n\"At the end\": in the steady motion that a start ends in{}.\n",
                       undecided ? fmt::format("; of an undecided start in its last window of {:.4g} {}",
                                               r.settings.window * time.size, time.name)
                                 : "");
@@ -350,9 +350,8 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
     text += fmt::format(
-        "Displacements count from where the rotor rests, {:.4g} {} below slack springs; bearing forces hold its "
-        "weight, "
-        "{:.4g} {}.\n",
+        "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "
+        "include its weight, {:.4g} {}.\n",
         sag * length.size, length.name, sag * study.parameters.stiffness[1] * force.size, force.name);
   if (r.lost > 0) text += fmt::format("{} starts diverged or failed and are left out here.\n", r.lost);
   return text + "\n";

@@ -48,7 +48,7 @@ class StudyValue {
   const Table* table() const { return std::get_if<Table>(&value_); }
   const Other* other() const { return std::get_if<Other>(&value_); }
   bool is_number() const { return integer() || real(); }
-  double number() const;  ///< an integer as its nearest double; 0 if this is no number
+  double number() const;  ///< an integer as its nearest double; 0 if this is not a number
 
   /// A table's member, or an array's entry by its number from 1; null if absent, or if this is neither.
   const StudyValue* find(std::string_view key) const;

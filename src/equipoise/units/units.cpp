@@ -232,7 +232,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const UnitLibraryUse use;
   const UnitText checked(unit_text);
   if (!checked.is_product) {
-    result.problem = "is no number with a unit; " + must_be;
+    result.problem = "is not a number with a unit; " + must_be;
     return result;
   }
   for (const std::string& name : checked.names) {
