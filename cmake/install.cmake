@@ -60,7 +60,8 @@ foreach(header
       design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
     plots/map_plot.hpp plots/sweep_plot.hpp
     explain/explain.hpp explain/study_check.hpp
-    html/answer.hpp html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
+    answers/answer.hpp
+    html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
       html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
     literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp
     reproduction/open_questions.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp

@@ -81,15 +81,16 @@ ROOMS = {
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
     "decision": "statistics standards units study columns results drawing text",
+    "answers": "types units study columns results drawing text decision",
     "design_words": "model study columns results drawing text",
     "changes": "running model units study ensembles decision text",
-    "reports": "model mechanics proof units study results drawing text decision design_words",
-    "plots": "units study echo results drawing text decision reports",
+    "reports": "model mechanics proof units study results drawing text decision answers design_words",
+    "plots": "units study echo results drawing text decision answers reports",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "
         "start_runs text",
     "html":
-        "types mechanics sampling toml study echo results drawing text decision reports plots explain",
+        "types mechanics sampling toml study echo results drawing text decision answers reports plots explain",
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "

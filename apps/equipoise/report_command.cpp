@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/changes/try_changes.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
 #include "options.hpp"

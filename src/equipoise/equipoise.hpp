@@ -33,7 +33,7 @@
 #include "equipoise/ensembles/write_basin.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/explain/study_check.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/capacity_html.hpp"
 #include "equipoise/html/design_html.hpp"
 #include "equipoise/html/given_keys.hpp"

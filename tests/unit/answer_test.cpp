@@ -1,5 +1,5 @@
 // The page's sentence, its numbers and the data of its drawings, from results made by hand.
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include "../support/studies.hpp"
 #include "equipoise/drawing/svg.hpp"
 #include "equipoise/html/given_keys.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/shown/shown_runs.hpp"
 #include "equipoise/statistics/quantile.hpp"
 

@@ -11,7 +11,7 @@
 #include "equipoise/analyses/certify.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
 #include "equipoise/reports/basin_report.hpp"

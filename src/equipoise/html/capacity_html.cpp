@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/document.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/cell_table.hpp"
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/capacity_charts.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/result_tables.hpp"
 #include "equipoise/text/cell_text.hpp"
 #include "equipoise/text/table_text.hpp"

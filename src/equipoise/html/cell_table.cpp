@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 
 namespace equipoise {
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/document.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/design_charts.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/design_report.hpp"
 #include "equipoise/reports/result_tables.hpp"
 

@@ -10,7 +10,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/html/given_keys.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/toml/toml_tree.hpp"

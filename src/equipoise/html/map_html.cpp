@@ -9,7 +9,7 @@
 
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/drawing/document.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/map_drawing.hpp"
 #include "equipoise/plots/map_words.hpp"

@@ -13,7 +13,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/mechanics/balance_grade.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/echo/physical_echo.hpp"

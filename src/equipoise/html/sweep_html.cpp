@@ -9,10 +9,10 @@
 
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/document.hpp"
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/html/cell_table.hpp"
 #include "equipoise/html/page_parts.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_drawings.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"

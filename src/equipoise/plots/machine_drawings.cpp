@@ -9,7 +9,7 @@
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/drawings.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {

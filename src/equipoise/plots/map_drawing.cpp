@@ -13,7 +13,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/raster.hpp"
 #include "equipoise/drawing/svg.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/zero_line.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/text/text.hpp"

@@ -7,7 +7,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/drawings.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 
 namespace equipoise {
 

@@ -11,7 +11,7 @@
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/svg.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
 
 namespace equipoise {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/base/plain_number.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/reports/result_tables.hpp"
@@ -81,9 +82,10 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
 std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
-  std::string text = lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key,
-                      100.0 * r.at_least, r.asked(), sought_text(r));
+  std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
+  text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
+  text += fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key, 100.0 * r.at_least,
+                      r.asked(), sought_text(r));
   text += table_text(capacity_table(r, key_itself), style);
   std::string notes =
       fmt::format("Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n",
@@ -135,8 +137,8 @@ std::string capacity_json(const CapacityResult& r) {
 
 std::string capacity_csv(const CapacityResult& r) {
   std::string text = fmt::format(
-      "# equipoise {}: largest {} at which a share of {} of {} starts {}, searched from {}{}\n", version_string,
-      r.key, r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
+      "# equipoise {}: largest {} at which a share of {} of {} starts {}, searched from {}{}\n", version_string, r.key,
+      r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/text/computed.hpp"
@@ -114,10 +115,11 @@ std::string making_text(const BasinSlice& map) {
 std::string map_text(const BasinSlice& map, const TextStyle& style) {
   const SliceFigures& f = map.figures;
   const bool physical = map.study.scales.has_value();
+  const std::string answer = filled("answer   ", answer_sentence(map), style) + "\n";
   std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
-  text = lines_filled(text + starts_text(map), style) + "\n";
+  text = answer + lines_filled(text + starts_text(map), style) + "\n";
   DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}, {}, "", false, {}};
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
@@ -131,9 +133,10 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
            : "");
   std::string notes = "\n";
   if (!figures.empty())
-    notes += figures +
-             "95 % intervals: of the line through the scales, and of boxes of 5 x 5 pixels. A boundary entropy above "
-             "boundary's entropy tells a fractal one.\n\n";
+    notes +=
+        figures +
+        "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels. A boundary entropy "
+        "above log 2 = 0.693 indicates a fractal boundary.\n\n";
   notes += making_text(map);
   if (!map.complete)
     notes += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",

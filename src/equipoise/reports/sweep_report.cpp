@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/text/cell_text.hpp"
 #include "equipoise/text/computed.hpp"
@@ -146,35 +147,6 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
   return table;
 }
 
-// "most     98.20 ± 0.52 % of starts are balanced, with balancer.drag = 0.05; ...", and the same of the fewest: what a
-// sweep is made to find. Of one cell there is nothing to say.
-std::string best_and_worst(const SweepResult& r, const TextStyle& style) {
-  const auto limits = [&](const auto& cell) { return !cell || kept(*cell); };
-  const bool judged = std::all_of(r.cells.begin(), r.cells.end(), limits);
-  const auto share = [&](std::size_t k) -> const Share& {
-    return judged ? *kept(*r.cells[k]) : r.cells[k]->outcomes.front().share;
-  };
-  std::vector<std::size_t> done;
-  for (std::size_t k = 0; k < r.cells.size(); ++k)
-    if (r.cells[k] && share(k).total > 0) done.push_back(k);
-  if (done.size() < 2) return "";
-  std::stable_sort(done.begin(), done.end(), [&](auto a, auto b) { return share(a).share > share(b).share; });
-  const auto line = [&](const char* label, std::size_t k) {
-    const auto alike = [&](std::size_t other) {
-      return other != k && share(other).low <= share(k).high && share(k).low <= share(other).high;
-    };
-    const auto others = std::count_if(done.begin(), done.end(), alike);
-    return filled(fmt::format("{:<9}", label),
-                  fmt::format("{} of starts {}, with {}{}", share_with_interval(share(k)),
-                              judged ? "keep every limit" : "end balanced", cell_title(r.axes, k),
-                              others == 0   ? ""
-                              : others == 1 ? "; the interval of 1 other cell overlaps"
-                                            : fmt::format("; the intervals of {} other cells overlap", others)),
-                  style);
-  };
-  return line("most", done.front()) + line("fewest", done.back()) + "\n";
-}
-
 // Lost starts, and the cells' notes.
 std::string what_else(const SweepResult& r) {
   std::string text;
@@ -241,7 +213,7 @@ Json cell_json(const SweepResult& r, std::size_t index) {
 
 std::string sweep_text(const SweepResult& r, const TextStyle& style) {
   const Columns columns(r);
-  std::string text = best_and_worst(r, style);
+  std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
   text += lines_filled(study_heading(r.study) + uncertain_text(r.study, keys_of(r.axes)), style);
   text += table_text(cells_table(r, columns), style) + "\n";
   std::string notes = "Behind ± or in brackets: 95 % intervals.\n" + others_text(columns) + what_else(r);

@@ -15,7 +15,7 @@ namespace equipoise {
 /// "rotor.unbalance, g mm": the title of a column.
 std::string column_title(const std::string& key, const std::string& unit);
 /// The columns of all parameters: titles, and values in a cell. What a key is called there: itself, or words
-/// (plots/quantities.hpp).
+/// (answers/quantities.hpp).
 using KeyWords = std::string (*)(const std::string& key);
 inline std::string key_itself(const std::string& key) { return key; }
 std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words);

@@ -1,5 +1,5 @@
 // The answer in one sentence: how surely the rotor balances, which limits are exceeded, what is not known.
-#include "equipoise/html/answer.hpp"
+#include "equipoise/answers/answer.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/html/answer_parts.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/answer_parts.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/text/text.hpp"
 
 namespace equipoise {

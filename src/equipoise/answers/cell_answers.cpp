@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/html/answer.hpp"
-#include "equipoise/html/answer_parts.hpp"
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/answer.hpp"
+#include "equipoise/answers/answer_parts.hpp"
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -21,7 +21,21 @@ std::vector<std::size_t> done_cells(const SweepResult& r) {
   return cells;
 }
 
-const Share& balanced_share(const SweepResult& r, std::size_t cell) { return r.cells[cell]->outcomes.front().share; }
+// Of all starts, those within every limit on the way and at the end; null where none is stated or gathered.
+const Share* kept_share(const SweepCell& cell) {
+  if (!cell.transients) return nullptr;
+  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
+  return share ? &*share : nullptr;
+}
+
+bool judged_by_limits(const SweepResult& r) {
+  return std::all_of(r.cells.begin(), r.cells.end(), [](const auto& cell) { return !cell || kept_share(*cell); });
+}
+
+// What cells are compared by: starts that keep every limit, or that end balanced.
+const Share& judged_share(const SweepResult& r, std::size_t cell) {
+  return judged_by_limits(r) ? *kept_share(*r.cells[cell]) : r.cells[cell]->outcomes.front().share;
+}
 
 // "final speed 2.4 ω_c, ball drag 0.05".
 std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
@@ -32,31 +46,30 @@ std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
   return words;
 }
 
-// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": cells with the same balanced share.
+// "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": cells with the same share.
 std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
   const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
-    return balanced_share(r, cell).share == balanced_share(r, one).share;
+    return judged_share(r, cell).share == judged_share(r, one).share;
   });
   const std::string title = cell_words(r.axes, one);
   return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
 }
 
-std::string balance_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
-  const auto less = [&](std::size_t a, std::size_t b) {
-    return balanced_share(r, a).share < balanced_share(r, b).share;
-  };
+std::string shares_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
+  const bool limits = judged_by_limits(r);
+  const auto less = [&](std::size_t a, std::size_t b) { return judged_share(r, a).share < judged_share(r, b).share; };
   const std::size_t worst = *std::min_element(cells.begin(), cells.end(), less);
   const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
-  const std::string most = share_words(balanced_share(r, best)), least = share_words(balanced_share(r, worst));
+  const std::string most = share_words(judged_share(r, best)), least = share_words(judged_share(r, worst));
   if (cells.size() == 1)
-    return fmt::format("At {} the rotor ends balanced in {} of starts (95 % confidence)", cell_words(r.axes, best),
-                       most);
+    return fmt::format("At {} {} in {} of starts (95 % confidence)", cell_words(r.axes, best),
+                       limits ? "every limit is kept" : "the rotor ends balanced", most);
   if (!less(worst, best))
-    return fmt::format("In each of {} cells the rotor ends balanced in {} of starts (95 % confidence)", cells.size(),
-                       most);
-  return fmt::format(
-      "The rotor ends balanced most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
-      where(r, cells, best), most, where(r, cells, worst), least);
+    return fmt::format("In each of {} cells {} in {} of starts (95 % confidence)", cells.size(),
+                       limits ? "every limit is kept" : "the rotor ends balanced", most);
+  return fmt::format("{} most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
+                     limits ? "Every limit is kept" : "The rotor ends balanced", where(r, cells, best), most,
+                     where(r, cells, worst), least);
 }
 
 // How often a limit is exceeded, from the best cell to the worst.
@@ -98,12 +111,12 @@ double rank(const CapacityResult& r, const CapacityCell& cell) {
 std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
   const std::string what = key_words(r.key);
   if (cell.never)
-    return fmt::format("Nowhere from {} {} on do {} end balanced: already there it is less", what,
-                       sought_value(r, r.from), starts);
+    return fmt::format("Nowhere from {} {} on do {} {}: there it is fewer already", what, sought_value(r, r.from),
+                       starts, r.asked());
   if (cell.always)
-    return fmt::format("Up to {} {}, as far as was looked, {} end balanced", what, sought_value(r, r.to), starts);
-  return fmt::format("Up to {} {}, {} end balanced: surely up to {:.4g}, surely fewer from {:.4g} on", what,
-                     sought_value(r, *cell.value), starts, cell.low, cell.high);
+    return fmt::format("Up to {} {}, the end of the range, {} {}", what, sought_value(r, r.to), starts, r.asked());
+  return fmt::format("Up to {} {}, {} {}: surely up to {:.4g}, surely fewer from {:.4g} on", what,
+                     sought_value(r, *cell.value), starts, r.asked(), cell.low, cell.high);
 }
 
 }  // namespace
@@ -112,7 +125,7 @@ std::string answer_sentence(const SweepResult& r) {
   const std::vector<std::size_t> cells = done_cells(r);
   if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
   const std::vector<std::string> keys = drawn_keys(r.study, keys_of(r.axes));
-  std::string text = balance_over(r, cells) + limits_over(r, cells);
+  std::string text = shares_over(r, cells) + limits_over(r, cells);
   const auto open = std::max_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
     return r.cells[a]->undecided.share < r.cells[b]->undecided.share;
   });
@@ -141,12 +154,12 @@ std::string answer_sentence(const CapacityResult& r) {
   const auto [worst, best] = std::minmax_element(cells.begin(), cells.end(), less);
   if (!less(*worst, *best))
     return after_what_is_drawn(
-        keys, fmt::format("The largest {} at which {} end balanced is {} in each of {} cells (95 % confidence).",
-                          key_words(r.key), starts, capacity_words(r, *r.cells[*best]), cells.size()));
+        keys, fmt::format("The largest {} at which {} {} is {} in each of {} cells (95 % confidence).",
+                          key_words(r.key), starts, r.asked(), capacity_words(r, *r.cells[*best]), cells.size()));
   return after_what_is_drawn(
-      keys, fmt::format("The largest {} at which {} end balanced is {} at {}; it is least at {}: {} (95 % confidence).",
-                        key_words(r.key), starts, capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
-                        capacity_words(r, *r.cells[*worst])));
+      keys, fmt::format("The largest {} at which {} {} is {} at {}; it is least at {}: {} (95 % confidence).",
+                        key_words(r.key), starts, r.asked(), capacity_words(r, *r.cells[*best]), title(*best),
+                        title(*worst), capacity_words(r, *r.cells[*worst])));
 }
 
 std::string answer_sentence(const BasinSlice& map) {

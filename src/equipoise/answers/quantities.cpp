@@ -1,5 +1,5 @@
 // One unit for numbers that stand together.
-#include "equipoise/plots/quantities.hpp"
+#include "equipoise/answers/quantities.hpp"
 
 #include <algorithm>
 #include <array>
