@@ -160,6 +160,10 @@ std::vector<BallOrder> exchange_images(const model::System& system, const Motion
   const StateDifference difference(system);
   const double rate = largest_rate(motion, n);
   std::vector<BallOrder> images;
+  // Each image is visited once for every shift in time that leaves the motion alone. Where rounding decides what is the
+  // same, images could be fewer than copies.
+  constexpr int most_visited = 40320;
+  int visited = 0;
   // Two orders make the same motion if the exchange between them leaves the motion alone.
   const auto makes_the_same = [&](const BallOrder& earlier, const BallOrder& order) {
     BallOrder between{};
@@ -176,7 +180,7 @@ std::vector<BallOrder> exchange_images(const model::System& system, const Motion
         std::copy(places.begin(), places.end(), order.begin());
         if (std::none_of(images.begin(), images.end(), [&](const BallOrder& e) { return makes_the_same(e, order); }))
           images.push_back(order);
-        return static_cast<std::int64_t>(images.size()) == motion.copies;
+        return static_cast<std::int64_t>(images.size()) == motion.copies || ++visited == most_visited;
       });
   return images;
 }
