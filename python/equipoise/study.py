@@ -168,7 +168,7 @@ class Study:
 
     @property
     def balls(self) -> int:
-        """Number of balls, 1 to 8."""
+        """Number of balls, 0 to 16."""
         return self._core.balls
 
     @property

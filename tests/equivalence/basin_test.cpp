@@ -296,7 +296,7 @@ TEST(Basin, ChecksStudiesFilledInByCode) {
   study.parameters.mass[1] = -0.05;
   EXPECT_EQ(refused_key([&] { basin(study); }), "balancer.mass");
   study.parameters.mass[1] = 0.05;
-  study.parameters.balls = 9;
+  study.parameters.balls = 17;
   EXPECT_THROW(basin(study), InputError);
 }
 

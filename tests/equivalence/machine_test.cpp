@@ -1,6 +1,7 @@
 // simulate() of machines (motor, off-centre race, contact, rolling resistance, stiction) against mass points in fixed
 // axes (machine_reference.hpp), the energy balance and the limit of a heavy rotor.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,8 +34,20 @@ std::string balls(int n, const std::string& more = "") {
       "", "[0.05]", "[0.05, 0.03]", "[0.03, 0.05, 0.02]", "", "[0.02, 0.03, 0.01, 0.02, 0.025]"};
   static const char* const drag[] = {"", "[0.2]", "[0.2, 0.15]", "[0.2, 0.3, 0.25]", "", "[0.2, 0.3, 0.25, 0.2, 0.15]"};
   static const char* const phi[] = {"", "[1.0]", "[1.0, 4.0]", "[1.0, 3.0, 5.0]", "", "[0.5, 1.5, 3.0, 4.0, 5.5]"};
-  return fmt::format("[balancer]\nballs = {}\nmass = {}\ndrag = {}\n{}\n[initial]\nphi = {}\npsi = 0.3\n", n, mass[n],
-                     drag[n], more, phi[n]);
+  std::string masses = n < 6 ? mass[n] : "", drags = n < 6 ? drag[n] : "", angles = n < 6 ? phi[n] : "";
+  if (n > 5) {  // three kinds of balls around the race
+    std::vector<double> m, d, a;
+    for (int i = 0; i < n; ++i) {
+      m.push_back(0.006 + 0.001 * (i % 3));
+      d.push_back(0.2 + 0.05 * (i % 3));
+      a.push_back(6.2 * i / n + 0.1 * std::sin(3.0 * i));
+    }
+    masses = fmt::format("{}", m);
+    drags = fmt::format("{}", d);
+    angles = fmt::format("{}", a);
+  }
+  return fmt::format("[balancer]\nballs = {}\nmass = {}\ndrag = {}\n{}\n[initial]\nphi = {}\npsi = 0.3\n", n, masses,
+                     drags, more, angles);
 }
 std::string torque(const std::string& law, const std::string& initial = "0.5") {
   return "[speed]\nprofile = \"torque\"\ninitial = " + initial + "\ntorque = " + law + "\n";
@@ -46,7 +59,7 @@ const std::string constant = "[speed]\nprofile = \"constant\"\nspeed = 2.0\n";
 std::vector<Case> cases() {
   std::vector<Case> all;
   const std::string at_speed = "[release]\nspeed = 0.9\n", at_time = "[release]\ntime = 7.3\n";
-  for (int n : {1, 2, 3, 5})
+  for (int n : {1, 2, 3, 5, 12, 16})
     all.push_back({fmt::format("linear_{}", n),
                    rotor() + balls(n) + torque("{ constant = 0.3, slope = -0.1, until = 30.0 }") + at_speed, 35.0,
                    1e-9});
@@ -94,6 +107,11 @@ std::vector<Case> cases() {
                  rotor() + balls(3, "contact_angle = 1.0\nrestitution = 0.9") +
                      torque("{ constant = 0.3, slope = -0.1 }") + at_speed,
                  20.0, 5e-9});
+  for (int n : {12, 16})
+    all.push_back(
+        {fmt::format("contact_of_{}", n),
+         rotor() + balls(n, "contact_angle = 0.25\nrestitution = 0.5") + torque("{ constant = 0.3, slope = -0.1 }"),
+         4.0, 5e-9});
   const std::string rolls = "rolls = true\nball_radius = ", motor = torque("{ constant = 0.3, slope = -0.1 }");
   for (int n : {1, 2, 3, 5})
     all.push_back(

@@ -115,12 +115,12 @@ TEST(BalancedStates, DoNotDependOnTheSupports) {
 }
 
 TEST(BalancedStates, OfThreeBallsOrMoreAreFoundNearAnyGenericStart) {
-  for (int n = 3; n <= 8; ++n) {
+  for (int n = 3; n <= equipoise::model::max_balls; ++n) {
     Parameters p = rotor(0.01, {});
     p.balls = n;
     for (int i = 0; i < n; ++i) p.mass[i] = 0.03 + 0.002 * i;
     EXPECT_EQ(balanced_states(p).kind, Kind::continuum);
-    double phi[8];
+    double phi[equipoise::model::max_balls];
     for (int i = 0; i < n; ++i) phi[i] = 2.0 * pi * i / n + 0.3 * std::sin(3.0 * i);
     ASSERT_TRUE(equipoise::model::project_to_balanced(p, phi)) << n << " balls";
     // Rounding of the sum of the masses.

@@ -115,4 +115,49 @@ TEST(Cancelling, BallsAtRandomStayWithinAndComeNear) {
   }
 }
 
+// Eight heavy balls and eight light ones: all orders are tried, and the row with the heavy ones in the middle is best.
+TEST(Cancelling, SixteenBallsOfTwoKindsMakeARowWithTheHeavyOnesInTheMiddle) {
+  Parameters p;
+  p.balls = 16;
+  for (int i = 0; i < 16; ++i) p.mass[i] = i % 2 ? 2.0 : 1.0;
+  p.contact_angle = 0.3;
+  const Cancelling range = cancelling(p);
+  double most = 0.0;
+  for (int k = 0; k < 16; ++k) most += (k >= 4 && k < 12 ? 2.0 : 1.0) * std::cos(0.3 * (k - 7.5));
+  EXPECT_TRUE(range.all_tried);
+  EXPECT_NEAR(range.most(), most, 1e-12);
+  EXPECT_EQ(range.least(), 0.0);
+}
+
+TEST(Cancelling, SixteenUnlikeBallsAreToldOfWithoutAllOrders) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(1.0, 2.0);
+  Parameters p;
+  p.balls = 16;
+  for (int i = 0; i < 16; ++i) p.mass[i] = uniform(random);
+  p.contact_angle = 0.25;
+  const Cancelling range = cancelling(p);
+  EXPECT_TRUE(range.all_tried);  // the first order reaches all there is
+  ASSERT_EQ(range.ranges.size(), 1u);
+  EXPECT_EQ(range.least(), 0.0);
+  std::vector<int> order(16);
+  std::iota(order.begin(), order.end(), 0);
+  double highest = 0.0;
+  for (int draw = 0; draw < 20000; ++draw) {
+    std::shuffle(order.begin(), order.end(), random);
+    std::complex<double> sum;
+    for (int k = 0; k < 16; ++k) sum += std::polar(p.mass[order[k]], 0.25 * k);
+    highest = std::max(highest, std::abs(sum));
+  }
+  EXPECT_LE(highest, range.most());
+  EXPECT_GT(highest, 0.95 * range.most());
+  // A full race leaves little for each order, and not all orders are tried.
+  p.contact_angle = two_pi / 16.0;
+  const Cancelling full = cancelling(p);
+  EXPECT_FALSE(full.all_tried);
+  EXPECT_TRUE(full.cancels(full.most()));
+  EXPECT_STREQ(full.why_not(2.0 * full.most()),
+               "of many orders of these balls in the race, none that was tried cancels just the unbalance");
+}
+
 }  // namespace

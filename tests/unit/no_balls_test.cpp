@@ -136,7 +136,7 @@ TEST(NoBalls, APageTellsOfTheRotor) {
 TEST(NoBalls, EverybodyElseRefusesThem) {
   const Study study = parse_study(bare, "s");
   for (const auto& error : {error_of([&] { attractors(study); }), error_of([&] { replay_start(study, 0); })})
-    EXPECT_TRUE(holds(error, "balancer.balls = 0: leaves nothing to balance with; must be 1 to 8 here")) << error;
+    EXPECT_TRUE(holds(error, "balancer.balls = 0: leaves nothing to balance with; must be 1 to 16 here")) << error;
   BasinOptions file;
   file.output = testing::TempDir() + "no_balls.nc";
   EXPECT_TRUE(holds(error_of([&] { basin(study, file); }), "leaves no starts for an output file"));
@@ -146,7 +146,7 @@ TEST(NoBalls, EverybodyElseRefusesThem) {
 }
 
 TEST(NoBalls, MinusOneBallIsNone) {
-  EXPECT_TRUE(holds(error_of([] { parse_study(with(bare, "balls = 0", "balls = -1"), "s"); }), "from 0 to 8"));
+  EXPECT_TRUE(holds(error_of([] { parse_study(with(bare, "balls = 0", "balls = -1"), "s"); }), "from 0 to 16"));
 }
 
 }  // namespace

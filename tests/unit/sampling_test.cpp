@@ -1,8 +1,11 @@
 // Scrambled Sobol points and jittered grids: nets, addressing, uniformity, cells.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +71,33 @@ TEST(ScrambledSobol, ThreeAndFourAnglesHaveTheSequencesQuality) {
     for (int b = 0; a + b <= k - 3; ++b)
       for (int c = 0; a + b + c <= k - 3; ++c)
         EXPECT_EQ(fullest_and_emptiest(points, {a, b, c, k - 3 - a - b - c}), std::make_pair(8, 8));
+}
+
+// Sobol's property A: of each 2^d points in d dimensions one lies in each of the boxes that halve every side. It holds
+// if the matrix of first bits, by dimension and by power of two in the point's number, is regular modulo 2. Scrambling
+// flips all first bits of a dimension alike.
+TEST(ScrambledSobol, AllCoordinatesTogetherHavePropertyA) {
+  constexpr int n = most_sobol_dimensions;
+  const auto first_bits = [](std::uint64_t number) {
+    std::array<double, n> x{};
+    sobol_fractions(7, number * sobol_replicates, 0, n, x.data());
+    std::uint64_t bits = 0;
+    for (std::size_t d = 0; d < n; ++d) bits |= std::uint64_t{x[d] >= 0.5} << d;
+    return bits;
+  };
+  std::vector<std::uint64_t> columns;
+  for (int j = 0; j < n; ++j) columns.push_back(first_bits(std::uint64_t{1} << j) ^ first_bits(0));
+  int rank = 0;
+  for (int d = 0; d < n; ++d) {
+    const auto has = [d](std::uint64_t column) { return (column >> d & 1) != 0; };
+    const auto pivot = std::find_if(columns.begin() + rank, columns.end(), has);
+    if (pivot == columns.end()) continue;
+    std::swap(*pivot, columns[static_cast<std::size_t>(rank)]);
+    const std::uint64_t taken = columns[static_cast<std::size_t>(rank++)];
+    for (auto c = columns.begin() + rank; c != columns.end(); ++c)
+      if (has(*c)) *c ^= taken;
+  }
+  EXPECT_EQ(rank, n);
 }
 
 TEST(ScrambledSobol, EveryCoordinateIsStratified) {

@@ -182,7 +182,7 @@ TEST(BadInput, StudiesFilledInByCodeObeyTheSameRules) {
   expect_bad([](Study& s) { s.release.time = 1.0; }, "release.time", "not both");
   expect_bad([](Study& s) { s.parameters.mass[1] = std::nan(""); }, "balancer.mass",
              "entry 2 must be a finite number greater than 0");
-  expect_bad([](Study& s) { s.parameters.balls = 9; }, "balancer.balls", "from 0 to 8");
+  expect_bad([](Study& s) { s.parameters.balls = 17; }, "balancer.balls", "from 0 to 16");
   expect_bad([](Study& s) { s.speed.duration = 0.0; }, "speed.duration", "greater than 0");
 }
 

@@ -157,7 +157,7 @@ TEST(Check, RefusesWhatNoTextCouldSay) {
     return refused_key([&] { check(study); });
   };
   EXPECT_EQ(key_of([](Study&) {}), "accepted");
-  EXPECT_EQ(key_of([](Study& s) { s.parameters.balls = 9; }), "balancer.balls");
+  EXPECT_EQ(key_of([](Study& s) { s.parameters.balls = 17; }), "balancer.balls");
   EXPECT_EQ(key_of([](Study& s) { s.parameters.balls = -1000000; }), "balancer.balls");
   EXPECT_EQ(key_of([](Study& s) { s.sampling.method = static_cast<SamplingMethod>(7); }), "sampling.method");
   EXPECT_EQ(key_of([](Study& s) { s.numerics.decide = static_cast<ClassificationMode>(-1); }), "numerics.decide");

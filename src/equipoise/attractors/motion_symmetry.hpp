@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,7 +23,7 @@ Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::I
 std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
 
 /// Motion::copies of a motion whose other members are set.
-int count_copies(const model::System& system, const Motion& motion);
+std::int64_t count_copies(const model::System& system, const Motion& motion);
 
 /// Whether an equilibrium is balanced: the race's centre rests on the axis of rotation.
 bool is_balanced(const model::System& system, const Motion& motion);

@@ -58,7 +58,7 @@ bool inside(const FeatureBox& box, const Features& f, int balls) {
 Features features(const WindowSums& sums, int balls, bool interchangeable) {
   std::array<int, model::max_balls> order{};
   for (int i = 0; i < balls; ++i) order[i] = i;
-  for (int i = 1; interchangeable && i < balls; ++i)  // insertion sort: eight entries at most
+  for (int i = 1; interchangeable && i < balls; ++i)  // insertion sort: few entries
     for (int k = i; k > 0 && sums.turned[order[k]] < sums.turned[order[k - 1]]; --k) std::swap(order[k], order[k - 1]);
   Features f{std::sqrt(sums.r2_min), std::sqrt(sums.r2_max), std::sqrt(sums.r2_integral / sums.duration)};
   for (int k = 0; k < balls; ++k) {

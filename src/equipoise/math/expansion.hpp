@@ -6,6 +6,8 @@
 // coefficients. `beyond` reports a product outside this set; the present equations never form one.
 #pragma once
 
+#include <cstdint>
+
 namespace equipoise {
 
 template <class T, int n, int more = 0>
@@ -18,12 +20,13 @@ struct Expansion {
   static constexpr int product_with_speed(int variable) { return 1 + variables + n + variable; }
 
   T coefficient[terms]{};
-  unsigned present = 0;  ///< one bit per term; absent terms are exactly 0
+  static_assert(terms <= 64);
+  std::uint64_t present = 0;  ///< one bit per term; absent terms are exactly 0
   bool beyond = false;
 
   Expansion() = default;
   Expansion(double v) : Expansion(T(v)) {}
-  explicit Expansion(const T& constant) : present(1u) { coefficient[0] = constant; }
+  explicit Expansion(const T& constant) : present(1) { coefficient[0] = constant; }
   /// Variable number `index`.
   static Expansion variable(int index) {
     Expansion r;
@@ -31,7 +34,7 @@ struct Expansion {
     return r;
   }
 
-  bool constant() const { return present <= 1u; }
+  bool constant() const { return present <= 1; }
 
   friend Expansion operator+(const Expansion& a, const Expansion& b) {
     Expansion r = a;
@@ -77,10 +80,10 @@ struct Expansion {
   }
 
  private:
-  bool has(int term) const { return (present >> term) & 1u; }
+  bool has(int term) const { return (present >> term) & 1; }
   void add(int term, const T& value) {
     coefficient[term] = has(term) ? coefficient[term] + value : value;
-    present |= 1u << term;
+    present |= std::uint64_t{1} << term;
   }
 };
 

@@ -14,6 +14,9 @@ namespace equipoise::model {
 
 namespace {
 
+// All of eight balls. One costs up to a millisecond.
+constexpr double most_orders_tried = 5040.0;
+
 // Masses and widths in the order of the balls round the race.
 struct Ring {
   std::vector<double> mass, width;
@@ -120,25 +123,69 @@ double least_of(const Ring& ring, double nothing) {
   return least > nothing ? least : 0.0;
 }
 
-// Every order of the balls round the race, up to rotation, reflection and exchange of alike balls.
-std::vector<Ring> all_orders(const Parameters& p, const std::vector<double>& width) {
+// Of each ball, the first that is the same.
+std::vector<int> kinds(const Parameters& p, const std::vector<double>& width) {
   std::vector<int> kind(static_cast<std::size_t>(p.balls));
   for (int i = 0; i < p.balls; ++i) {
     kind[i] = i;
     for (int k = 0; k < i && kind[i] == i; ++k)
       if (p.mass[k] == p.mass[i] && width[k] == width[i]) kind[i] = k;
   }
+  return kind;
+}
+
+Ring ring_of(const Parameters& p, const std::vector<double>& width, const std::vector<int>& balls) {
+  Ring ring;
+  for (const int i : balls) {
+    ring.mass.push_back(p.mass[i]);
+    ring.width.push_back(width[i]);
+  }
+  return ring;
+}
+
+// Orders in which the first ball comes first.
+double number_of_orders(const std::vector<int>& kind) {
+  double orders = 1.0;
+  for (std::size_t i = 1; i < kind.size(); ++i) {
+    const auto alike = std::count(kind.begin() + 1, kind.begin() + static_cast<std::ptrdiff_t>(i) + 1, kind[i]);
+    orders *= static_cast<double>(i) / static_cast<double>(alike);
+  }
+  return orders;
+}
+
+// Every order of the balls round the race, up to rotation, reflection and exchange of alike balls.
+std::vector<Ring> all_orders(const Parameters& p, const std::vector<double>& width, std::vector<int> kind) {
   std::sort(kind.begin() + 1, kind.end());
   std::vector<Ring> orders;
   do {
     if (std::lexicographical_compare(kind.rbegin(), kind.rend() - 1, kind.begin() + 1, kind.end())) continue;
-    Ring ring;
-    for (const int i : kind) {
-      ring.mass.push_back(p.mass[i]);
-      ring.width.push_back(width[i]);
-    }
-    orders.push_back(std::move(ring));
+    orders.push_back(ring_of(p, width, kind));
   } while (std::next_permutation(kind.begin() + 1, kind.end()));
+  return orders;
+}
+
+// Where there are too many: the heaviest in the middle of a row, which of balls of one size cancels the most (a longer
+// arm counts for more the nearer it lies to the middle); heavy and light ones in turn; and both with any two balls
+// exchanged.
+std::vector<Ring> some_orders(const Parameters& p, const std::vector<double>& width) {
+  std::vector<int> falling(static_cast<std::size_t>(p.balls));
+  std::iota(falling.begin(), falling.end(), 0);
+  std::stable_sort(falling.begin(), falling.end(), [&](int a, int b) { return p.mass[a] > p.mass[b]; });
+  std::vector<int> middle, in_turn;
+  for (int k = 0; k < p.balls; ++k) {
+    middle.insert(k % 2 ? middle.end() : middle.begin(), falling[k]);
+    in_turn.push_back(falling[k % 2 ? p.balls - 1 - k / 2 : k / 2]);
+  }
+  std::vector<Ring> orders;
+  for (std::vector<int> balls : {middle, in_turn}) {
+    orders.push_back(ring_of(p, width, balls));
+    for (int i = 0; i < p.balls; ++i)
+      for (int k = 0; k < i; ++k) {
+        std::swap(balls[i], balls[k]);
+        orders.push_back(ring_of(p, width, balls));
+        std::swap(balls[i], balls[k]);
+      }
+  }
   return orders;
 }
 
@@ -163,6 +210,7 @@ bool Cancelling::cancels(double unbalance) const {
 
 const char* Cancelling::why_not(double unbalance) const {
   if (!fit()) return "the balls do not fit into the race";
+  if (!all_tried) return "of many orders of these balls in the race, none that was tried cancels just the unbalance";
   if (unbalance > most()) return "balls of this size, side by side, cancel less than the unbalance";
   if (unbalance < least()) return "balls of this size have no room to cancel as little as the unbalance";
   return "no order of these balls in the race cancels just the unbalance";
@@ -180,13 +228,18 @@ Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {
   }
   constexpr double rounding = 1e-12;  // accepts widths that fill the race exactly
   if (std::accumulate(width.begin(), width.end(), 0.0) > two_pi * (1.0 + rounding)) return result;
-  std::vector<Ring> orders = all_orders(p, width);
+  const std::vector<int> kind = kinds(p, width);
+  const bool every = number_of_orders(kind) <= most_orders_tried;
+  std::vector<Ring> orders = every ? all_orders(p, width, kind) : some_orders(p, width);
   std::stable_sort(orders.begin(), orders.end(), [](const Ring& a, const Ring& b) { return most_of(a) > most_of(b); });
   for (const Ring& ring : orders) {
     result.ranges.push_back({least_of(ring, result.uncertain), most_of(ring)});
     // The first order reaches the most. If it also reaches the least, the other orders add nothing.
     if (result.ranges.size() == 1 && result.ranges[0][0] <= least + result.uncertain) break;
   }
+  const bool one_size = std::all_of(width.begin(), width.end(), [&](double w) { return w == width.front(); });
+  result.all_tried =
+      every || (one_size && result.ranges.size() == 1 && result.ranges[0][0] <= least + result.uncertain);
   result.ranges = joined(std::move(result.ranges), result.uncertain);
   return result;
 }

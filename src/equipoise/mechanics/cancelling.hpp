@@ -9,7 +9,8 @@
 namespace equipoise::model {
 
 /// The values of |sum mu_i e^{i phi_i}| that balls can reach without overlap. Balls keep their order in the race. Each
-/// order reaches one interval; these are the intervals of all orders, merged.
+/// order reaches one interval; these are the intervals of all orders, merged. Where many unlike balls have more orders
+/// than can be tried, and the first does not reach all that balls without size would, they are those of some orders.
 struct Cancelling {
   /// Disjoint and increasing; usually one. Empty if the balls do not fit into the race.
   std::vector<std::array<double, 2>> ranges;
@@ -18,7 +19,8 @@ struct Cancelling {
   double least() const { return fit() ? ranges.front()[0] : 0.0; }
   double most() const { return fit() ? ranges.back()[1] : 0.0; }
   bool cancels(double unbalance) const;
-  /// Why they cannot cancel it, as text after a colon.
+  bool all_tried = true;  ///< no order can reach anything else
+  /// Why they cannot cancel it, as text after a colon; where `all_tried` is false, what was tried.
   const char* why_not(double unbalance) const;
   double uncertain = 0.0;  ///< error of the ends: 1e-6 of all masses; rounding for balls without size
 };

@@ -6,7 +6,7 @@
 
 namespace equipoise::model {
 
-inline constexpr int max_balls = 8;
+inline constexpr int max_balls = 16;
 
 /// A rational number that each number type rounds, or encloses, by itself.
 struct Ratio {
@@ -19,7 +19,7 @@ inline constexpr Ratio sphere_inertia{2.0, 5.0};
 /// Rotor, supports and balls; constant in time. Symbols as in Wright and Peng (2019) and docs/equations.md. Ranges are
 /// checked when a study is read.
 struct Parameters {
-  int balls = 2;                              ///< n, 1 to 8
+  int balls = 2;                              ///< n, 1 to max_balls
   double eccentricity = 0.01;                 ///< lambda = eps/R, >= 0
   std::array<double, 2> damping{0.5, 0.5};    ///< zeta_x, zeta_y = c/sqrt(k M), >= 0 (twice the damping ratio)
   std::array<double, 2> stiffness{1.0, 1.0};  ///< kappa_x, kappa_y = k/(M omega_c^2), > 0

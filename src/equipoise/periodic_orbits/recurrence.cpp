@@ -104,35 +104,57 @@ OrbitCurve::OrbitCurve(const model::System& system, const PeriodicOrbit& orbit) 
 }
 
 double OrbitCurve::distance(const Eigen::VectorXd& state) const {
-  const std::size_t count = rates_.empty() ? states_.size() : states_.size() - 1;
+  const auto distance_to = [&](const Eigen::VectorXd& point) { return difference_.distance(point, state); };
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < count; ++k) {
-    const double d = difference_.distance(states_[k], state);
+  for (std::size_t k = 0; k < count(); ++k) {
+    const double d = distance_to(states_[k]);
     if (d < least) {
       least = d;
       nearest = k;
     }
   }
-  if (rates_.empty()) return least;
-  for (const std::size_t k : {nearest, (nearest + count - 1) % count})  // the arcs that meet there
-    least = std::min(least, distance_on_arc(k, state));
+  return rates_.empty() ? least : std::min(least, least_beside(nearest, distance_to));
+}
+
+double OrbitCurve::least(const DistanceTo& distance_to, double near) const {
+  std::vector<double> distances;
+  for (std::size_t k = 0; k < count(); ++k) distances.push_back(distance_to(states_[k]));
+  double least = *std::min_element(distances.begin(), distances.end());
+  for (std::size_t k = 0; k < rates_.size() && k < count(); ++k) {
+    const double here = distances[k], moves = difference_.length(rates_[k]) * step_;
+    const bool lowest = here <= distances[(k + 1) % count()] && here <= distances[(k + count() - 1) % count()];
+    if (lowest && here < moves + near) least = std::min(least, least_beside(k, distance_to));
+  }
   return least;
 }
 
-double OrbitCurve::distance_on_arc(std::size_t k, const Eigen::VectorXd& state) const {
-  const auto at = [&](double s) {
-    return difference_.distance(hermite(s, step_, states_[k], rates_[k], states_[k + 1], rates_[k + 1]), state);
-  };
-  double low = 0.0, high = 1.0;
-  for (int round = 0; round < 40; ++round) {  // thirds: on so short an arc the distance has one minimum
-    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-    if (at(a) < at(b))
-      high = b;
-    else
-      low = a;
+Eigen::VectorXd OrbitCurve::at(double share) const {
+  const double place = share * static_cast<double>(count());
+  if (rates_.empty()) return states_[static_cast<std::size_t>(std::lround(place)) % count()];
+  const std::size_t k = std::min(static_cast<std::size_t>(place), count() - 1);
+  return on_arc(k, place - static_cast<double>(k));
+}
+
+Eigen::VectorXd OrbitCurve::on_arc(std::size_t k, double share) const {
+  return hermite(share, step_, states_[k], rates_[k], states_[k + 1], rates_[k + 1]);
+}
+
+// On the arcs that meet at a sample.
+double OrbitCurve::least_beside(std::size_t sample, const DistanceTo& distance_to) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : {sample, (sample + count() - 1) % count()}) {
+    double low = 0.0, high = 1.0;
+    for (int round = 0; round < 40; ++round) {  // thirds: on so short an arc the distance has one minimum
+      const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+      if (distance_to(on_arc(k, a)) < distance_to(on_arc(k, b)))
+        high = b;
+      else
+        low = a;
+    }
+    least = std::min(least, distance_to(on_arc(k, 0.5 * (low + high))));
   }
-  return at(0.5 * (low + high));
+  return least;
 }
 
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -47,9 +48,18 @@ class OrbitCurve {
 
   /// From `state` to the nearest point of the orbit; true to about 1e-7.
   double distance(const Eigen::VectorXd& state) const;
+  /// The least distance of a point of the orbit by another measure, which changes no faster than the point moves; true
+  /// to about 1e-7 where it is below `near`.
+  double least(const std::function<double(const Eigen::VectorXd&)>& distance_to, double near) const;
+  /// Where the motion is after `share` of its period, 0 to 1; true to about 1e-7. On a stroboscopic section the nearest
+  /// point.
+  Eigen::VectorXd at(double share) const;
 
  private:
-  double distance_on_arc(std::size_t arc, const Eigen::VectorXd& state) const;
+  using DistanceTo = std::function<double(const Eigen::VectorXd&)>;
+  std::size_t count() const { return rates_.empty() ? states_.size() : states_.size() - 1; }
+  Eigen::VectorXd on_arc(std::size_t arc, double share) const;
+  double least_beside(std::size_t sample, const DistanceTo& distance_to) const;
 
   StateDifference difference_;
   double step_ = 0.0;

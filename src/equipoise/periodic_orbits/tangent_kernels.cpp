@@ -23,12 +23,12 @@ template <template <int room> class Source>
 std::optional<TangentFlight> run_plain(const TangentJob& j) {
   using model::dimension;
   if (j.system.balls() == 2) return run_source<Source<2>, dimension(2)>(j);
-  return run_source<Source<model::any_count>, dimension(2), dimension(4), dimension(6), dimension(8)>(j);
+  return run_source<Source<model::any_count>, dimension(2), dimension(4), dimension(6), dimension(8), dimension(16)>(j);
 }
 
 std::optional<TangentFlight> run_tangents_target(const TangentJob& j) {
   using G = GeneralSource;
-  if (!j.system.plain()) return run_source<G, G::largest<2>, G::largest<4>, G::largest<8>>(j);
+  if (!j.system.plain()) return run_source<G, G::largest<2>, G::largest<4>, G::largest<8>, G::largest<16>>(j);
   return j.system.autonomous() ? run_plain<Autonomous>(j) : run_plain<AngleDependent>(j);
 }
 

@@ -10,6 +10,10 @@ namespace equipoise {
 
 // [sampling.box] can ask for at most this: angles, x, y, x_dot, y_dot and the balls' rates.
 static_assert(4 + 2 * model::max_balls <= most_sobol_dimensions);
+// Values with names take coordinates up to this one, so that what a seed draws does not change with
+// most_sobol_dimensions.
+constexpr int most_named_dimensions = 24;
+static_assert(most_named_dimensions <= most_sobol_dimensions);
 
 Sampler::Sampler(SamplingMethod method, int balls, std::uint64_t starts, bool exchange)
     : method_(method), balls_(balls) {
@@ -33,7 +37,7 @@ void Sampler::fractions(std::uint64_t seed, std::uint64_t index, int count, cons
 
 double Sampler::named(std::uint64_t seed, std::uint64_t index, int wanted, int place, std::string_view name) const {
   const int coordinate = balls_ + wanted + place;
-  if (method_ != SamplingMethod::sobol || coordinate >= most_sobol_dimensions) return start_fraction(seed, index, name);
+  if (method_ != SamplingMethod::sobol || coordinate >= most_named_dimensions) return start_fraction(seed, index, name);
   double number = 0.0;
   sobol_fractions(seed, index, coordinate, 1, &number);
   return number;

@@ -11,7 +11,7 @@ namespace equipoise {
 inline constexpr int sobol_replicates = 16;
 
 /// Coordinates of a point. Ball angles come first, since the sequence is most even in its first coordinates.
-inline constexpr int most_sobol_dimensions = 24;
+inline constexpr int most_sobol_dimensions = 36;
 
 /// Writes coordinates first .. first + count - 1 of start `index`, each uniform on [0, 1). Sobol's sequence with the
 /// direction numbers of Joe and Kuo (SIAM J. Sci. Comput. 30 (2008) 2635, from Boost.Random) under nested uniform

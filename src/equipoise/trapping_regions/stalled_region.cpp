@@ -6,6 +6,7 @@
 
 #include "equipoise/balanced_regions/touching.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/orders.hpp"
 
 namespace equipoise {
 
@@ -53,19 +54,19 @@ int StalledRegion::caught(const model::System& system, const double* state) cons
 std::vector<Eigen::VectorXd> places_to_hang(const model::System& system, const model::GravityWell& well) {
   const int n = system.balls();
   const double contact = system.parameters().contact_angle;
-  std::vector<int> balls(n);
-  for (int i = 0; i < n; ++i) balls[i] = i;
-  const std::vector<int> kinds = kinds_of(system);
   std::vector<std::vector<int>> seen;
   std::vector<Eigen::VectorXd> places;
-  do {
-    Eigen::VectorXd state = well.bottom();
-    for (int k = 0; k < n; ++k) state[model::index::phi(balls[k])] += side_by_side * contact * (k - 0.5 * (n - 1));
-    const std::vector<int> order = order_of(system, state.data());
-    if (std::find(seen.begin(), seen.end(), order) != seen.end()) continue;
-    seen.push_back(order);
-    places.push_back(std::move(state));
-  } while (places.size() < most_orders && std::next_permutation(balls.begin(), balls.end()));
+  any_order(
+      n, [](int, int) { return true; }, [&](int i, int k) { return system.alike(i, k); },
+      [&](const std::vector<int>& balls) {
+        Eigen::VectorXd state = well.bottom();
+        for (int k = 0; k < n; ++k) state[model::index::phi(balls[k])] += side_by_side * contact * (k - 0.5 * (n - 1));
+        const std::vector<int> order = order_of(system, state.data());
+        if (std::find(seen.begin(), seen.end(), order) != seen.end()) return order.empty();
+        seen.push_back(order);
+        places.push_back(std::move(state));
+        return places.size() == most_orders;
+      });
   return places;
 }
 

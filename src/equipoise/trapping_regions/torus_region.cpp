@@ -10,6 +10,7 @@
 #include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/attractors/motion_symmetry.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/orders.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 
 namespace equipoise {
@@ -27,6 +28,9 @@ constexpr double bent = 0.1;
 // Trials begin at a distance of one half at most. A floor above highest_torus_floor leaves no room for a level.
 constexpr double highest_torus_level = 0.25, highest_torus_floor = 1e-3;
 constexpr double come_close_to_torus = 1e-2;
+
+// Every state is compared with the torus in all of them.
+constexpr std::size_t most_torus_places = 720;
 
 double within_a_turn(double angle) { return angle - two_pi * std::floor(angle / two_pi); }
 
@@ -119,19 +123,21 @@ void TorusRegion::find_tangents(const model::System& system) {
   }
 }
 
-// A torus that an exchange of alike balls maps onto itself needs no further place for them.
-void TorusRegion::find_images(const model::System& system) {
+// A torus that an exchange of alike balls maps onto itself needs no further place for them. False if there are too
+// many.
+bool TorusRegion::find_images(const model::System& system, const Motion& motion) {
   const Eigen::Index size = inverse_scale_.size();
-  BallOrder order{};
-  for (int i = 0; i < balls_; ++i) order[i] = i;
-  do {
-    bool like = true;
-    for (int i = 0; i < balls_; ++i) like = like && system.alike(i, order[i]);
-    if (!like) continue;
+  const auto fits = [&](int i, int k) { return system.alike(i, k); };
+  const auto as_one = [&](int i, int k) { return fits(i, k) && motion.cluster[i] == motion.cluster[k]; };
+  const bool too_many = any_order(balls_, fits, as_one, [&](const std::vector<int>& balls) {
+    BallOrder order{};
+    std::copy(balls.begin(), balls.end(), order.begin());
     const Eigen::VectorXi places = exchanged_components(balls_, order, size);
     const VectorXd exchanged = VectorXd(states_.col(0).cwiseQuotient(inverse_scale_))(places);
     if (places_.empty() || !(value(exchanged.data()) < highest_torus_floor)) places_.push_back(places);
-  } while (std::next_permutation(order.begin(), order.begin() + balls_));
+    return places_.size() > most_torus_places;
+  });
+  return !too_many;
 }
 
 // Whether a state of the cloud lies on the tangent plane at another, up to the bend of one sheet.
@@ -243,7 +249,7 @@ std::shared_ptr<TorusRegion> TorusRegion::around(const model::System& system, co
   region->sort_into_cells();
   region->find_tangents(system);
   region->make_charts();
-  region->find_images(system);
+  if (!region->find_images(system, motion)) return nullptr;
   for (int k = 0; k < fresh; ++k) region->floor_ = std::max(region->floor_, region->value(samples[cloud + k].data()));
   return region->floor_ < highest_torus_floor ? region : nullptr;
 }

@@ -19,7 +19,7 @@ namespace equipoise {
 class TorusRegion final : public WindowRegion {
  public:
   /// Empty if the trajectory is lost, or a fresh one does not lie on the cloud: it winds around no torus, or the cloud
-  /// is too thin.
+  /// is too thin; or if alike balls have too many places to compare every state with all.
   static std::shared_ptr<TorusRegion> around(const model::System& system, const Motion& motion, int attractor,
                                              const StopFlag* stop);
 
@@ -33,7 +33,7 @@ class TorusRegion final : public WindowRegion {
   TorusRegion(const model::System& system, int attractor) : WindowRegion(system, attractor) {}
   void sort_into_cells();
   void find_tangents(const model::System& system);
-  void find_images(const model::System& system);
+  bool find_images(const model::System& system, const Motion& motion);
   int cell_of(double first, double second) const;
   void make_charts();
   bool lies_on(int chart, int other) const;

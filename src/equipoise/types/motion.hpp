@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,7 +85,7 @@ struct Motion {
   /// For two equal balls: the motion is its own exchange image half a period later.
   bool half_period_exchange = false;
   /// Different motions made from this one by exchanging equal balls; 1 if exchange maps it onto itself.
-  int copies = 1;
+  std::int64_t copies = 1;
 };
 
 /// What a motion is called. Names follow from topology alone (see docs/numerics.md); `id` is fixed for the motions of

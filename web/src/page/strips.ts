@@ -7,7 +7,10 @@ import type { Moment } from "../work/player";
 
 const MOST_POINTS = 3000; // twice the pixels of a wide strip; beyond, every other one goes
 const HEIGHTS = [62, 86, 86]; // the speed says least
-const BALL_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a8f98", "#882255"];
+const BALL_COLOURS = [
+  "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a8f98", "#882255",
+  "#332288", "#CC6677", "#117733", "#AA4499", "#999933", "#88CCEE", "#44AA99", "#DDCC77",
+];
 
 /** What is kept of a run, evenly thinned as it grows; of radii that go the largest stays. */
 class Record {
