@@ -55,6 +55,7 @@ foreach(header
     text/table_text.hpp
     decision/verdict.hpp
     changes/try_changes.hpp
+    changes/usual_changes.hpp
     reports/attractors_report.hpp reports/basin_report.hpp reports/branches_report.hpp reports/capacity_report.hpp
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
       design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp

@@ -31,7 +31,7 @@ function known(call, ...args) {
 known("version");
 const { toml } = known("check", known("presets").find(({ name }) => name === FIRST_STUDY).toml, []);
 const discovery = known("discover", toml);
-const fates = ask("ensemble", toml, 0, STARTS);
+const { speed, figures, ...fates } = ask("ensemble", toml, 0, STARTS);
 
 // As EnsembleRun.counts() asks for them: motions first, then what is none.
 const rank = ({ code }) => (code > 0 ? code : 1_000_000 - code);

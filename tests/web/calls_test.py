@@ -48,12 +48,15 @@ class Calls(unittest.TestCase):
 
     def test_every_preset_is_a_study(self):
         presets = self.call("presets")
-        self.assertEqual({p["group"] for p in presets}, {"machines", "paper"})
+        self.assertEqual({p["group"] for p in presets}, {"machines", "examples", "new", "paper"})
+        self.assertEqual(len({p["name"] for p in presets}), len(presets))
+        for group in ("machines", "examples", "new"):
+            self.assertEqual(len([p for p in presets if p["group"] == group]), len(os.listdir(os.path.join(STUDIES, group))))
         for preset in presets:
             check = self.call("check", preset["toml"])
             self.assertTrue(check["decidable"], preset["name"])
             self.assertTrue(preset["title"], preset["name"])
-            self.assertEqual(check["physical"], preset["group"] == "machines")
+            self.assertEqual(check["physical"], preset["group"] != "paper")
 
     def test_studies_are_read_and_explained_as_by_the_program(self):
         for path in (ROW, DRIVE, *(os.path.join(STUDIES, "examples", name)
@@ -127,6 +130,79 @@ class Calls(unittest.TestCase):
             for key in ("share", "low", "high"):
                 self.assertAlmostEqual(ours[key], theirs[key], delta=1e-12)
 
+    @staticmethod
+    def arrays(told):
+        """Rows of one call as another takes them."""
+        return {"outcome": {"i32": told["outcome"]}, "speed": {"f64": told["speed"]}, "figures": {"f64": told["figures"]}}
+
+    def runs(self, toml, balls, starts):
+        """In two pieces, as the page asks for them."""
+        pieces = [self.call("one_body", toml, balls, first, starts // 2) for first in (0, starts // 2)]
+        return self.arrays({key: [x for p in pieces for x in p[key]] for key in ("outcome", "speed", "figures")})
+
+    def judged(self, toml, starts, tried=()):
+        told = self.call("ensemble", toml, 0, starts, {"figures": True})
+        changes = [{**self.arrays(t), "change": t["change"], "bare": self.arrays(t["bare"])} for t in tried]
+        return told, self.call("judge", toml, self.arrays(told), self.runs(toml, False, starts), self.runs(toml, True, starts),
+                               changes)
+
+    def machine(self, name):
+        return os.path.join(STUDIES, "machines", name + ".toml")
+
+    def test_verdict_tables_and_names_are_the_programs(self):
+        starts = 60
+        for name in ("spin-dryer", "grinder-230", "universal-motor-tool"):
+            path = self.machine(name)
+            told, ours = self.judged(read(path), starts)
+            options = (path, "--starts", str(starts), "--quiet", "--cpu", "scalar", "--no-changes")
+            theirs = json.loads(program("basin", *options, "--json"))["verdict"]
+            self.assertEqual({key: ours["verdict"][key] for key in theirs}, theirs, name)
+            text = program("basin", *options, "--wide")
+            lines = [" ".join(line.split()) for line in text.split("\n")]
+            words = " ".join(lines)
+            shown = 0
+            for block in (block for group in ours["groups"] for block in group):
+                if "text" in block:
+                    self.assertIn(block["text"], words, name)
+                    continue
+                for row in block["table"]["rows"]:
+                    self.assertIn(" ".join(row["cells"]), lines, name)
+                    shown += 1
+                self.assertIn(block["table"]["caption"], words, name)
+            self.assertGreater(shown, 8)
+            met = {code for code in told["outcome"] if code > 0}
+            for outcome in told["outcomes"]:
+                if outcome["code"] in met:
+                    self.assertIn("\n" + outcome["title"] + "  ", text, name)
+                    self.assertIn(" " + ours["velocity"]["of"][str(outcome["code"])] + " ", text)
+
+    def test_of_too_few_starts_nothing_is_told(self):
+        _, ours = self.judged(read(self.machine("spin-dryer")), 4)
+        self.assertIsNone(ours["verdict"])
+        self.assertEqual(ours["starts"], 4)
+
+    def test_changes_are_tried_as_by_the_program(self):
+        # A balancer that needs a change, and takes little time.
+        path = self.machine("spin-dryer")
+        overrides = [["limits.displacement", "4 mm"]]
+        toml = self.call("check", read(path), overrides)["toml"]
+        _, first = self.judged(toml, 60)
+        self.assertIn(first["verdict"]["decision"], ("caution", "change", "do_not_fit"))
+        self.assertGreater(len(first["possible"]), 2)
+        theirs = json.loads(program("basin", path, "--set", "limits.displacement=4 mm", "--starts", "60", "--quiet", "--cpu",
+                                    "scalar", "--json"))["verdict"]
+        # The first two: each takes the search for attractors of another machine.
+        tried = [self.call("try_change", toml, k) for k in range(2)]
+        _, ours = self.judged(toml, 60, tried)
+        self.assertGreaterEqual(len(theirs["tried"]), 2)
+        for one, other in zip(ours["verdict"]["tried"], theirs["tried"]):
+            self.assertEqual({key: one[key] for key in ("words", "starts", "decision", "kept")},
+                             {key: other[key] for key in ("words", "starts", "decision", "kept")})
+            for figure in ("rms_velocity_90", "peak_radial_90"):
+                self.assertAlmostEqual(one[figure]["value"], other[figure]["value"], delta=1e-3 * other[figure]["value"])
+        self.assertEqual(len(ours["changes"]["rows"]), 3)  # and the balancer as it is
+        self.assertRegex(ours["verdict"]["change"], r"2 changes tried|^With ")
+
     def test_a_run_goes_where_simulate_goes(self):
         for path, until in ((ROW, 60.0), (os.path.join(STUDIES, "paper", "table-4-omega-2.0.toml"), 520.0)):
             start = self.call("play_open", read(path), {"phi": [1.0, 4.0]})
@@ -146,6 +222,19 @@ class Calls(unittest.TestCase):
             self.call("play_close", start["handle"])
             with self.assertRaises(EngineError):
                 self.call("play_advance", start["handle"], 1.0)
+
+    def test_a_run_without_balls_has_the_peak_that_is_told(self):
+        toml = read(self.machine("spin-dryer"))
+        told = self.call("one_body", toml, False, 0, 1)
+        self.assertEqual(told["needed"], 1)
+        start = self.call("play_open", toml, {"index": 0, "bare": True})
+        self.assertEqual(start["balls"], 0)
+        radial = start["columns"].index("radial")
+        width = len(start["columns"])
+        answer = self.call("play_rows", start["handle"], {"f64": [0.25 * k for k in range(1, 1600)]})
+        rows = answer["row"]
+        peak = max(rows[k * width + radial] for k in range(len(rows) // width))
+        self.assertAlmostEqual(peak, told["figures"][0], delta=0.01 * peak)  # between looks, a hundredth is missed
 
     def test_a_start_is_played_from_its_angles(self):
         toml = read(ROW)

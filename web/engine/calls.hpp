@@ -2,10 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bulk.hpp"
+#include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/running/run_options.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/fate.hpp"
 
 namespace equipoise::web {
 
@@ -25,6 +28,13 @@ Json ensemble(const Json& args, Bulk& bulk);
 Json states(const Json& args, Bulk& bulk);
 Json shares(const Json& args);
 Json compare_shares(const Json& args);
+
+/// What each start came to, for judge(): codes, speeds in the end and figures (transient_figures, one start after
+/// another; none if they were not gathered).
+Json told_rows(const std::vector<Fate>& fates, const std::vector<TransientRow>& rows, Bulk& bulk);
+Json one_body(const Json& args, Bulk& bulk);
+Json try_change(const Json& args, Bulk& bulk);
+Json judge(const Json& args);
 
 Json play_open(const Json& args, Bulk& bulk);
 Json play_advance(const Json& args, Bulk& bulk);

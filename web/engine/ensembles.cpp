@@ -14,6 +14,8 @@
 #include "calls.hpp"
 #include "equipoise/analyses/comparison.hpp"
 #include "equipoise/analyses/ensemble.hpp"
+#include "equipoise/decision/plain_names.hpp"
+#include "equipoise/results/outcome_share.hpp"
 #include "equipoise/types/outcomes.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/reports/comparison_report.hpp"
@@ -56,16 +58,21 @@ Ensemble& kept(const std::string& toml, const Study& study, bool transients, dou
   return all.front().ensemble;
 }
 
-Json outcome_json(int code, const std::string& name, const std::string& alias) {
-  return {{"code", code}, {"name", name}, {"alias", alias}, {"colour", colour_of(code)}};
+Json outcome_json(const OutcomeShare& o, const Study& study) {
+  return {{"code", o.id},
+          {"name", o.name},
+          {"alias", o.alias},
+          {"title", reader_title(o, study.scales.has_value())},
+          {"colour", colour_of(o.id)}};
 }
 
 Json outcomes_json(const Ensemble& ensemble) {
   Json list = Json::array();
-  for (const Attractor& a : ensemble.catalogue().attractors()) list.push_back(outcome_json(a.id, a.name, a.alias));
+  const Study& study = ensemble.study();
+  for (const Attractor& a : ensemble.catalogue().attractors())
+    list.push_back(outcome_json({a.id, a.name, a.alias}, study));
   for (const NoAttractor& n : no_attractors)
-    if (n.outcome != Outcome::stalled || ensemble.study().speed.driven())
-      list.push_back(outcome_json(n.code, n.name, ""));
+    if (n.outcome != Outcome::stalled || study.speed.driven()) list.push_back(outcome_json({n.code, n.name}, study));
   return list;
 }
 
@@ -85,22 +92,17 @@ Json fates_json(const Ensemble& ensemble, std::uint64_t first, Decide&& decide, 
   const auto begin = std::chrono::steady_clock::now();
   Ensemble::Ended ended = decide();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::vector<std::int32_t> outcome;
-  std::vector<double> time, peak;
-  for (const Fate& fate : ended.fates) {
-    outcome.push_back(code_of(fate));
-    time.push_back(fate.time);
-  }
-  for (const TransientRow& row : ended.transients) peak.push_back(row.peak_radial);
-  return {{"first", first},
-          {"count", ended.fates.size()},
-          {"outcome", bulk.wholes(std::move(outcome))},
-          {"time", bulk.doubles(std::move(time))},
-          {"peak", bulk.doubles(std::move(peak))},
-          {"angles", bulk.doubles(std::move(ended.phi))},
-          {"balls", ensemble.study().parameters.balls},
-          {"seconds", seconds},
-          {"outcomes", outcomes_json(ensemble)}};
+  std::vector<double> time;
+  for (const Fate& fate : ended.fates) time.push_back(fate.time);
+  Json json = told_rows(ended.fates, ended.transients, bulk);
+  json.update({{"first", first},
+               {"count", ended.fates.size()},
+               {"time", bulk.doubles(std::move(time))},
+               {"angles", bulk.doubles(std::move(ended.phi))},
+               {"balls", ensemble.study().parameters.balls},
+               {"seconds", seconds},
+               {"outcomes", outcomes_json(ensemble)}});
+  return json;
 }
 
 Json share_of(const Share& s) {
@@ -128,7 +130,7 @@ Json search_attractors(const Json& args, Bulk&) {
   const TableUnits units(study.scales);
   Json attractors = Json::array();
   for (const Attractor& a : ensemble.catalogue().attractors()) {
-    Json one = outcome_json(a.id, a.name, a.alias);
+    Json one = outcome_json({a.id, a.name, a.alias}, study);
     one.update(motion_json(a, study));
     one["stability"] = stability_text(a, units);
     one["path"] = path_json(study, a.motion);
@@ -151,7 +153,7 @@ Json ensemble(const Json& args, Bulk& bulk) {
     study.sampling.seed = options.at("seed").get<std::uint64_t>();
     toml += "\n# seed " + std::to_string(study.sampling.seed);
   }
-  Ensemble& e = kept(toml, study, options.value("peaks", false));
+  Ensemble& e = kept(toml, study, options.value("figures", false));
   return fates_json(
       e, first, [&] { return e.starts(first, count); }, bulk);
 }
@@ -181,12 +183,15 @@ Json shares(const Json& args) {
 }
 
 Json compare_shares(const Json& args) {
-  const ComparisonResult r = compare(outcomes_of(args.at(0)), outcomes_of(args.at(1)));
+  const BasinOutcomes first = outcomes_of(args.at(0)), second = outcomes_of(args.at(1));
+  const ComparisonResult r = compare(first, second);
+  const bool physical = first.study.scales && second.study.scales;
   Json shares = Json::array();
   for (const ComparedShare& s : r.shares)
     shares.push_back(
         {{"name", s.name},
          {"alias", s.alias},
+         {"title", reader_title(s, physical)},
          {"first", share_of(s.first)},
          {"second", share_of(s.second)},
          {"difference",

@@ -11,6 +11,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/results/trajectory.hpp"
+#include "equipoise/spin_up/held_run.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/followed_run.hpp"
 
@@ -50,15 +51,23 @@ std::vector<std::string> columns(int balls) {
   return names;
 }
 
+std::unique_ptr<FollowedRun> followed(Study study, InitialState start, bool bare) {
+  if (bare) {
+    take_balls_off(study, start);
+    study.parameters.balls = 0;
+  }
+  return std::make_unique<FollowedRun>(study, start);
+}
+
 // A start that draws its rotor too is played with that rotor.
 std::unique_ptr<FollowedRun> opened(const Study& uncertain, const Json& start) {
+  const bool bare = start.value("bare", false);
   if (start.contains("index")) {
     const auto index = start.at("index").get<std::uint64_t>();
     const Sampler sampler = sampler_of(uncertain);
     const InitialState s = drawn_start_of(uncertain, sampler, uncertain.sampling.seed, index);
-    if (uncertain.uncertain.empty()) return std::make_unique<FollowedRun>(uncertain, s);
-    return std::make_unique<FollowedRun>(
-        drawn_study(uncertain, drawn_values(uncertain, sampler, uncertain.sampling.seed, index)), s);
+    if (uncertain.uncertain.empty()) return followed(uncertain, s, bare);
+    return followed(drawn_study(uncertain, drawn_values(uncertain, sampler, uncertain.sampling.seed, index)), s, bare);
   }
   const Study study = with_medians(uncertain);
   InitialState s = study.initial;
@@ -69,7 +78,7 @@ std::unique_ptr<FollowedRun> opened(const Study& uncertain, const Json& start) {
                        fmt::format("must be {}, one per ball", study.parameters.balls));
     std::copy(phi.begin(), phi.end(), s.phi.begin());
   }
-  return std::make_unique<FollowedRun>(study, s);
+  return followed(study, s, bare);
 }
 
 }  // namespace

@@ -106,12 +106,12 @@ Json undecidable(const Study& study) {
   return nullptr;
 }
 
-// A study's first line says what it is; of a machine, up to where it begins to say more.
+// A study's first line says what it is; but for the paper's rows, up to where it begins to say more.
 std::string title_of(const std::string& group, const std::string& toml) {
   const std::size_t begin = toml.find_first_not_of("# "), end = toml.find('\n');
   if (!toml.starts_with('#') || begin >= end) return "";
   std::string title = toml.substr(begin, end - begin);
-  if (group == "machines") title.erase(std::min(title.find_first_of(",:."), title.size()));
+  if (group != "paper") title.erase(std::min(title.find_first_of(",:."), title.size()));
   if (title.ends_with('.')) title.pop_back();
   return title;
 }
@@ -150,7 +150,8 @@ Json presets(const Json&) {
     const std::string path(files.files[k].name), toml(files.files[k].text);
     const std::size_t slash = path.find('/'), dot = path.rfind('.');
     const std::string group = path.substr(0, slash);
-    list.push_back({{"name", path.substr(slash + 1, dot - slash - 1)},
+    // Two of those that one begins with are called as a machine is.
+    list.push_back({{"name", (group == "new" ? "new-" : "") + path.substr(slash + 1, dot - slash - 1)},
                     {"title", title_of(group, toml)},
                     {"group", group},
                     {"toml", toml}});

@@ -4,6 +4,7 @@ import "./style/parts.css";
 import { engineWorkers } from "./engine/compiled";
 import { Answer } from "./page/answer";
 import { ComparisonView } from "./page/comparison";
+import { DecisionView } from "./page/decision_view";
 import { Desk } from "./page/desk";
 import { Form } from "./page/form";
 import { Gallery } from "./page/gallery";
@@ -35,6 +36,7 @@ async function begin(): Promise<void> {
   const desk = new Desk(crew, presets, first);
   desk.trouble.listen((words) => words && notices.say(words, true));
   const stage = new Stage(desk, place("stage"), place("strips"));
+  new DecisionView(desk, place("judgement"), place("figures"));
   new Answer(desk, place("verdict"), place("share-bar"), place("share-list"));
   new MapView(desk, place("map"));
   new Form(desk, place("form"));

@@ -1,27 +1,13 @@
-// Changes of a balancer that an engineer would try first, each tried.
+// The changes that an engineer would try first, each tried.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "equipoise/changes/usual_changes.hpp"
 #include "equipoise/decision/verdict.hpp"
 #include "equipoise/running/run_options.hpp"
 
 namespace equipoise {
-
-/// A study with one thing changed, and what that is: "twice the drag".
-struct Change {
-  std::string words;
-  Study study;
-};
-
-/// Drag twice and half, more and fewer balls, larger and smaller ones, a latch that holds the balls until well above
-/// resonance, a faster run-up: those that make a valid study. None for a study with uncertain values, whose draws
-/// cannot be changed in it, or without balls.
-std::vector<Change> usual_changes(const Study& study);
-
-/// Starts on which each change is tried: if all keep the limits, 96 % surely do.
-inline constexpr std::uint64_t starts_of_a_change = 100;
 
 /// No further change is begun after so many seconds of CPU time: an answer is wanted within a minute. How many changes
 /// are tried may thus depend on the machine; what each is worth does not.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -133,12 +132,8 @@ std::vector<Block> standards_blocks(const BasinResult& r) {
 }
 
 std::string standards_text(const BasinResult& r, const TextStyle& style) {
-  std::string text;
-  for (const Block& block : standards_blocks(r)) {
-    if (const auto* table = std::get_if<DocumentTable>(&block)) text += table_text(*table, style);
-    if (const auto* words = std::get_if<Paragraph>(&block)) text += filled("", words->text, style);
-  }
-  return text.empty() ? text : text + "\n";
+  const std::vector<Block> blocks = standards_blocks(r);
+  return blocks.empty() ? "" : blocks_text(blocks, style);
 }
 
 nlohmann::ordered_json standards_json(const BasinResult& r) {

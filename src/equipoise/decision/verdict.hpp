@@ -24,6 +24,12 @@ enum class Decision {
 inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
                                                            "change", "do_not_fit", "open"};
 
+/// Whether a change of the balancer is worth trying: not for one that does what is asked, is not needed or is not
+/// judged yet.
+constexpr bool asks_for_changes(Decision d) {
+  return d == Decision::caution || d == Decision::change || d == Decision::do_not_fit;
+}
+
 /// The least share of starts that have to keep all limits where [limits] states no `share`.
 inline constexpr double usual_required_share = 0.95;
 

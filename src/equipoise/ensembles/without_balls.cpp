@@ -26,34 +26,18 @@ namespace equipoise {
 
 namespace {
 
-struct OneBodyRun {
-  Fate fate;
-  TransientRow row;
-};
-
 class OneBodyRunner {
  public:
   explicit OneBodyRunner(const OneBodyTask& task) : task_(task), study_(task.study) {
     if (!study_.uncertain.empty()) family_.emplace(study_);
   }
 
-  OneBodyRuns run(bool balls, std::uint64_t count) const {
+  std::vector<OneBodyRun> runs(bool balls, std::uint64_t first, std::uint64_t count) const {
     std::vector<OneBodyRun> runs(count);
     in_parallel(task_.threads, count, [&](std::size_t i) {
-      if (!is_set(task_.stop)) runs[i] = one(balls, i);
+      if (!is_set(task_.stop)) runs[i] = one(balls, first + i);
     });
-    TransientTally tally(study_, task_.sampler);
-    OneBodyRuns result;
-    for (const OneBodyRun& r : runs) {
-      tally.add(r.fate, r.row);
-      result.stalled += r.fate.outcome == Outcome::stalled;
-      result.open += r.fate.outcome == Outcome::undecided;
-    }
-    const TransientResult counted = tally.result(Catalogue());
-    result.figures = counted.groups.front();
-    result.lost = counted.lost;
-    result.runs = count;
-    return result;
+    return runs;
   }
 
  private:
@@ -100,9 +84,6 @@ class OneBodyRunner {
   std::optional<StudyFamily> family_;
 };
 
-}  // namespace
-
-namespace {
 // Whether starts begin with rotors, or motions of the rotor, of their own.
 bool rotors_differ(const OneBodyTask& task) {
   const SamplingBox& box = task.study.sampling.box;
@@ -113,18 +94,42 @@ bool rotors_differ(const OneBodyTask& task) {
   return !task.study.uncertain.empty() || box.x || box.y || box.x_dot || box.y_dot ||
          std::any_of(task.given.begin(), task.given.end(), otherwise);
 }
+
+OneBodyRuns counted(const OneBodyTask& task, std::span<const OneBodyRun> runs) {
+  TransientTally tally(task.study, task.sampler);
+  OneBodyRuns result;
+  for (const OneBodyRun& r : runs) {
+    tally.add(r.fate, r.row);
+    result.stalled += r.fate.outcome == Outcome::stalled;
+    result.open += r.fate.outcome == Outcome::undecided;
+  }
+  const TransientResult all = tally.result(Catalogue());
+  result.figures = all.groups.front();
+  result.lost = all.lost;
+  result.runs = runs.size();
+  return result;
+}
+
 }  // namespace
+
+std::vector<OneBodyRun> one_body_runs(const OneBodyTask& task, bool balls, std::uint64_t first, std::uint64_t count) {
+  return OneBodyRunner(task).runs(balls, first, count);
+}
+
+std::uint64_t bare_runs_needed(const OneBodyTask& task) { return rotors_differ(task) ? most_held_starts : 1; }
+
+WithoutBalls counted_runs(const OneBodyTask& task, std::span<const OneBodyRun> bare, std::span<const OneBodyRun> held) {
+  WithoutBalls result{counted(task, bare), held.empty() ? OneBodyRuns() : counted(task, held)};
+  result.bare.one = !rotors_differ(task);
+  return result;
+}
 
 std::optional<WithoutBalls> without_balls(const OneBodyTask& task) {
   const OneBodyRunner runner(task);
-  const std::uint64_t count = std::min(task.starts, most_held_starts);
-  const bool differ = rotors_differ(task);
-  WithoutBalls result;
-  result.bare = runner.run(false, differ ? count : 1);
-  result.held = runner.run(true, count);
-  result.bare.one = !differ;
+  const auto bare = runner.runs(false, 0, std::min(task.starts, bare_runs_needed(task))),
+             held = runner.runs(true, 0, std::min(task.starts, most_held_starts));
   if (is_set(task.stop)) return std::nullopt;
-  return result;
+  return counted_runs(task, bare, held);
 }
 
 namespace {
@@ -155,7 +160,8 @@ BasinResult bare_basin(const Study& study, const BasinOptions& options) {
   if (options.keep_starts) result.every_start.emplace();
   const OneBodyTask task{result.study, sampler, 0, {}, result.threads, options.stop};
   const bool differ = rotors_differ(task);
-  OneBodyRuns runs = OneBodyRunner(task).run(false, differ ? std::min(study.sampling.starts, most_bare_runs) : 1);
+  OneBodyRuns runs =
+      counted(task, one_body_runs(task, false, 0, differ ? std::min(study.sampling.starts, most_bare_runs) : 1));
   runs.one = !differ;
   result.partial = is_set(options.stop);
   if (!result.partial) result.without_balls = WithoutBalls{std::move(runs), {}};

@@ -10,6 +10,7 @@
 
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/decision/balancer_blocks.hpp"
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/decision/standards_text.hpp"
 #include "equipoise/decision/verdict.hpp"
@@ -66,24 +67,6 @@ std::string contact_text(const Share& met) {
     return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
   return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
                      percent(met.share, digits_for(met)), interval(met));
-}
-
-// What the balls are good for: the rotor without them, and which limits are kept with them.
-std::string balancer_text(const BasinResult& r, const TextStyle& style) {
-  std::string text;
-  if (tells_without_balls(r)) {
-    text += table_text(without_balls_table(r), style);
-    for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
-    text += "\n";
-  }
-  if (r.transients->groups.empty() || r.transients->groups.front().starts == 0) return text;
-  const TransientGroup& all = r.transients->groups.front();
-  if (const DocumentTable limits = limits_table(all, r.study); !limits.rows.empty()) {
-    text += table_text(limits, style);
-    if (const std::string hits = clearance_words(all, r.study); !hits.empty()) text += filled("", hits, style);
-    text += "\n";
-  }
-  return text;
 }
 
 std::string stopped_basin_text(const BasinResult& r) {
@@ -208,7 +191,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (r.starts == 0)
     return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
   text += outcome_text(r, style);
-  if (r.transients) text += balancer_text(r, style) + standards_text(r, style);
+  for (const std::vector<Block>& group : balancer_blocks(r)) text += blocks_text(group, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);
   if (r.sensitivity) text += sensitivity_text(*r.sensitivity);
   std::string notes = sampling_text(r);

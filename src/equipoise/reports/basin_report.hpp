@@ -11,7 +11,8 @@
 namespace equipoise {
 
 /// For the terminal: verdict, shares in percent, the rotor without balls beside that with them.
-std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style, std::span<const TriedChange> tried = {});
+std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style,
+                       std::span<const TriedChange> tried = {});
 
 /// Of a rotor without balls: how many runs tell of it.
 std::string bare_words(const BasinResult& result);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -84,6 +85,15 @@ std::string table_text(const DocumentTable& table, const TextStyle& style) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return table.caption.empty() ? text : text + filled("", table.caption, style);
+}
+
+std::string blocks_text(std::span<const Block> blocks, const TextStyle& style) {
+  std::string text;
+  for (const Block& block : blocks) {
+    if (const auto* table = std::get_if<DocumentTable>(&block)) text += table_text(*table, style);
+    if (const auto* words = std::get_if<Paragraph>(&block)) text += filled("", words->text, style);
+  }
+  return text + "\n";
 }
 
 std::string lines_filled(std::string_view lines, const TextStyle& style, std::size_t hang) {

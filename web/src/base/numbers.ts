@@ -36,10 +36,6 @@ export function count(value: number): string {
   return String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
-/** "drifting apart (V2)". */
-export function outcomeName(outcome: { name: string; alias: string }): string {
-  return outcome.alias ? `${outcome.name} (${outcome.alias})` : outcome.name;
-}
 
 const TURN = 2 * Math.PI;
 

@@ -1,7 +1,7 @@
 // Stacked shares along a parameter, balanced below, with its interval.
 import type { OutcomeInfo } from "../engine/protocol";
 import { s } from "../base/dom";
-import { digits, outcomeName, percent } from "../base/numbers";
+import { digits, percent } from "../base/numbers";
 import type { Cell } from "../work/sweep_run";
 
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [760, 320, 46, 12, 10, 46];
@@ -15,7 +15,7 @@ export function layersOf(cells: readonly Cell[]): OutcomeInfo[] {
     for (const share of cell.shares ?? []) {
       const outcome = cell.outcomes.find(({ code }) => code === share.code);
       if (outcome && (share.count > 0 || share.code === BALANCED)) {
-        const name = outcomeName(outcome);
+        const name = outcome.title;
         if (!layers.has(name)) layers.set(name, outcome);
       }
     }
@@ -24,7 +24,7 @@ export function layersOf(cells: readonly Cell[]): OutcomeInfo[] {
 }
 
 function shareOf(cell: Cell, layer: OutcomeInfo): number {
-  const own = cell.outcomes.find((outcome) => outcomeName(outcome) === outcomeName(layer));
+  const own = cell.outcomes.find((outcome) => outcome.title === layer.title);
   return cell.shares?.find(({ code }) => code === own?.code)?.share ?? 0;
 }
 
@@ -53,7 +53,7 @@ function bar(
   chosen: (cell: Cell) => void,
 ): SVGElement {
   const tall = HEIGHT - TOP - BOTTOM;
-  const words = layers.map((layer) => `${outcomeName(layer)} ${percent(shareOf(cell, layer))}`).join(", ");
+  const words = layers.map((layer) => `${layer.title} ${percent(shareOf(cell, layer))}`).join(", ");
   const hint = cell.problem || `${cell.text}: ${cell.shares ? words : "being computed"}`;
   const group = s(
     "g",

@@ -112,7 +112,7 @@ export interface StudyCheck {
 export interface Preset {
   name: string;
   title: string;
-  group: "paper" | "machines";
+  group: "machines" | "examples" | "new" | "paper";
   toml: string;
 }
 
@@ -122,6 +122,8 @@ export interface OutcomeInfo {
   name: string;
   /** The paper's name, where it has one. */
   alias: string;
+  /** What a reader is told: what the balls do, in a study of a machine; the name and the paper's name, in any other. */
+  title: string;
   /** "#rrggbb", the same in all pictures of the project. */
   colour: string;
 }
@@ -165,16 +167,22 @@ export interface Discovery {
   seconds: number;
 }
 
-/** Fates, one entry a start in every array. */
-export interface Fates {
-  first: number;
-  count: number;
+/** What runs came to, as judge() takes it: one entry a run, of figures as many as the library has. */
+export interface Told {
   /** Attractor's identifier, or UNDECIDED and its like. */
   outcome: Int32Array;
+  /** Of a driven rotor, in the end. */
+  speed: Float64Array;
+  /** One run after another; empty unless asked for. */
+  figures: Float64Array;
+}
+
+/** Fates, one entry a start in every array. */
+export interface Fates extends Told {
+  first: number;
+  count: number;
   /** Study time at which the outcome was known. */
   time: Float64Array;
-  /** Largest displacement over the whole run, in R; empty unless asked for. */
-  peak: Float64Array;
   /** Initial ball angles, `balls` a start. */
   angles: Float64Array;
   balls: number;
@@ -215,6 +223,7 @@ export interface Comparison {
   shares: {
     name: string;
     alias: string;
+    title: string;
     first: Share;
     second: Share;
     /** Second less first, with its 95 % interval. */
@@ -222,6 +231,46 @@ export interface Comparison {
   }[];
   /** In one sentence. */
   verdict: string;
+}
+
+export interface ToldTable {
+  header: string[];
+  rows: { cells: string[]; tone: Tone }[];
+  caption: string;
+}
+export type Tone = "plain" | "good" | "bad" | "open";
+/** A table, or a sentence below it. */
+export type ToldBlock = { table: ToldTable } | { text: string };
+
+/** What `equipoise basin` says first, in its words. */
+export interface Verdict {
+  decision: "fit" | "not_needed" | "caution" | "change" | "do_not_fit" | "open";
+  words: string;
+  because: string;
+  change: string;
+  tone: Tone;
+  /** Changes tried, in order. */
+  tried?: { words: string; decision: Verdict["decision"] }[];
+}
+
+export interface Judgement {
+  /** On which all this rests: the first ones. */
+  starts: number;
+  /** Null: too few starts. */
+  verdict: Verdict | null;
+  /** Changes that may be tried, if the verdict asks for any. */
+  possible: string[];
+  /** Those tried, best first. */
+  changes: ToldTable | null;
+  /** Without balls and with; limits kept; standards. */
+  groups: ToldBlock[][];
+  /** RMS velocity at the end, the mean of an outcome's starts, by code. */
+  velocity: { unit: string; of: Record<string, string> };
+}
+
+export interface TriedChange extends Told {
+  change: number;
+  bare: Told;
 }
 
 /** Where a played run begins: a start of the study's ensemble, or ball angles. */
@@ -265,7 +314,17 @@ export interface Calls {
   /** Shares of these counts; `total` of each is their sum. */
   shares(counts: readonly { code: number; count: number }[]): OutcomeShare[];
   compare_shares(first: Outcomes, second: Outcomes): Comparison;
-  play_open(toml: string, start?: PlayStart): PlayHeader;
+  /**
+   * The rotor of starts first .. first + count - 1 as one body, without balls or with balls held where they start. `needed`:
+   * the most such runs that are counted; beyond it there are none.
+   */
+  one_body(toml: string, balls: boolean, first: number, count: number): Told & { needed: number };
+  /** The starts of one of Judgement.possible, by its place there. */
+  try_change(toml: string, change: number): TriedChange;
+  /** Starts, rotors without balls and with balls held (null: not known yet), from the first on, and changes tried in order. */
+  judge(toml: string, starts: Told, bare: Told, held: Told | null, tried: readonly TriedChange[]): Judgement;
+  /** `bare`: without balls. */
+  play_open(toml: string, start?: PlayStart & { bare?: boolean }): PlayHeader;
   /** Goes on to study time `until` and answers the row there. */
   play_advance(handle: number, until: number): PlayRow;
   /** The same for several times in order: rows one after another. */
@@ -276,8 +335,8 @@ export interface Calls {
 export interface EnsembleOptions {
   /** Instead of the study's. */
   seed?: number;
-  /** Gather `peak`, at a third of the speed or so. */
-  peaks?: boolean;
+  /** Gather figures of transients: that takes up to three times as long. */
+  figures?: boolean;
 }
 
 /** To a worker; the answer has the same number. */

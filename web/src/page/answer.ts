@@ -1,7 +1,7 @@
 // Will it balance? The share of balanced starts in large, all outcomes under it, filling in as starts are computed.
 import type { OutcomeShare } from "../engine/protocol";
 import { h, swatch } from "../base/dom";
-import { count, intervalText, outcomeName, percent, Units } from "../base/numbers";
+import { count, intervalText, percent, Units } from "../base/numbers";
 import { csv, saveText } from "../base/save";
 import type { Desk } from "./desk";
 import { saveMenu } from "./save_menu";
@@ -44,7 +44,7 @@ export class Answer {
       h("div", { class: "row apart", style: "margin-top:.4rem" }, this.moreButton, menu),
     );
     desk.checked.listen(() => this.timeSearch());
-    for (const topic of [desk.peaks, desk.checked, desk.discovery, desk.finding, desk.shares, desk.problem] as const)
+    for (const topic of [desk.decision, desk.checked, desk.discovery, desk.finding, desk.shares, desk.problem] as const)
       (topic as { listen(listener: () => void): void }).listen(() => this.show());
   }
 
@@ -106,30 +106,21 @@ export class Answer {
     );
   }
 
-  /** How fast, and how badly it shakes on the way: what the starts that were computed did, no estimate of others. */
+  /** How fast: what the starts that were computed did, no estimate of others. */
   private wayWords(): string[] {
     const run = this.desk.run!;
     const units = new Units(run.check.scales);
     const times: number[] = [];
     for (let k = 0; k < run.prefix; ++k) if (run.outcome[k] === BALANCED) times.push(run.time[k]!);
-    const words: string[] = [];
-    if (times.length > 0) {
-      const at = quantilesOf(times);
-      words.push(`Balanced for certain: half by ${units.timeText(at(0.5))}, 19 of 20 by ${units.timeText(at(0.95))}.`);
-    }
-    const peaks = this.desk.peaks.value;
-    if (peaks && peaks.length > 0) {
-      const at = quantilesOf([...peaks]);
-      const [half, most] = [units.lengthText(at(0.5)), units.lengthText(at(0.95))];
-      words.push(`Worst whirl on the way: half below ${half}, 19 of 20 below ${most} (${peaks.length} starts).`);
-    }
-    return words;
+    if (times.length === 0) return [];
+    const at = quantilesOf(times);
+    return [`Balanced for certain: half by ${units.timeText(at(0.5))}, 19 of 20 by ${units.timeText(at(0.95))}.`];
   }
 
   private showBar(shown: readonly OutcomeShare[]): void {
     this.bar.setAttribute("aria-hidden", "true");
     const parts = shown.map((share) => {
-      const part = h("span", { title: outcomeName(this.desk.run!.outcomes.of(share.code)) });
+      const part = h("span", { title: this.desk.run!.outcomes.of(share.code).title });
       part.style.flex = `${share.count} 0 0`;
       part.style.background = this.desk.run!.outcomes.of(share.code).colour;
       return part;
@@ -138,9 +129,10 @@ export class Answer {
   }
 
   private showList(shown: readonly OutcomeShare[]): void {
+    const velocity = this.desk.decision.value?.judgement?.velocity;
     const row = (share: OutcomeShare) => {
       const outcome = this.desk.run!.outcomes.of(share.code);
-      const name = h("td", {}, swatch(outcome.colour), outcomeName(outcome));
+      const name = h("td", {}, swatch(outcome.colour), outcome.title);
       return h(
         "tr",
         {},
@@ -148,12 +140,14 @@ export class Answer {
         h("td", {}, percent(share.share, share)),
         h("td", {}, intervalText(share)),
         h("td", {}, count(share.count)),
+        velocity ? h("td", {}, velocity.of[share.code] ?? "–") : null,
       );
     };
     const head = h(
       "tr",
       {},
       ...["ends in", "share", "95 % interval", "starts"].map((words) => h("th", { scope: "col" }, words)),
+      velocity ? h("th", { scope: "col" }, `RMS at end, ${velocity.unit}`) : null,
     );
     const open = this.undecided();
     const run = this.desk.run!;

@@ -1,7 +1,7 @@
 // Two settings side by side, on common starts: what the change is worth, and how surely.
 import type { Comparison, Override, StudyCheck } from "../engine/protocol";
 import { h, swatch, throttled } from "../base/dom";
-import { count, outcomeName, percent } from "../base/numbers";
+import { count, percent } from "../base/numbers";
 import { csv, saveText } from "../base/save";
 import { EnsembleRun } from "../work/ensemble_run";
 import { URGENCY } from "../work/urgency";
@@ -50,7 +50,7 @@ export class ComparisonView {
       try {
         const check = await this.desk.checkWith(overrides);
         if (number !== this.asked) return;
-        const run: EnsembleRun = new EnsembleRun(this.desk.crew, check, STARTS, URGENCY.comparison, () => {
+        const run: EnsembleRun = new EnsembleRun(this.desk.crew, check, STARTS, URGENCY.comparison, false, () => {
           if (run.failure) this.desk.fail(run.failure);
           this.compare();
         });
@@ -136,7 +136,7 @@ export class ComparisonView {
         return h(
           "tr",
           {},
-          h("td", {}, swatch(colourOf(row)), outcomeName(row)),
+          h("td", {}, swatch(colourOf(row)), row.title),
           h("td", {}, percent(row.first.share, row.first)),
           h("td", {}, percent(row.second.share, row.second)),
           h("td", {}, points(difference)),

@@ -9,11 +9,13 @@ import {
   type Problem,
   type Progress,
   type StudyCheck,
+  type Told,
 } from "../engine/protocol";
 import { settled } from "../base/dom";
 import { Topic } from "../base/topic";
 import { fromHash, sameOverrides, toHash, withOverride, type Setting, type SweepSetting } from "../setting/setting";
 import type { Crew } from "../work/crew";
+import { DecisionRun } from "../work/decision_run";
 import { EnsembleRun } from "../work/ensemble_run";
 import { MapRun } from "../work/map_run";
 import { isAborted } from "../work/pool";
@@ -22,7 +24,7 @@ import { URGENCY } from "../work/urgency";
 
 const FIRST_STARTS = 500; // shares are worth showing from here on, before the map takes its half of the workers
 const STARTS = 10_000; // +- 1 point
-const PEAK_STARTS = 300; // whose way is watched too: that takes three times as long
+const WATCHED_STARTS = 300; // of a study without units, whose figures are gathered too: that takes three times as long
 const MOST_STARTS = 100_000; // +- 0.3 points: who wants more has the program, whose command stands below
 const MAP_SIDE = window.matchMedia("(max-width: 600px)").matches ? 128 : 256;
 const TURN = 2 * Math.PI;
@@ -33,8 +35,8 @@ export class Desk {
   readonly discovery = new Topic<Discovery | null>(null);
   readonly finding = new Topic<Progress | null>(null);
   readonly shares = new Topic<OutcomeShare[]>([]);
-  /** Largest whirl on the way, of the first starts; in R. */
-  readonly peaks = new Topic<Float64Array | null>(null);
+  /** What the starts come to for those who decide. */
+  readonly decision = new Topic<DecisionRun | null>(null);
   readonly mapChanged = new Topic<MapRun | null>(null);
   readonly start = new Topic<PlayStart>({ index: 0 });
   readonly pinned = new Topic<Override[] | null>(null);
@@ -47,6 +49,7 @@ export class Desk {
   private stopper = new AbortController();
   private asked = 0;
   private goesOn = false; // past the first starts
+  private watched: Told | null = null; // figures of the first starts, where not all are gathered
   private readonly writeAddress = settled(150, () => void this.keepAddress());
 
   constructor(
@@ -142,7 +145,8 @@ export class Desk {
     this.discovery.set(null);
     this.finding.set(null);
     this.mapChanged.set(null);
-    this.peaks.set(null);
+    this.watched = null;
+    this.decision.set(null);
     if (check.decidable) void this.compute(check, this.stopper.signal);
   }
 
@@ -152,22 +156,46 @@ export class Desk {
       const found = await this.crew.compute("discover", [check.toml], { urgency: URGENCY.discovery, signal, progress });
       this.finding.set(null);
       this.discovery.set(found);
-      this.run = new EnsembleRun(this.crew, check, MOST_STARTS, URGENCY.starts, () => void this.count(check));
+      // As the program does: of a machine, every start's figures.
+      const changed = () => void this.count(check);
+      this.run = new EnsembleRun(this.crew, check, MOST_STARTS, URGENCY.starts, check.physical, changed);
       this.run.outcomes.adopt(found.outcomes, new Int32Array(0));
       const prepared = preparedStarts(check.toml);
       if (prepared) this.run.beginWith(prepared);
       this.run.extend(Math.min(FIRST_STARTS, check.starts));
+      this.decide(check, signal);
     } catch (error) {
       if (!isAborted(error)) this.fail(error as Error);
     }
   }
 
-  private async watchPeaks(check: StudyCheck, signal: AbortSignal): Promise<void> {
-    const count = Math.min(PEAK_STARTS, check.starts);
+  private decide(check: StudyCheck, signal: AbortSignal): void {
+    const run = this.run!;
+    const starts = () => ({
+      count: run.gathers ? run.prefix : (this.watched?.outcome.length ?? 0),
+      over: run.done >= run.wanted,
+      told: () => (run.gathers ? run.told(run.prefix) : this.watched!),
+    });
+    const decision = new DecisionRun(
+      this.crew,
+      check,
+      signal,
+      starts,
+      () => this.decision.value === decision && this.decision.set(decision),
+      (error) => this.fail(error),
+    );
+    this.decision.set(decision);
+    void decision.follow();
+  }
+
+  private async watch(check: StudyCheck, signal: AbortSignal): Promise<void> {
+    const count = Math.min(WATCHED_STARTS, check.starts);
     try {
-      const options = { urgency: URGENCY.peaks, signal };
-      const fates = await this.crew.compute("ensemble", [check.toml, 0, count, { peaks: true }], options);
-      this.peaks.set(fates.peak);
+      const options = { urgency: URGENCY.figures, signal };
+      const fates = await this.crew.compute("ensemble", [check.toml, 0, count, { figures: true }], options);
+      this.run?.outcomes.adopt(fates.outcomes, fates.outcome);
+      this.watched = fates;
+      this.decision.value?.look();
     } catch (error) {
       if (!isAborted(error)) this.fail(error as Error);
     }
@@ -195,8 +223,9 @@ export class Desk {
       this.goesOn = true;
       run.extend(Math.min(STARTS, check.starts));
       if (check.machine.balls > 1) this.mapBegins(check);
-      void this.watchPeaks(check, this.stopper.signal);
+      if (!run.gathers) void this.watch(check, this.stopper.signal);
     }
+    this.decision.value?.look();
     try {
       const shares = await this.crew.ask("shares", run.counts());
       if (this.run === run) this.shares.set(shares);

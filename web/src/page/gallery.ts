@@ -1,7 +1,7 @@
 // What it can end in: every motion as a small moving picture, with how it shakes and how stable it is.
 import type { AttractorInfo, OutcomeShare } from "../engine/protocol";
 import { darkScheme, h, reducedMotion, sharpContext, swatch } from "../base/dom";
-import { digits, outcomeName, percent, Units } from "../base/numbers";
+import { digits, percent, Units } from "../base/numbers";
 import { ink } from "../drawing/ink";
 import { drawMachine, goodMagnification, type Pose } from "../drawing/machine";
 import { posesOf } from "../drawing/path";
@@ -78,7 +78,7 @@ export class Gallery {
       h("span", { class: "quiet" }, info.stability),
       share,
     );
-    const name = h("b", {}, swatch(info.colour), outcomeName(info));
+    const name = h("b", {}, swatch(info.colour), info.title);
     const words = h("span", {}, name, figures);
     const click = () => {
       this.stage.showMotion(info);

@@ -1,6 +1,6 @@
 // The basin map: where the first two balls start, coloured by where the machine ends.
 import { h, s } from "../base/dom";
-import { degrees, outcomeName, Units } from "../base/numbers";
+import { degrees, Units } from "../base/numbers";
 import { csv, saveCanvas, saveSvg, saveText } from "../base/save";
 import { NO_PIXEL, type MapRun } from "../work/map_run";
 import type { Desk } from "./desk";
@@ -161,9 +161,9 @@ export class MapView {
     if (map.overlaps(pixel)) return this.say(`${at}they would overlap`);
     if (known === NO_PIXEL) return this.say(`${at}not computed yet`);
     const outcome = map.outcomes.of(map.outcome[known]!);
-    if (known !== pixel) return this.say(`${at}not computed yet, beside it ${outcomeName(outcome)}`);
+    if (known !== pixel) return this.say(`${at}not computed yet, beside it ${outcome.title}`);
     const when = new Units(map.check.scales).timeText(map.time[known]!);
-    this.say(`${at}${outcomeName(outcome)}${outcome.code > 0 ? `, certain at ${when}` : ""}`);
+    this.say(`${at}${outcome.title}${outcome.code > 0 ? `, certain at ${when}` : ""}`);
   }
 
   private say(text: string): void {
@@ -215,7 +215,7 @@ export class MapView {
     const counts = new Map<number, number>();
     if (map) for (const code of map.outcome) if (code !== NO_PIXEL) counts.set(code, (counts.get(code) ?? 0) + 1);
     const parts = [...counts].map(
-      ([code, n]) => `${outcomeName(map!.outcomes.of(code))} ${((100 * n) / map!.done).toFixed(0)} %`,
+      ([code, n]) => `${map!.outcomes.of(code).title} ${((100 * n) / map!.done).toFixed(0)} %`,
     );
     this.canvas.setAttribute(
       "aria-label",
@@ -241,7 +241,7 @@ export class MapView {
     const known = (this.map?.outcomes.list ?? []).filter(({ code }) => codes.has(code));
     const legend = known.flatMap((outcome, k) => [
       s("rect", { x: left, y: size + 66 + 20 * k, width: 12, height: 12, fill: outcome.colour }),
-      word(left + 20, size + 77 + 20 * k, outcomeName(outcome), { "text-anchor": "start" }),
+      word(left + 20, size + 77 + 20 * k, outcome.title, { "text-anchor": "start" }),
     ]);
     const image = s("image", {
       href: this.picture.toDataURL(),

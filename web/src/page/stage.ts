@@ -14,6 +14,7 @@ import { Strips } from "./strips";
 const WAY_SHOWN = 4; // seconds for which the way of the centre stays in sight
 const MOST_WAY = 900;
 const SHOW_TIME = 30; // seconds for what is worth watching, unless the visitor wants it slower or faster
+const [BARE_PIECES, BARE_LOOKS] = [40, 30]; // of the run without balls
 const EASY_TURN = 0.45; // rad a picture: beyond, an eye in the room no longer follows the rotor
 
 export class Stage {
@@ -33,6 +34,7 @@ export class Stage {
   private motion: { info: AttractorInfo; time: number } | null = null;
   private last = 0;
   private lastTold = 0;
+  private bare = 0; // the run without balls that is followed now
 
   constructor(
     private readonly desk: Desk,
@@ -134,7 +136,7 @@ export class Stage {
     this.motion = { info, time: 0 };
     this.way = [];
     if (!reducedMotion.matches) this.play(true);
-    this.controls.fate(`This is the motion itself, over and over: ${info.name}.`, info.colour);
+    this.controls.fate(`This is the motion itself, over and over: ${info.title}.`, info.colour);
     this.draw();
   }
 
@@ -161,11 +163,33 @@ export class Stage {
     if (!this.first) return;
     this.strips.begin(check.machine.balls, check.machine.watch_until, this.units);
     this.keep([this.first]);
+    void this.followBare(check, start);
     this.play(wasShown ? wanted || !reducedMotion.matches : !reducedMotion.matches);
     this.controls.begin(this.first.phi);
     void this.controls.tellFate(start, check);
     this.draw();
     this.tell();
+  }
+
+  /** The same run without balls, beside it: in pieces, so that the worker still plays. */
+  private async followBare(check: StudyCheck, start: PlayStart): Promise<void> {
+    const until = check.machine.watch_until;
+    const mine = ++this.bare;
+    const row = (rows: Float64Array, width: number, at: number, k: number) => rows[k * width + at]!;
+    try {
+      const { handle, columns } = await this.desk.crew.ask("play_open", check.toml, { ...start, bare: true });
+      const at = columns.indexOf("radial");
+      for (let piece = 0; piece < BARE_PIECES && mine === this.bare; ++piece) {
+        const step = until / (BARE_PIECES * BARE_LOOKS);
+        const times = Float64Array.from({ length: BARE_LOOKS }, (_, k) => (piece * BARE_LOOKS + k + 1) * step);
+        const { row: rows, status } = await this.desk.crew.ask("play_rows", handle, times);
+        if (mine !== this.bare || status !== "done") break;
+        this.strips.addBare([...times], [...times].map((_, k) => row(rows, columns.length, at, k)));
+      }
+      await this.desk.crew.ask("play_close", handle);
+    } catch (error) {
+      if (mine === this.bare) this.desk.fail(error as Error);
+    }
   }
 
   private fitTo(attractors: readonly AttractorInfo[]): void {
@@ -247,7 +271,7 @@ export class Stage {
     this.controls.tell(this.motion ? null : shown);
     const balls = shown.phi.map((angle, k) => `ball ${k + 1} at ${degrees(angle).toFixed(0)}°`).join(", ");
     const words = this.motion
-      ? `the motion “${this.motion.info.name}”`
+      ? `the motion “${this.motion.info.title}”`
       : `time ${units.timeText(shown.t)}, whirl ${units.lengthText(shown.radial)}, ${balls} from the heavy side`;
     this.canvas.setAttribute("aria-label", `The machine seen along its axis: ${words}`);
   }

@@ -1,7 +1,7 @@
 // Buttons and words under the machine.
 import type { PlayStart, StudyCheck } from "../engine/protocol";
 import { h, swatch } from "../base/dom";
-import { degrees, digits, outcomeName, radians, Units } from "../base/numbers";
+import { degrees, digits, radians, Units } from "../base/numbers";
 import { saveMenu } from "./save_menu";
 import { saveCanvas, saveText, csv } from "../base/save";
 import type { Moment } from "../work/player";
@@ -180,7 +180,7 @@ export class StageControls {
       if (!outcome) return this.fate(`${which} stays undecided.`, null);
       const when = this.stage.shownUnits.timeText(fates.time[0]!);
       this.fate(
-        `${which} ends ${outcome.code > 0 ? "in " : ""}“${outcomeName(outcome)}”, certain at ${when}.`,
+        `${which} ends ${outcome.code > 0 ? "in " : ""}“${outcome.title}”, certain at ${when}.`,
         outcome.colour,
       );
     } catch (error) {

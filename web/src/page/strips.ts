@@ -53,9 +53,23 @@ function broken(angles: readonly (number | null)[]): (number | null)[] {
   return angles.map((angle, k) => (k > 0 && Math.abs(angle! - angles[k - 1]!) > 180 ? null : angle));
 }
 
+/** Between two looks; null where nothing is known yet. */
+function valueAt({ t, radial }: { t: readonly number[]; radial: readonly number[] }, time: number): number | null {
+  let [low, high] = [0, t.length - 1];
+  if (high < 0 || time < t[0]! || time > t[high]!) return null;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (t[middle]! <= time) low = middle;
+    else high = middle;
+  }
+  const part = high > low ? (time - t[low]!) / (t[high]! - t[low]!) : 0;
+  return radial[low]! + part * (radial[high]! - radial[low]!);
+}
+
 export class Strips {
   private record = new Record(0);
   private plots: uPlot[] = [];
+  private bare: { t: number[]; radial: number[] } = { t: [], radial: [] };
   private until = 1;
   private readonly redraw = throttled(110, () => this.draw());
   private units: Units | null = null;
@@ -69,6 +83,7 @@ export class Strips {
   begin(balls: number, until: number, units: Units): void {
     const rebuilt = balls !== this.record.balls || units.time.factor !== this.units?.time.factor;
     this.record = new Record(balls);
+    this.bare = { t: [], radial: [] };
     this.until = until;
     this.units = units;
     if (rebuilt || this.plots.length === 0) this.build();
@@ -78,6 +93,13 @@ export class Strips {
   add(moments: readonly Moment[]): void {
     for (const moment of moments) this.record.add(moment);
     if (moments.length > 0) this.redraw();
+  }
+
+  /** The whirl of the rotor without balls, which goes ahead of the run. */
+  addBare(t: readonly number[], radial: readonly number[]): void {
+    this.bare.t.push(...t);
+    this.bare.radial.push(...radial);
+    this.redraw();
   }
 
   /** t, speed, whirl radius and angles as kept; dimensionless. */
@@ -100,9 +122,10 @@ export class Strips {
       mark.style.color = colour;
       return mark;
     });
+    const bareMark = h("span", {}, "without balls");
     const specs: [string, string[], [number, number] | null, HTMLElement[]][] = [
       [`speed (${u.speed.name})`, one, null, []],
-      [`whirl radius (${u.length.name})`, one, null, []],
+      [`whirl radius (${u.length.name})`, [...one, styleColour("--quiet")], null, [bareMark]],
       ["angle from the heavy side (°)", balls, [0, 360], captions],
     ];
     this.place.replaceChildren();
@@ -148,7 +171,14 @@ export class Strips {
     if (!u || this.plots.length < 3) return;
     const times = t.map((time) => time * u.time.factor);
     this.plots[0]!.setData([times, speed.map((value) => value * u.speed.factor)]);
-    this.plots[1]!.setData([times, radial.map((value) => value * u.length.factor)]);
+    const ahead = this.bare.t.findIndex((time) => time > (t.at(-1) ?? -1));
+    const later = ahead < 0 ? [] : this.bare.t.slice(ahead);
+    const bare = [...t.map((time) => valueAt(this.bare, time)), ...later.map((_, k) => this.bare.radial[ahead + k]!)];
+    this.plots[1]!.setData([
+      [...times, ...later.map((time) => time * u.time.factor)],
+      [...radial.map((value) => value * u.length.factor), ...later.map(() => null)],
+      bare.map((value) => (value === null ? null : value * u.length.factor)),
+    ]);
     this.plots[2]!.setData([times, ...phi.map(broken)] as uPlot.AlignedData);
   }
 

@@ -4,7 +4,12 @@ import { h } from "../base/dom";
 import { saveText } from "../base/save";
 import type { Desk } from "./desk";
 
-const GROUPS = { machines: "Machines", paper: "Wright and Peng (2019)" } as const;
+const GROUPS = {
+  machines: "Machines",
+  examples: "Examples in depth",
+  new: "A machine of your kind",
+  paper: "Wright and Peng (2019)",
+} as const;
 const LARGEST = 1_000_000; // bytes: no study is a thousandth of it
 
 /** What a group's label says already need not be said again. */

@@ -1,7 +1,6 @@
 // Along one parameter: which, from where to where; the shares as they come.
 import type { StudyField } from "../engine/protocol";
 import { h, swatch } from "../base/dom";
-import { outcomeName } from "../base/numbers";
 import { csv, saveSvg, saveSvgAsPng, saveText } from "../base/save";
 import { layersOf, stackedShares } from "../drawing/stacked";
 import { numberOf, rounded, valueText } from "../setting/values";
@@ -164,7 +163,7 @@ export class SweepView {
     if (over) this.button.textContent = "Sweep";
     const chosen = (text: string) => void this.desk.override(field.key, valueText(field, text, sweep.unit));
     this.chart = stackedShares(run.cells, label, (cell) => chosen(cell.text));
-    const legend = layersOf(run.cells).map((layer) => h("span", {}, swatch(layer.colour), outcomeName(layer)));
+    const legend = layersOf(run.cells).map((layer) => h("span", {}, swatch(layer.colour), layer.title));
     const problems = [...new Set(run.cells.map(({ problem }) => problem).filter(Boolean))];
     this.state.textContent = over
       ? "Bars: 95 % interval of balanced. Click a bar to go there."

@@ -1,5 +1,5 @@
 // Starts of a study computed in small chunks, shared among workers; what is known so far.
-import type { Fates, StudyCheck } from "../engine/protocol";
+import type { Fates, StudyCheck, Told } from "../engine/protocol";
 import { throttled } from "../base/dom";
 import type { Crew } from "./crew";
 import { Outcomes } from "./outcomes";
@@ -33,6 +33,9 @@ export class EnsembleRun {
   readonly time: Float64Array;
   readonly angles: Float64Array;
   readonly outcomes = new Outcomes();
+  private speed = new Float32Array(0);
+  private figures = new Float32Array(0); // as the library keeps them
+  private columns = 0;
   done = 0;
   failure: Error | null = null;
 
@@ -43,12 +46,13 @@ export class EnsembleRun {
   private readonly stopper = new AbortController();
   private readonly changed: () => void;
 
-  /** `check` holds the study; `most` starts can be asked for. */
+  /** `check` holds the study; `most` starts can be asked for. `gathers`: their figures too. */
   constructor(
     private readonly crew: Crew,
     readonly check: StudyCheck,
     readonly most: number,
     private readonly urgency: number,
+    readonly gathers: boolean,
     changed: () => void,
   ) {
     this.outcome = new Int32Array(most).fill(NOT_DONE);
@@ -84,6 +88,15 @@ export class EnsembleRun {
     return at < 0 ? this.next : at;
   }
 
+  /** The first so many starts, at most `prefix`, for judge(). */
+  told(starts: number): Told {
+    return {
+      outcome: this.outcome.slice(0, starts),
+      speed: Float64Array.from(this.speed.subarray(0, starts)),
+      figures: Float64Array.from(this.figures.subarray(0, starts * this.columns)),
+    };
+  }
+
   /** How many starts came to each outcome that is known, in their order. */
   counts(): { code: number; count: number }[] {
     const counts = new Map<number, number>(this.outcomes.list.map(({ code }) => [code, 0]));
@@ -109,7 +122,22 @@ export class EnsembleRun {
     this.outcome.set(fates.outcome, first);
     this.time.set(fates.time, first);
     this.angles.set(fates.angles, first * fates.balls);
+    if (this.gathers) this.keepFigures(fates, first);
     this.done += fates.count;
+  }
+
+  private keepFigures(fates: Fates, first: number): void {
+    const grown = (kept: Float32Array, columns: number) => {
+      if (kept.length >= this.next * columns) return kept;
+      const larger = new Float32Array(2 * this.next * columns);
+      larger.set(kept);
+      return larger;
+    };
+    this.columns = fates.figures.length / fates.count;
+    this.speed = grown(this.speed, 1) as Float32Array<ArrayBuffer>;
+    this.figures = grown(this.figures, this.columns) as Float32Array<ArrayBuffer>;
+    this.speed.set(fates.speed, first);
+    this.figures.set(fates.figures, first * this.columns);
   }
 
   private async work(): Promise<void> {
@@ -122,7 +150,11 @@ export class EnsembleRun {
       try {
         const soon = this.chunk.secondsFor(this.asked - first) / this.crew.computing.size < SOON;
         const options = { urgency: soon ? URGENCY.soonDone : this.urgency, signal };
-        const fates = await this.crew.compute("ensemble", [this.check.toml, first, count], options);
+        const fates = await this.crew.compute(
+          "ensemble",
+          [this.check.toml, first, count, { figures: this.gathers }],
+          options,
+        );
         if (fates.count !== count) throw new Error(`${count} starts were asked for, ${fates.count} came back.`);
         this.chunk.took(count, fates.seconds);
         this.keep(fates, first);

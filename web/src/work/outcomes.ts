@@ -16,7 +16,7 @@ export class Outcomes {
   }
 
   of(code: number): OutcomeInfo {
-    return this.byCode.get(code) ?? { code, name: `motion ${code}`, alias: "", colour: "#888888" };
+    return this.byCode.get(code) ?? { code, name: `motion ${code}`, alias: "", title: `motion ${code}`, colour: "#888888" };
   }
 
   /** Takes the outcomes a worker knows and rewrites its codes where they say something else here. */

@@ -24,12 +24,13 @@ export function preparedAnswer<K extends keyof Calls>(call: K, args: Parameters<
 /** The first starts of a study, if they came with the page. */
 export function preparedStarts(toml: string): Fates | null {
   if (toml !== prepared.toml) return null;
-  const { outcome, time, peak, angles, ...rest } = prepared.fates;
+  const { outcome, time, angles, ...rest } = prepared.fates;
   return {
     ...rest,
     outcome: Int32Array.from(outcome),
     time: Float64Array.from(time),
-    peak: Float64Array.from(peak),
+    speed: new Float64Array(0),
+    figures: new Float64Array(0),
     angles: Float64Array.from(angles),
   };
 }

@@ -7,5 +7,7 @@ export const URGENCY = {
   starts: 3,
   sweep: 4,
   comparison: 4,
-  peaks: 3,
+  bare: 2,
+  figures: 3,
+  changes: 4,
 } as const;

@@ -1,0 +1,205 @@
+// The answer for those who decide: starts and one-body runs come from wherever they were computed, and are counted
+// here.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "calls.hpp"
+#include "equipoise/analyses/ensemble.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/changes/usual_changes.hpp"
+#include "equipoise/decision/balancer_blocks.hpp"
+#include "equipoise/decision/verdict.hpp"
+#include "equipoise/ensembles/ensemble_runner.hpp"
+#include "equipoise/ensembles/tally.hpp"
+#include "equipoise/ensembles/without_balls.hpp"
+#include "equipoise/sampling/sampling.hpp"
+#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/types/outcomes.hpp"
+
+namespace equipoise::web {
+
+namespace {
+
+Study sampled(const Study& study) { return as_sampled(study, study.sampling.method.value_or(SamplingMethod::random)); }
+
+Fate fate_of(int code, double speed) {
+  Fate fate;
+  fate.mean_speed = static_cast<float>(speed);
+  if (code > 0) {
+    fate.outcome = Outcome::attracted;
+    fate.attractor = static_cast<short>(code);
+  }
+  for (const NoAttractor& n : no_attractors)
+    if (n.code == code) fate.outcome = n.outcome;
+  return fate;
+}
+
+std::vector<OneBodyRun> rows_of(const Json& told) {
+  const auto outcome = numbers_of<std::int32_t>(told.at("outcome"));
+  const auto speed = numbers_of<double>(told.at("speed")), figures = numbers_of<double>(told.at("figures"));
+  constexpr std::size_t columns = transient_figures.size();
+  if (speed.size() != outcome.size() || figures.size() != outcome.size() * columns)
+    throw InputError("judge", "starts", fmt::format("{} figures", figures.size()),
+                     fmt::format("must be {} a start, of {} starts", columns, outcome.size()));
+  std::vector<OneBodyRun> rows(outcome.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].fate = fate_of(outcome[i], speed[i]);
+    for (std::size_t k = 0; k < columns; ++k)
+      rows[i].row.*transient_figures[k].value = static_cast<float>(figures[i * columns + k]);
+  }
+  return rows;
+}
+
+// Runs of one body come to no listed attractor: any code above 0 stands for a steady motion.
+Json told_runs(const std::vector<OneBodyRun>& runs, Bulk& bulk) {
+  std::vector<Fate> fates;
+  std::vector<TransientRow> rows;
+  for (const OneBodyRun& run : runs) {
+    fates.push_back(run.fate);
+    rows.push_back(run.row);
+    if (run.fate.outcome == Outcome::attracted) fates.back().attractor = balanced_id;
+  }
+  return told_rows(fates, rows, bulk);
+}
+
+// Of a result what the verdict and the tables of figures tell; no shares of attractors.
+BasinResult counted(const Study& study, const Json& told, const Json& bare, const Json& held) {
+  BasinResult r;
+  r.study = study;
+  const Sampler sampler = sampler_of(study);
+  Tally tally(sampler, study.sampling.seed, 0.0);
+  TransientTally figures(study, sampler);
+  for (const OneBodyRun& start : rows_of(told)) {
+    tally.add(start.fate);
+    figures.add(start.fate, start.row);
+  }
+  r.starts = tally.total();
+  tally.count(Catalogue(), r);
+  r.transients = figures.result(Catalogue());
+  const std::uint64_t most = std::min(r.starts, most_held_starts);
+  const auto first = [most](std::vector<OneBodyRun> runs) {
+    runs.resize(std::min<std::size_t>(runs.size(), most));
+    return runs;
+  };
+  if (r.starts > 0)
+    r.without_balls = counted_runs({study, sampler, r.starts}, first(rows_of(bare)),
+                                   held.is_null() ? std::vector<OneBodyRun>() : first(rows_of(held)));
+  return r;
+}
+
+const char* name_of(Tone tone) {
+  return tone == Tone::good ? "good" : tone == Tone::bad ? "bad" : tone == Tone::open ? "open" : "plain";
+}
+
+Json table_json(const DocumentTable& table) {
+  Json rows = Json::array();
+  for (const auto& cells : table.rows) {
+    Json row = Json::array();
+    for (const DocumentCell& cell : cells) row.push_back(cell.text);
+    rows.push_back({{"cells", row}, {"tone", cells.empty() ? "plain" : name_of(cells.front().tone)}});
+  }
+  return {{"header", table.header}, {"rows", rows}, {"caption", table.caption}};
+}
+
+Json groups_json(const BasinResult& r) {
+  Json groups = Json::array();
+  for (const auto& group : balancer_blocks(r)) {
+    Json blocks = Json::array();
+    for (const Block& block : group) {
+      if (const auto* table = std::get_if<DocumentTable>(&block)) blocks.push_back({{"table", table_json(*table)}});
+      if (const auto* words = std::get_if<Paragraph>(&block)) blocks.push_back({{"text", words->text}});
+    }
+    groups.push_back(blocks);
+  }
+  return groups;
+}
+
+// As the program's table of outcomes has it, by code.
+Json velocities_json(const BasinResult& r) {
+  const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r.study.scales);
+  Json of = Json::object();
+  for (const TransientGroup& g : r.transients->groups)
+    if (g.id && g.starts > 0)
+      of[std::to_string(*g.id)] = fmt::format("{:.3g}", g.figure(&TransientRow::rms_velocity).mean * unit.size);
+  return {{"unit", unit.name}, {"of", of}};
+}
+
+}  // namespace
+
+Json told_rows(const std::vector<Fate>& fates, const std::vector<TransientRow>& rows, Bulk& bulk) {
+  std::vector<std::int32_t> outcome;
+  std::vector<double> speed, figures;
+  for (const Fate& fate : fates) {
+    outcome.push_back(code_of(fate));
+    speed.push_back(fate.mean_speed);
+  }
+  for (const TransientRow& row : rows)
+    for (const TransientFigure& f : transient_figures) figures.push_back(row.*f.value);
+  return {{"outcome", bulk.wholes(std::move(outcome))},
+          {"speed", bulk.doubles(std::move(speed))},
+          {"figures", bulk.doubles(std::move(figures))}};
+}
+
+Json one_body(const Json& args, Bulk& bulk) {
+  const Study study = sampled(study_of(args.at(0)));
+  const bool balls = args.at(1).get<bool>();
+  const auto first = args.at(2).get<std::uint64_t>(), count = args.at(3).get<std::uint64_t>();
+  const Sampler sampler = sampler_of(study);
+  const OneBodyTask task{study, sampler, first + count};
+  const std::uint64_t needed = balls ? most_held_starts : bare_runs_needed(task),
+                      until = std::min(first + count, needed);
+  Json json = told_runs(one_body_runs(task, balls, first, until - std::min(first, until)), bulk);
+  json["needed"] = needed;
+  return json;
+}
+
+Json try_change(const Json& args, Bulk& bulk) {
+  const std::vector<Change> changes = usual_changes(study_of(args.at(0)));
+  const auto k = args.at(1).get<std::size_t>();
+  EnsembleOptions options;
+  options.transients = true;
+  options.progress = tell;
+  Ensemble ensemble(changes.at(k).study, options);
+  const Study& study = ensemble.study();
+  const Ensemble::Ended ended = ensemble.starts(0, starts_of_a_change);
+  const Sampler sampler = sampler_of(study);
+  const OneBodyTask task{study, sampler, starts_of_a_change};
+  Json json = told_rows(ended.fates, ended.transients, bulk);
+  json["bare"] = told_runs(one_body_runs(task, false, 0, std::min(starts_of_a_change, bare_runs_needed(task))), bulk);
+  json["change"] = k;
+  return json;
+}
+
+Json judge(const Json& args) {
+  const Study uncertain = study_of(args.at(0));
+  const BasinResult r = counted(sampled(uncertain), args.at(1), args.at(2), args.at(3));
+  std::vector<TriedChange> tried;
+  const std::vector<Change> changes = args.at(4).empty() ? std::vector<Change>() : usual_changes(uncertain);
+  for (const Json& one : args.at(4)) {
+    const Change& change = changes.at(one.at("change").get<std::size_t>());
+    const BasinResult with_it = counted(sampled(change.study), one, one.at("bare"), Json());
+    if (auto judged = tried_change(change.words, with_it)) tried.push_back(*std::move(judged));
+  }
+  Json json = {{"starts", r.starts}, {"verdict", nullptr}, {"changes", nullptr}, {"possible", Json::array()}};
+  if (const auto verdict = verdict_of(r, tried)) {
+    json["verdict"] = verdict_json(*verdict, tried);
+    json["verdict"]["tone"] = name_of(tone_of(verdict->decision));
+    if (asks_for_changes(verdict->decision))
+      for (const Change& change : usual_changes(uncertain)) json["possible"].push_back(change.words);
+    if (!tried.empty()) json["changes"] = table_json(changes_table(r, tried));
+  }
+  json["groups"] = groups_json(r);
+  json["velocity"] = velocities_json(r);
+  return json;
+}
+
+}  // namespace equipoise::web
