@@ -10,7 +10,7 @@ namespace equipoise {
 /// One line per cell, for the terminal.
 std::string sweep_text(const SweepResult& result);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/sweep.md lists the keys.
 std::string sweep_json(const SweepResult& result);
 
 /// One line per cell and outcome, after the study as comments.
