@@ -66,7 +66,6 @@ KNOWN = {
     "docs/reference/commands/basin.md": {"surely within": 1},
     "docs/reference/commands/index.md": {"nobody": 1},
     "docs/reference/commands/report.md": {"who turns": 1},
-    "docs/reference/commands/simulate.md": 26.2,
     "docs/reference/commands/sweep.md": {"its like": 1},
     "docs/reference/transients.md": {"surely within": 1},
     "python/equipoise/plot/parts.py": {"nobody": 1},
