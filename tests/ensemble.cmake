@@ -59,7 +59,7 @@ else()
   target_compile_definitions(decisions_test PRIVATE DECISION_STARTS=3000 BALL_COUNT_STARTS=300)
 endif()
 
-# The search for table 7's protocol: minutes to hours, run by hand (docs/table-7.md).
+# The search for table 7's protocol: minutes to hours, run by hand (docs/evidence/table-7.md).
 add_executable(table_7_evidence literature/table_7_evidence.cpp literature/table_7_elsewhere.cpp
   literature/table_7_fit.cpp literature/table_7_protocol.cpp literature/table_7_variants.cpp)
 target_compile_options(table_7_evidence PRIVATE -Wall -Wextra)

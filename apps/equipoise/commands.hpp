@@ -10,7 +10,7 @@
 
 namespace equipoise::app {
 
-/// Exit codes (docs/guide/command-line.md).
+/// Exit codes (docs/reference/commands/index.md).
 enum ExitCode : int {
   done = 0,
   failed = 1,

@@ -1,4 +1,4 @@
-# The spin-ups of studies/designs/best-spin-up-to-*.toml and best-free-spin-up-to-2.0.toml, for docs/guide/design.md.
+# The spin-ups of studies/designs/best-spin-up-to-*.toml and best-free-spin-up-to-2.0.toml, for docs/how-to/design.md.
 # From the repository's root: gnuplot docs/figures/best-spin-ups.gp
 set encoding utf8
 set terminal pngcairo size 1200,620 font ",15"

@@ -1,4 +1,4 @@
-"""How often the rules of thumb of `explain` are right, over drawn rotors: prints the shares that docs/rules-of-thumb.md states.
+"""How often the rules of thumb of `explain` are right, over drawn rotors: prints the shares that docs/explanation/rules-of-thumb.md states.
 
 Writes rules-of-thumb.png in this folder. From the repository's root:
 
@@ -21,7 +21,7 @@ def log_uniform(draw, low, high):
 
 
 def rotor(draw, **speed):
-    """One of all that a designer may have in mind: the ranges stand in docs/rules-of-thumb.md."""
+    """One of all that a designer may have in mind: the ranges stand in docs/explanation/rules-of-thumb.md."""
     balls = int(draw.integers(2, 6))
     unbalance = log_uniform(draw, 1e-3, 0.1)
     return dict(

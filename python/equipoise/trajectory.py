@@ -186,7 +186,7 @@ def simulate(
 
     Notes
     -----
-    Equations (1) to (7) of docs/equations.md; an eighth-order Runge-Kutta method with dense output, each step to
+    Equations (1) to (7) of docs/explanation/equations.md; an eighth-order Runge-Kutta method with dense output, each step to
     ``numerics.tolerance`` (default 1e-12).
     """
     times, until = _output_times(checked_study(study), t)

@@ -26,14 +26,14 @@ CHECKS = {
     ],
     "2-which-attractors-and-why": [
         "sorted(motions) == ['V1', 'V2', 'V3', 'V4']",
-        "abs(motions['V1'].period - 3.9785) < 1e-4",  # docs/motions.md; refined to 1e-10, printed to 1e-4
+        "abs(motions['V1'].period - 3.9785) < 1e-4",  # docs/explanation/motions.md; refined to 1e-10, printed to 1e-4
         "abs(motions['V4'].period - 16.2484) < 1e-4",
         "motions['V2'].kind == 'quasi-periodic'",
         "balanced.spectrum.real.max() < 0.0",
         "any(e.cause == 'fold' and abs(e.low - 2.904337) < 1e-4 for e in branches['V3'].events)",
     ],
     "3-basins-and-their-borders": [
-        "basins.figures['box_dimension'][1] < 1.58 < basins.figures['box_dimension'][2]",  # docs/guide/command-line.md
+        "basins.figures['box_dimension'][1] < 1.58 < basins.figures['box_dimension'][2]",  # docs/reference/commands/map.md
         # Both estimate one exponent, each with an interval of about 0.1 from the scales that a map has.
         "abs(alpha - (2 - basins.figures['box_dimension'][0])) < 0.1",
         "abs(alpha - basins.figures['uncertainty_exponent'][0]) < 0.1",

@@ -21,10 +21,10 @@ PRINTED_SUM = {("3", "25"): "100.07", ("5", "700"): "100.46"}
 
 STARTS = {"1": 300000, "2": 300000, "3": 100000, "4": 100000, "5": 100000, "6": 300000, "7": 300000}
 
-PUBLISHED_LAW = 'law = "published"  # psi = t Omega(t) on each branch: docs/equations.md\n'
+PUBLISHED_LAW = 'law = "published"  # psi = t Omega(t) on each branch: docs/explanation/equations.md\n'
 TABLE_7_NOTE = """\
 # The printed share is not reproducible from the paper's text: with the balls released at 3, the share is another under
-# either speed law. docs/equations.md, "The tables' speed law", has the evidence.
+# either speed law. docs/explanation/equations.md, "The tables' speed law", has the evidence.
 """
 
 

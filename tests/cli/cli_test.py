@@ -84,7 +84,7 @@ class Uncertain(Case):
 
 
 class Examples(Case):
-    """The machines of docs/guide: every example can be read, explained and sampled as it stands."""
+    """The machines of docs/how-to: every example can be read, explained and sampled as it stands."""
     FOLDER = os.path.join(STUDIES, "examples")
 
     def studies(self):

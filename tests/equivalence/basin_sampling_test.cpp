@@ -99,8 +99,8 @@ TEST_P(EvenSampling, InterruptedRunsResumeToTheSameResult) {
     EXPECT_THROW(basin(longer, options), InputError);  // a larger grid has other cells
 }
 
-// Reference: 60.495 +- 0.005 % balanced, 3.908 +- 0.003 % V1 (docs/numerics.md). Five claimed standard errors, which
-// are themselves known to 18 %.
+// Reference: 60.495 +- 0.005 % balanced, 3.908 +- 0.003 % V1 (docs/explanation/numerics.md). Five claimed standard
+// errors, which are themselves known to 18 %.
 TEST_P(EvenSampling, FindsTheKnownShares) {
   const BasinResult r = basin(row(GetParam(), 16384));
   const Share &balanced = r.attractors[0].share, &v1 = r.attractors[1].share;

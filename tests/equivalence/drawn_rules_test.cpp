@@ -23,7 +23,7 @@ class Draw {
   std::mt19937_64 engine_{1};
 };
 
-// The ranges of docs/rules-of-thumb.md.
+// The ranges of docs/explanation/rules-of-thumb.md.
 model::Parameters drawn_rotor(Draw& draw) {
   model::Parameters p;
   p.balls = draw.whole(2, 5);
@@ -52,7 +52,8 @@ TEST(CriticalSpeedRule, HeldBallsShakeMostWhereItSays) {
   }
 }
 
-// Statements in docs/rules-of-thumb.md about 3000 rotors hold for these 600 within three standard errors of both.
+// Statements in docs/explanation/rules-of-thumb.md about 3000 rotors hold for these 600 within three standard errors of
+// both.
 TEST(RulesOfThumb, AreRightAsOftenAsTheirPageSays) {
   Draw draw;
   int stable = 0, within_two = 0, drags = 0, best_inside = 0, from_inside = 0, to_inside = 0;

@@ -40,7 +40,7 @@ VectorXd start(const model::System& system, std::vector<double> phi) {
   return y;
 }
 
-// Newton's law of impact on balls 0 and 1 at a prescribed speed, with the mass matrix of docs/equations.md
+// Newton's law of impact on balls 0 and 1 at a prescribed speed, with the mass matrix of docs/explanation/equations.md
 // ("Linearisation").
 VectorXd struck(const model::Parameters& p, VectorXd z) {
   MatrixXd mass = MatrixXd::Zero(4, 4);

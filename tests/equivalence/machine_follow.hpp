@@ -88,7 +88,7 @@ inline std::string kind_of(const equipoise::Study& study, const Seen& seen) {
     if (std::fabs(seen.turned[i] - seen.turned[0]) > 0.02 * std::fabs(seen.turned[0]) + 7.0)
       return "drifting at different rates";
   if (seen.oppositions == 0) return seen.one_side ? "co-drifting" : "drifting apart";
-  // docs/motions.md: nothing was found between 1.54 and 1.99.
+  // docs/explanation/motions.md: nothing was found between 1.54 and 1.99.
   const double turns = std::fabs(seen.turned[0]) / two_pi;
   return balls == 2 && seen.oppositions > 1.75 * turns ? "pair drift" : "drifting apart";
 }

@@ -1,5 +1,5 @@
 // How might table 7 of Wright and Peng (2019) have been computed? Observes ensembles under many protocols and fits
-// tests of balance at a finite time to the printed shares. docs/table-7.md reports the results.
+// tests of balance at a finite time to the printed shares. docs/evidence/table-7.md reports the results.
 //
 //   table_7_evidence search [--starts N] [--only TEXT] [--until T] [--csv FILE] [--leaders FILE --below CHI2]
 //       every variant: the best test for every origin of time and span. Those alone whose name contains TEXT, or that

@@ -26,9 +26,9 @@ inline void expect_snapshot(const std::string& name, const std::string& text) {
   EXPECT_EQ(content(snapshot_path(name)), text) << "if tests/snapshots/" << name << " is to say this: ./dev snapshots";
 }
 
-/// Of docs/guide/NAME what stands between "<!-- MARK -->" and the next "<!-- end" is the mark's table.
-inline void expect_in_guide(const std::string& name, const std::map<std::string, std::string>& tables) {
-  const std::string path = EQUIPOISE_SOURCE_DIR "/docs/guide/" + name;
+/// Of docs/NAME what stands between "<!-- MARK -->" and the next "<!-- end" is the mark's table.
+inline void expect_in_docs(const std::string& name, const std::map<std::string, std::string>& tables) {
+  const std::string path = EQUIPOISE_SOURCE_DIR "/docs/" + name;
   std::string renewed = content(path);
   for (const auto& [mark, table] : tables) {
     const std::string begin = "<!-- " + mark + " -->\n";

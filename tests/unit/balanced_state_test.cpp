@@ -1,4 +1,5 @@
-// Existence and angles of balanced states: the polygon inequality and its edge cases (docs/equations.md, "Existence").
+// Existence and angles of balanced states: the polygon inequality and its edge cases (docs/explanation/equations.md,
+// "Existence").
 #include "equipoise/mechanics/balanced_state.hpp"
 
 #include <gtest/gtest.h>

@@ -85,7 +85,7 @@ TEST(Explain, LinearisesTheWayIntoBalance) {
   // Of WP's first table: unstable at Omega = 1.5, beta = 0.01 with rate 0.0218.
   const Explanation u = of(constant_speed, {"speed.speed=1.5", "balancer.drag=0.01"});
   EXPECT_FALSE(u.motion->stable);
-  EXPECT_NEAR(u.motion->slowest_rate, 0.0218, 5e-5);  // printed digits of docs/equations.md
+  EXPECT_NEAR(u.motion->slowest_rate, 0.0218, 5e-5);  // printed digits of docs/explanation/equations.md
 }
 
 TEST(Explain, SaysWhatRollingChanges) {

@@ -69,8 +69,8 @@ TEST(KernelSpeed, LanesKeepTheirLeadOverTheScalarIntegrator) {
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
   GTEST_SKIP() << "instrumented or unoptimised code says nothing of speed";
 #endif
-  // Half the measured lead (docs/performance.md). A slip of the compiler or of the code costs more than that; the
-  // machine's other work costs less within one run.
+  // Half the measured lead (docs/evidence/performance.md). A slip of the compiler or of the code costs more than that;
+  // the machine's other work costs less within one run.
   const std::map<std::string, double> least_lead{{"AVX-512", 7.0}, {"AVX2", 4.5}, {"SSE4", 1.5}, {"scalar", 0.7}};
   double scalar = 1e300;
   std::map<std::string, double> lanes;

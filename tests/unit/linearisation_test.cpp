@@ -1,5 +1,5 @@
-// The Jacobian against the second-order form M z'' + C z' + K z = 0 about balanced states (docs/equations.md,
-// "Linearisation"), against recorded eigenvalues and against differences.
+// The Jacobian against the second-order form M z'' + C z' + K z = 0 about balanced states
+// (docs/explanation/equations.md, "Linearisation"), against recorded eigenvalues and against differences.
 #include "equipoise/mechanics/linearisation.hpp"
 
 #include <fmt/format.h>

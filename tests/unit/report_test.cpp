@@ -35,7 +35,7 @@ TEST(TransientFigures, StandInTheGuide) {
   std::string table = "| figure | JSON, NetCDF | |\n|---|---|---|\n";
   for (const TransientFigure& f : transient_figures)
     table += fmt::format("| {} | `{}` | {} |\n", f.title, f.name, f.long_name());
-  expect_in_guide("command-line.md", {{"figures of transients", table}});
+  expect_in_docs("reference/transients.md", {{"figures of transients", table}});
 }
 
 Fate fate(Outcome outcome, int attractor = 0) {
@@ -173,7 +173,7 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
                     closed = basin_text(result_of(constant_speed, 1000, 0));
   EXPECT_TRUE(holds(open, "bounds"));
   EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.42 %, whatever the undecided starts come to)."))
-      << open;  // Wilson's upper bound of 266 in 1000
+      << open;                                       // Wilson's upper bound of 266 in 1000
   EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
   EXPECT_FALSE(holds(closed, "bounds"));
   const auto json = nlohmann::json::parse(basin_json(result_of(constant_speed, 734, 266)));
@@ -221,7 +221,8 @@ TEST(BasinText, OfNoStartHasNoShares) {
   const std::string text = basin_text(r);
   EXPECT_NE(text.find("PARTIAL: stopped before the first start was decided; there are no shares.\n"),
             std::string::npos);
-  for (const char* word : {"what the balls do", "balanced", " % "}) EXPECT_EQ(text.find(word), std::string::npos) << text;
+  for (const char* word : {"what the balls do", "balanced", " % "})
+    EXPECT_EQ(text.find(word), std::string::npos) << text;
 }
 
 TEST(BasinText, HasTimesInSecondsWhereThereAreUnits) {

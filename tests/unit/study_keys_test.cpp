@@ -219,7 +219,7 @@ TEST(StudyKeys, StandInTheGuide) {
       if (!table.of(study::all_variants, physical).empty() && table.name != "speed.torque.target" &&
           (!physical || has_physical_keys(table)))
         tables["keys of " + table.name + (physical ? ", physical" : "")] = guide_table(table, physical);
-  expect_in_guide("study-file.md", tables);
+  expect_in_docs("reference/study-file.md", tables);
 }
 
 }  // namespace

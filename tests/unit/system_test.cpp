@@ -242,7 +242,8 @@ TEST(System, NeedsOfAnswersStandInTheGuide) {
     table += fmt::format("| {} | {} | {} |\n", c.name, *c.command ? fmt::format("`{}`", c.command) : "",
                          needs.empty() ? "nothing" : needs);
   }
-  expect_in_guide("command-line.md", {{"needs of answers", "| answer | command | needs |\n|---|---|---|\n" + table}});
+  expect_in_docs("reference/commands/index.md",
+                 {{"needs of answers", "| answer | command | needs |\n|---|---|---|\n" + table}});
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
-// Screenshots of the built page for docs/web.md, as small as their flat colours allow.
+// Screenshots of the built page for docs/explanation/web.md, as small as their flat colours allow.
 //
-//     node web/films/screenshots.mjs        (with ffmpeg; writes docs/web/*.png)
+//     node web/films/screenshots.mjs        (with ffmpeg; writes docs/figures/explorer/*.png)
 import { execFileSync } from "node:child_process";
 import { mkdirSync, rmSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { browse, closePage, openPage, settledShares } from "../tests/browser.mjs";
 
-const FOLDER = fileURLToPath(new URL("../../docs/web/", import.meta.url));
+const FOLDER = fileURLToPath(new URL("../../docs/figures/explorer/", import.meta.url));
 const MACHINE = "study=washing-machine&start=0";
 const SHOTS = [
   { name: "desktop", viewport: { width: 1440, height: 900 } },

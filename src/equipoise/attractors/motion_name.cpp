@@ -1,5 +1,5 @@
 // Names motions from topology alone: which balls drift, which move as one, and when the motion comes back. The table is
-// in docs/motions.md ("Names").
+// in docs/explanation/motions.md ("Names").
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

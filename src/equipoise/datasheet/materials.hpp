@@ -10,7 +10,7 @@ namespace equipoise::model {
 struct BallMaterial {
   std::string_view name;
   double density;       ///< kg/m^3
-  const char* meaning;  ///< the grade that this is the density of, and its source (docs/references.md)
+  const char* meaning;  ///< the grade that this is the density of, and its source (docs/reference/references.md)
 };
 
 inline constexpr std::array<BallMaterial, 5> ball_materials{{

@@ -5,8 +5,8 @@
 
 namespace equipoise {
 
-/// "balls circulate together" for "co-drifting", from a motion's name (docs/motions.md, "Names"). "" for a name that
-/// has no such words: a report then shows the name.
+/// "balls circulate together" for "co-drifting", from a motion's name (docs/explanation/motions.md, "Names"). "" for a
+/// name that has no such words: a report then shows the name.
 std::string plain_name(const std::string& name);
 
 /// "balls circulate together (V1)" in a study with physical units, "co-drifting (V1)" in any other. `named`: has `name`

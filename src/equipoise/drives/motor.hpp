@@ -9,7 +9,7 @@
 
 namespace equipoise::model {
 
-/// tau(t, psi') in units of M R^2 omega_c^2. Torque laws of a motor: docs/equations.md, "A motor".
+/// tau(t, psi') in units of M R^2 omega_c^2. Torque laws of a motor: docs/explanation/equations.md, "A motor".
 struct MotorLaw {
   enum class Kind {
     linear,   ///< constant + slope psi', and 0 from `until` on

@@ -33,7 +33,8 @@ struct BasinOptions : RunOptions {
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read
   bool store_angles = true;  ///< in `output`
-  /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits] or [standards].
+  /// Gather statistics of transients, also for `output` and `keep_starts`. Unset: if the study has [limits] or
+  /// [standards].
   std::optional<bool> transients;
   bool without_balls = true;  ///< with transients: also what the rotor does without balls, and with balls held
   bool keep_starts = false;   ///< the result holds every start (BasinResult::every_start): 11 bytes a start, 8 more a
@@ -51,7 +52,7 @@ struct BasinOptions : RunOptions {
   bool warm_start = false;  ///< these states are all of a neighbouring study: a shorter search
   const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of its trapping regions, or null
   bool brief_search = false;  ///< for a first look: a smaller pilot where its starts are dear (AttractorSearchSettings)
-  int search_threads = 0;                              ///< for the attractor search; 0: as `threads`
+  int search_threads = 0;     ///< for the attractor search; 0: as `threads`
   /// The helpers for starts sampled by this method (ensembles/chunks.hpp), or null. Asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;
   SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
@@ -78,7 +79,7 @@ struct StartReplay {
 };
 
 /// Runs the ensemble: study.sampling.starts starts, or as many as options.half_width needs. The outcome of start i
-/// depends on the study and i alone (for one CPU target; see docs/numerics.md).
+/// depends on the study and i alone (for one CPU target; see docs/explanation/numerics.md).
 /// Throws InputError for studies that cannot be decided (see check_runnable()) and for unusable output files. Throws
 /// RunError if the output file fails later.
 /// `catalogue`, if given, receives the attractors found, refined and named; `warm_start_levels` the levels of their

@@ -63,7 +63,7 @@ std::optional<NearBalance> near_balance(const Explanation& e, std::string& why_n
 RuleOfThumb ball_mass(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
   RuleOfThumb rule{"ball_mass", "ball mass", "lambda <= mu sin(n delta/2)/sin(delta/2), of points n mu",
-                   "docs/rules-of-thumb.md, Ball mass; Existence in docs/equations.md"};
+                   "docs/explanation/rules-of-thumb.md, Ball mass; Existence in docs/explanation/equations.md"};
   const double lambda = e.unbalance;
   rule.kept = e.balanced.kind != model::BalancedStates::Kind::none;
   rule.words = *rule.kept ? "the balls can cancel the unbalance" : e.balanced.reason;
@@ -77,8 +77,9 @@ RuleOfThumb ball_mass(const Explanation& e) {
 
 RuleOfThumb critical_speeds(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
-  RuleOfThumb rule{"critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
-                   "docs/rules-of-thumb.md, Critical speeds; Clamped balls in docs/equations.md"};
+  RuleOfThumb rule{
+      "critical_speed", "critical speed", "Omega >= sqrt(2) sqrt(kappa/(1 + N))",
+      "docs/explanation/rules-of-thumb.md, Critical speeds; Clamped balls in docs/explanation/equations.md"};
   const std::array<double, 2>& critical = e.critical_with_balls;
   const bool one = p.isotropic();
   for (int d = 0; d < (one ? 1 : 2); ++d) {
@@ -113,7 +114,7 @@ std::optional<double> spacing_in_balance(const Explanation& e) {
 RuleOfThumb room(const Explanation& e) {
   const std::vector<double>& width = e.ball_width;
   RuleOfThumb rule{"room", "room in the race", "sum of 2 asin(d_i/(2 R)) <= 2 pi",
-                   "docs/rules-of-thumb.md, Room in the race; Contact in docs/equations.md"};
+                   "docs/explanation/rules-of-thumb.md, Room in the race; Contact in docs/explanation/equations.md"};
   if (width.empty()) {
     rule.words = "the study does not give the balls' size";
     return rule;
@@ -145,7 +146,7 @@ void add_drag(RuleOfThumb& rule, const Explanation& e, const std::string& name, 
 RuleOfThumb drag(const Explanation& e) {
   RuleOfThumb rule{"drag", "ball drag",
                    "beta_s/2 <= beta <= 2 beta_s, beta_s = 2 sqrt(s k_b); beta >= N omega^3/(zeta (Omega - omega))",
-                   "docs/rules-of-thumb.md, Ball drag; Linearisation in docs/equations.md"};
+                   "docs/explanation/rules-of-thumb.md, Ball drag; Linearisation in docs/explanation/equations.md"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double own = rules::mean_drag(near->parameters);
@@ -194,7 +195,7 @@ RuleOfThumb drag(const Explanation& e) {
 RuleOfThumb settling(const Explanation& e) {
   RuleOfThumb rule{"settling", "settling near balance",
                    "slower decay of s q'' + beta q' + k_b q = 0 and (1 + N) r'' + zeta r' + kappa r = 0",
-                   "docs/rules-of-thumb.md, Settling; Linearisation in docs/equations.md"};
+                   "docs/explanation/rules-of-thumb.md, Settling; Linearisation in docs/explanation/equations.md"};
   const auto near = near_balance(e, rule.words);
   if (!near) return rule;
   const double stiffness = rules::ball_stiffness(near->parameters, near->speed, near->angles.data());
@@ -232,7 +233,7 @@ RuleOfThumb torque(const Explanation& e) {
   const model::Parameters& p = e.study.parameters;
   RuleOfThumb rule{"torque", "motor torque",
                    "tau(omega) >= (lambda + N)^2 omega^3/zeta, half of it where x and y differ",
-                   "docs/rules-of-thumb.md, Torque; [Som], [Kon]"};
+                   "docs/explanation/rules-of-thumb.md, Torque; [Som], [Kon]"};
   const double critical = highest(e.critical_with_balls), first = lowest(e.critical_with_balls);
   const auto need = [&](double unbalance) {
     return std::max(rules::shaking_torque(p, unbalance, first), rules::shaking_torque(p, unbalance, critical));

@@ -1,4 +1,4 @@
-// The formulas of docs/rules-of-thumb.md.
+// The formulas of docs/explanation/rules-of-thumb.md.
 #include "equipoise/explain/rules_of_thumb.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Rules of thumb for rotors with ball balancers, each a formula: docs/rules-of-thumb.md derives them and says how often
-// each is right.
+// Rules of thumb for rotors with ball balancers, each a formula: docs/explanation/rules-of-thumb.md derives them and
+// says how often each is right.
 #pragma once
 
 #include <optional>

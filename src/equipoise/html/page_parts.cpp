@@ -55,7 +55,7 @@ std::string figures_words(const RuleOfThumb& rule, const Study& study) {
 DocumentTable advice_table(const Explanation& e) {
   DocumentTable table{{"rule of thumb", "an estimate by a formula", "figures"},
                       {},
-                      "docs/rules-of-thumb.md derives these formulas and says how often each is right.",
+                      "docs/explanation/rules-of-thumb.md derives these formulas and says how often each is right.",
                       false,
                       {2}};
   for (const RuleOfThumb& rule : e.advice)
@@ -166,7 +166,8 @@ std::string model_words(const Study& study, const RunWords& run) {
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
     text = fmt::format(" Speed law: {}.", name_of(study.speed.law));
   text += fmt::format(
-      " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/equations.md. equipoise {}, {}",
+      " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/explanation/equations.md. equipoise "
+      "{}, {}",
       version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)

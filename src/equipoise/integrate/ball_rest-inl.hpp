@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 // A row of touching balls at rest, added from behind. A ball's own friction and its neighbours, which push but cannot
 // pull, take up the force on it. The row splits into groups that stay or go as one: a group that would run into the one
 // ahead is pooled with it. The accelerations then grow along the row and are the closest to those that force less
-// friction would give each ball (docs/equations.md, "Contact and friction together").
+// friction would give each ball (docs/explanation/equations.md, "Contact and friction together").
 template <int room>
 class RestingRow {
  public:

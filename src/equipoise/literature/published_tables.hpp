@@ -45,7 +45,7 @@ const std::vector<PublishedTable>& published_tables();
 /// The study of a row: the file in studies/paper, with its ramp under `law`.
 Study study_of(const PublishedRow& row, model::SpeedLaw law);
 
-/// A reading of table 7 that was fitted to its printed shares; docs/table-7.md describes the search.
+/// A reading of table 7 that was fitted to its printed shares; docs/evidence/table-7.md describes the search.
 struct Table7Candidate {
   std::string protocol;             ///< laws of rise and fall, release
   std::string test;                 ///< when a start counted as balanced

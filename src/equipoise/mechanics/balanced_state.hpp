@@ -39,7 +39,7 @@ bool project_to_balanced(const Parameters& p, double* phi);
 
 // The same for any system, ignoring gravity and averaging unequal supports. With an off-centre race, balls at rest
 // bring the race's centre to the axis of rotation. The shaft then circles at the race's offset, and the supports'
-// dampers dissipate (docs/equations.md, "An off-centre race").
+// dampers dissipate (docs/explanation/equations.md, "An off-centre race").
 
 /// The rotor with a centred race whose balls balance at the same angles less `turn`.
 struct CentredTwin {

@@ -47,7 +47,7 @@ struct Capability {
   Needs needs;
 };
 
-/// One row per result, in the order of ResultKind. docs/guide/command-line.md shows it.
+/// One row per result, in the order of ResultKind. docs/reference/commands/index.md shows it.
 inline constexpr std::array<Capability, 8> capabilities{{
     {ResultKind::trajectory, "trajectories", "simulate", {}},
     {ResultKind::shares, "shares", "basin", {Need::turning}},

@@ -1,5 +1,5 @@
 // Mechanical energy, the powers that change it, and the force on the supports.
-// Units: energy M R^2 omega_c^2, power M R^2 omega_c^3, force M R omega_c^2. docs/equations.md, "Energy".
+// Units: energy M R^2 omega_c^2, power M R^2 omega_c^3, force M R omega_c^2. docs/explanation/equations.md, "Energy".
 #pragma once
 
 #include "equipoise/drives/full_state.hpp"

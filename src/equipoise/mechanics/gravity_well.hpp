@@ -1,4 +1,5 @@
-// The well in which gravity holds a driven rotor that its motor cannot lift. docs/equations.md, "A stalled rotor".
+// The well in which gravity holds a driven rotor that its motor cannot lift. docs/explanation/equations.md, "A stalled
+// rotor".
 #pragma once
 
 #include <complex>

@@ -1,5 +1,5 @@
-// Mechanical energy, and the powers of dampers and drag, for every number type (docs/equations.md, "Energy").
-// Included once per CPU target.
+// Mechanical energy, and the powers of dampers and drag, for every number type (docs/explanation/equations.md,
+// "Energy"). Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_ENERGY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_ENERGY_INL
 #undef EQUIPOISE_MODEL_ENERGY_INL

@@ -17,8 +17,8 @@ namespace equipoise {
 namespace HWY_NAMESPACE {
 
 // A ball that rolls resists accelerations as two masses do: 2/7 of it fixed to the race's surface, where they touch,
-// and 5/7 that slides (docs/equations.md, "Balls that roll"). The race's centre feels the centrifugal force of the
-// whole.
+// and 5/7 that slides (docs/explanation/equations.md, "Balls that roll"). The race's centre feels the centrifugal force
+// of the whole.
 template <class T, int room, Terms terms>
 class BalancerConstants {
  public:

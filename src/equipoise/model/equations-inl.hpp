@@ -1,7 +1,7 @@
 // The equations of motion, once, for every number type: n balls, prescribed or driven rotor, rotating frame.
 //
-// Rows are those of docs/equations.md ("Equations of motion"), which derives them and lists the misprints of
-// Wright and Peng (2019) that they correct. State: model/parameters.hpp. Included once per CPU target.
+// Rows are those of docs/explanation/equations.md ("Equations of motion"), which derives them and lists the misprints
+// of Wright and Peng (2019) that they correct. State: model/parameters.hpp. Included once per CPU target.
 #if defined(EQUIPOISE_MODEL_EQUATIONS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef EQUIPOISE_MODEL_EQUATIONS_INL
 #undef EQUIPOISE_MODEL_EQUATIONS_INL

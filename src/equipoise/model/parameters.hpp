@@ -16,8 +16,8 @@ struct Ratio {
 /// Moment of inertia of a solid sphere about its centre, over its mass and the square of its radius.
 inline constexpr Ratio sphere_inertia{2.0, 5.0};
 
-/// Rotor, supports and balls; constant in time. Symbols as in Wright and Peng (2019) and docs/equations.md. Ranges are
-/// checked when a study is read.
+/// Rotor, supports and balls; constant in time. Symbols as in Wright and Peng (2019) and docs/explanation/equations.md.
+/// Ranges are checked when a study is read.
 struct Parameters {
   int balls = 2;                              ///< n, 1 to max_balls
   double eccentricity = 0.01;                 ///< lambda = eps/R, >= 0
@@ -27,7 +27,7 @@ struct Parameters {
   std::array<double, max_balls> mass{};       ///< mu_i = m_i/M, > 0
   std::array<double, max_balls> drag{};       ///< beta_i = D_i/(m_i R^2 omega_c), >= 0
 
-  // Beyond the paper, each off at its default; docs/equations.md says where each comes from.
+  // Beyond the paper, each off at its default; docs/explanation/equations.md says where each comes from.
   double inertia = 0.0;                         ///< iota = I_C/(M R^2) about the centre of mass; driven rotor only
   std::array<double, 2> race_offset{0.0, 0.0};  ///< e/R: centre of the race from the shaft's, in the rotating frame
   std::array<double, max_balls> rolling{};      ///< resistance of a moving ball over its normal force, >= 0

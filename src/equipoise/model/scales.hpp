@@ -1,4 +1,5 @@
-// The physical units of a machine: one dimensionless unit of each quantity in SI (docs/equations.md, "Units").
+// The physical units of a machine: one dimensionless unit of each quantity in SI (docs/explanation/equations.md,
+// "Units").
 #pragma once
 
 #include <cmath>

@@ -41,7 +41,7 @@ LevelProof<kind>::LevelProof(const Certificate& c)
 }
 
 // Where a motor gives what the supports' dampers take of a shaft that whirls at the race's offset e, and where the
-// other components then rest: x + i y = -e, u + i v = -i psi' e (docs/equations.md, "An off-centre race").
+// other components then rest: x + i y = -e, u + i v = -i psi' e (docs/explanation/equations.md, "An off-centre race").
 template <ProofKind kind>
 bool LevelProof<kind>::enclose_speed(const Certificate& c) {
   if constexpr (kind.body) {

@@ -1,4 +1,4 @@
-// One level set and the inequalities that prove, box by box, that V decreases on it (docs/proof.md).
+// One level set and the inequalities that prove, box by box, that V decreases on it (docs/explanation/proof.md).
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@ namespace equipoise {
 /// A table for the terminal.
 std::string attractors_text(const AttractorsResult& result, const TextStyle& style = wide_style);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/attractors.md lists the keys.
 std::string attractors_json(const AttractorsResult& result);
 
 }  // namespace equipoise

@@ -18,7 +18,7 @@ std::string basin_text(const BasinResult& result, const TextStyle& style = wide_
 std::string bare_words(const BasinResult& result);
 
 /// `tried`: changes for the verdict to tell of. One JSON object; shares are fractions of one.
-/// docs/guide/command-line.md lists the keys.
+/// docs/reference/commands/basin.md lists the keys.
 std::string basin_json(const BasinResult& result, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

@@ -11,7 +11,7 @@ namespace equipoise {
 /// Tables of branches and events for the terminal.
 std::string branches_text(const BranchesResult& result, const TextStyle& style = wide_style);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/attractors.md lists the keys.
 std::string branches_json(const BranchesResult& result);
 
 /// One line per value and branch, after comment lines with the study and the version.

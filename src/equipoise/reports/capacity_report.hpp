@@ -11,7 +11,7 @@ namespace equipoise {
 /// A line a cell for the terminal.
 std::string capacity_text(const CapacityResult& result, const TextStyle& style = wide_style);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/sweep.md lists the keys.
 std::string capacity_json(const CapacityResult& result);
 
 /// One line per cell, after the study as comments.

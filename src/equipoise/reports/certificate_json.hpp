@@ -10,7 +10,7 @@
 
 namespace equipoise {
 
-/// One JSON object, readable by certificates_from_json(); docs/guide/command-line.md lists its keys.
+/// One JSON object, readable by certificates_from_json(); docs/reference/commands/certify.md lists its keys.
 std::string certificates_json(const std::vector<Certificate>& certificates,
                               const std::vector<MemberCertificate>& members = {});
 

@@ -10,7 +10,7 @@ namespace equipoise {
 /// For the terminal.
 std::string certify_text(const CertifyResult& result);
 
-/// One JSON object without the boxes; docs/guide/command-line.md lists the keys.
+/// One JSON object without the boxes; docs/reference/commands/certify.md lists the keys.
 std::string certify_json(const CertifyResult& result);
 std::string check_text(const CertificateFile& file);
 std::string check_json(const CertificateFile& file);

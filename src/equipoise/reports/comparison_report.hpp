@@ -14,7 +14,7 @@ std::string comparison_text(const ComparisonResult& result, const TextStyle& sty
 /// The difference in balanced starts, in one sentence.
 std::string verdict(const ComparisonResult& result);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/compare.md lists the keys.
 std::string comparison_json(const ComparisonResult& result);
 
 }  // namespace equipoise

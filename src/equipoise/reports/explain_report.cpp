@@ -241,7 +241,8 @@ class Text {
   void rules() {
     if (e_.advice.empty()) return;
     text_ +=
-        "\nRules of thumb: estimates by formulas; docs/rules-of-thumb.md derives them and says how often each is "
+        "\nRules of thumb: estimates by formulas; docs/explanation/rules-of-thumb.md derives them and says how often "
+        "each is "
         "right\n";
     for (const RuleOfThumb& rule : e_.advice) {
       const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";

@@ -8,7 +8,7 @@
 namespace equipoise {
 
 std::string inspection_text(const Inspection& inspection);
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/inspect.md lists the keys.
 std::string inspection_json(const Inspection& inspection);
 
 }  // namespace equipoise

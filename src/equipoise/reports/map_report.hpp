@@ -11,7 +11,7 @@ namespace equipoise {
 /// Shares and figures for the terminal.
 std::string map_text(const BasinSlice& map, const TextStyle& style = wide_style);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/map.md lists the keys.
 std::string map_json(const BasinSlice& map);
 
 }  // namespace equipoise

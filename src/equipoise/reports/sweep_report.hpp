@@ -11,7 +11,7 @@ namespace equipoise {
 /// The cells with the largest and the smallest share, then one line per cell, for the terminal.
 std::string sweep_text(const SweepResult& result, const TextStyle& style = wide_style);
 
-/// One JSON object. docs/guide/command-line.md lists the keys.
+/// One JSON object. docs/reference/commands/sweep.md lists the keys.
 std::string sweep_json(const SweepResult& result);
 
 /// One line per cell and outcome, after the study as comments.

@@ -131,7 +131,8 @@ std::string table_text(const ReproducedTable& t) {
 std::string lead_text(const Reproduction& r) {
   if (r.table_7_lead.empty()) return "";
   std::string text =
-      "Table 7, the best lead (docs/table-7.md; fitted to the printed shares, not claimed): kinematic law, balls "
+      "Table 7, the best lead (docs/evidence/table-7.md; fitted to the printed shares, not claimed): kinematic law, "
+      "balls "
       "released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
   for (const LeadRow& row : r.table_7_lead)
     text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),

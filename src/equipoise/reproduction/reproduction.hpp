@@ -45,7 +45,7 @@ struct Reproduction {
 
 /// Tables for the terminal.
 std::string reproduction_text(const Reproduction& r);
-/// One JSON object; docs/guide/command-line.md lists the keys.
+/// One JSON object; docs/reference/commands/reproduce.md lists the keys.
 std::string reproduction_json(const Reproduction& r);
 
 }  // namespace equipoise

@@ -109,12 +109,12 @@ void laws(const Reproduction& r, Document& d) {
 // The section on table 7: what a fit gives, and how little that proves.
 void table_7_evidence(const Reproduction& r, Document& d) {
   d.blocks.push_back(Heading{3, "Table 7: the best lead, and why it is none", "table-7-evidence"});
-  d.blocks.push_back(
-      Paragraph{"The printed shares look like those of starts observed for too short a time. So 96 protocols (laws of "
-                "rise and fall, times of release) and 30 departures from the paper's numbers were tried, each with a "
-                "test at a finite time whose time and tolerance were fitted to the four shares. Many fit; none with "
-                "the time and the law that the other tables need. docs/table-7.md has the search, the test of the "
-                "lead on tables 1 to 6, and the commands."});
+  d.blocks.push_back(Paragraph{
+      "The printed shares look like those of starts observed for too short a time. So 96 protocols (laws of "
+      "rise and fall, times of release) and 30 departures from the paper's numbers were tried, each with a "
+      "test at a finite time whose time and tolerance were fitted to the four shares. Many fit; none with "
+      "the time and the law that the other tables need. docs/evidence/table-7.md has the search, the test of the "
+      "lead on tables 1 to 6, and the commands."});
   if (!r.table_7_lead.empty()) {
     DocumentTable table{{"T0, T1, T2", "printed", "best lead", "95 % interval"}, {}, "", false, {}};
     for (const LeadRow& row : r.table_7_lead)

@@ -1,4 +1,5 @@
-// Table 7 of Wright and Peng (2019), the trapezoid, and the best lead on how it was computed (docs/table-7.md).
+// Table 7 of Wright and Peng (2019), the trapezoid, and the best lead on how it was computed
+// (docs/evidence/table-7.md).
 #pragma once
 
 #include <array>

@@ -64,12 +64,12 @@ struct BareVibration {
   std::array<double, 2> displacement{}, force{};  ///< in R and M R omega_c^2
 };
 
-/// A formula of docs/rules-of-thumb.md, applied to the study: an estimate, not a result.
+/// A formula of docs/explanation/rules-of-thumb.md, applied to the study: an estimate, not a result.
 struct RuleOfThumb {
-  std::string id, name;                         ///< "ball_mass", "ball mass"
-  std::string formula, source;                  ///< in the symbols of docs/equations.md; where it comes from
-  std::optional<bool> kept = {};                ///< empty: it requires nothing, or this cannot be decided
-  std::string words = {};                       ///< what follows; without figures, why it does not apply to this study
+  std::string id, name;           ///< "ball_mass", "ball mass"
+  std::string formula, source;    ///< in the symbols of docs/explanation/equations.md; where it comes from
+  std::optional<bool> kept = {};  ///< empty: it requires nothing, or this cannot be decided
+  std::string words = {};         ///< what follows; without figures, why it does not apply to this study
   std::vector<ExplainedQuantity> figures = {};  ///< by the rule, and by linear theory where that is more accurate
 };
 

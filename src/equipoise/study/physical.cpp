@@ -1,4 +1,4 @@
-// From a machine in physical units to the dimensionless study (docs/equations.md, "Units").
+// From a machine in physical units to the dimensionless study (docs/explanation/equations.md, "Units").
 #include "equipoise/study/physical.hpp"
 
 #include <complex>

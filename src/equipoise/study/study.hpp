@@ -1,4 +1,4 @@
-// A study as plain data with visible defaults. docs/guide/study-file.md is its reference.
+// A study as plain data with visible defaults. docs/reference/study-file.md is its reference.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ struct MotionState : InitialState {
 };
 
 /// dy/dt = f(t, y) for a whole study: spin-up, balls held and let go, motor or prescribed speed. Time in 1/omega_c,
-/// everything else as in docs/equations.md and model/parameters.hpp.
+/// everything else as in docs/explanation/equations.md and model/parameters.hpp.
 ///
 /// State y: the `dimension()` numbers that variables() names (model/state_layout.hpp). It includes psi and psi_dot if a
 /// motor drives the rotor, and speed_error_integral if the motor's control has one.

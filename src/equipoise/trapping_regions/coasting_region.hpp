@@ -1,5 +1,5 @@
 // Rotors that no torque drives any more: whether they have come to balance at their remaining speed, or have lost too
-// much of it. See docs/numerics.md, "Rotors that coast".
+// much of it. See docs/explanation/numerics.md, "Rotors that coast".
 #pragma once
 
 #include <optional>

@@ -26,7 +26,7 @@ constexpr bool never_repeats(MotionKind kind) {
   return kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic;
 }
 
-/// What turns the rotor along a motion under a motor, and what that takes. Units as in docs/equations.md.
+/// What turns the rotor along a motion under a motor, and what that takes. Units as in docs/explanation/equations.md.
 struct MotorLoad {
   model::DrivePiece drive;                  ///< the motor
   double speed_min = 0.0, speed_max = 0.0;  ///< extremes of psi'
@@ -88,11 +88,11 @@ struct Motion {
   std::int64_t copies = 1;
 };
 
-/// What a motion is called. Names follow from topology alone (see docs/numerics.md); `id` is fixed for the motions of
-/// two balls that have names of their own (balanced 1, co-drifting 2, drifting apart 3, one captured 4, one captured
-/// with period 4 5, pair drift 6, locked 7) and 0 for all others. Under a motor the same names, and what becomes of the
-/// rotor behind them: "captured at resonance", "backwards"; a rotor that does not turn is "stalled", whatever the balls
-/// do (docs/motions.md).
+/// What a motion is called. Names follow from topology alone (see docs/explanation/numerics.md); `id` is fixed for the
+/// motions of two balls that have names of their own (balanced 1, co-drifting 2, drifting apart 3, one captured 4, one
+/// captured with period 4 5, pair drift 6, locked 7) and 0 for all others. Under a motor the same names, and what
+/// becomes of the rotor behind them: "captured at resonance", "backwards"; a rotor that does not turn is "stalled",
+/// whatever the balls do (docs/explanation/motions.md).
 struct MotionName {
   std::string name, alias;  ///< alias: V1 to V4 of Wright and Peng (2019), two balls only, else empty
   int id = 0;
