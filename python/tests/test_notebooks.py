@@ -26,7 +26,7 @@ CHECKS = {
     ],
     "2-which-attractors-and-why": [
         "sorted(motions) == ['V1', 'V2', 'V3', 'V4']",
-        "abs(motions['V1'].period - 3.9785) < 1e-4",  # docs/explanation/motions.md; refined to 1e-10, printed to 1e-4
+        "abs(motions['V1'].period - 3.9785) < 1e-4",  # docs/evidence/motions-found.csv; refined to 1e-10, printed to 1e-4
         "abs(motions['V4'].period - 16.2484) < 1e-4",
         "motions['V2'].kind == 'quasi-periodic'",
         "balanced.spectrum.real.max() < 0.0",

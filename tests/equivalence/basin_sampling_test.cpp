@@ -99,7 +99,7 @@ TEST_P(EvenSampling, InterruptedRunsResumeToTheSameResult) {
     EXPECT_THROW(basin(longer, options), InputError);  // a larger grid has other cells
 }
 
-// Reference: 60.495 +- 0.005 % balanced, 3.908 +- 0.003 % V1 (docs/explanation/numerics.md). Five claimed standard
+// Reference: 60.495 +- 0.005 % balanced, 3.908 +- 0.003 % V1 (docs/explanation/sampling.md). Five claimed standard
 // errors, which are themselves known to 18 %.
 TEST_P(EvenSampling, FindsTheKnownShares) {
   const BasinResult r = basin(row(GetParam(), 16384));

@@ -296,7 +296,7 @@ TEST(BasinSlice, MarksWhereBalanceExistsAndIsStable) {
     }
   BasinSliceSettings one = angle_plane(1, 1);
   one.x = {"rotor.eccentricity", 0.005, 0.015, 1};  // one pixel at 0.01
-  // Published eigenvalues of the balanced state, here to the digits that docs/explanation/numerics.md gives.
+  // The slowest eigenvalue of the balanced state.
   EXPECT_NEAR(basin_slice(rotor(), one).balance_growth[0], -0.02406, 1e-5);
 }
 

@@ -93,7 +93,7 @@ std::vector<TransientRow> gathered(const Study& study, const TransientSettings& 
 }
 
 // What is missed within a step is below 1e-4 of a peak, 1e-5 of a mean, and 0.2 % of the unbalance, which is known only
-// at the ends of steps. A limit's crossing is accurate to 0.02 time units (docs/explanation/numerics.md). Trajectories
+// at the ends of steps. A limit's crossing is accurate to 0.02 time units (docs/evidence/measurements.md). Trajectories
 // of tolerance 1e-6 differ from those of 1e-12 by less than that.
 void expect_same_figures(const TransientRow& seen, const TransientRow& expected, const std::string& what) {
   for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_after_release,

@@ -182,8 +182,8 @@ TEST(MemberCertificate, OfAStudyIsWrittenAndReadBack) {
   const CertifyResult result = certify(parse_study(text, "study"));
   EXPECT_TRUE(result.proved());
   EXPECT_EQ(result.attracting() + result.unstable(), 64);
-  // About half of this continuum attracts (docs/explanation/numerics.md: 50 % of 1024 members); 64 members show that to
-  // 6 %.
+  // About half of this continuum attracts (docs/explanation/classification.md: 50 % of 1024 members); 64 members show
+  // that to 6 %.
   EXPECT_NEAR(result.attracting(), 32, 13);
   EXPECT_NE(certify_text(result).find("nothing is proved of members that were not drawn"), std::string::npos);
   std::vector<MemberCertificate> members;

@@ -88,7 +88,7 @@ struct Motion {
   std::int64_t copies = 1;
 };
 
-/// What a motion is called. Names follow from topology alone (see docs/explanation/numerics.md); `id` is fixed for the
+/// What a motion is called. Names follow from topology alone (see docs/explanation/motions.md); `id` is fixed for the
 /// motions of two balls that have names of their own (balanced 1, co-drifting 2, drifting apart 3, one captured 4, one
 /// captured with period 4 5, pair drift 6, locked 7) and 0 for all others. Under a motor the same names, and what
 /// becomes of the rotor behind them: "captured at resonance", "backwards"; a rotor that does not turn is "stalled",
