@@ -42,7 +42,7 @@ CEILINGS = {
     "docs/reference/commands/new-check-explain.md": 33.9,
     "docs/reference/commands/report.md": 23.9,
     "docs/reference/commands/reproduce.md": 28.0,
-    "docs/reference/commands/simulate.md": 26.2,
+    "docs/reference/commands/simulate.md": 26.3,
     "docs/reference/commands/sweep.md": 28.7,
     "docs/reference/files-of-results.md": 31.5,
     "docs/reference/sentences.md": 22.8,

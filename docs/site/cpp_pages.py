@@ -56,6 +56,9 @@ def by_file(xml):
     found = {}
     for path in xml.glob("namespace*.xml"):
         for member in ElementTree.parse(path).iter("memberdef"):
+            value = member.find("initializer")
+            if value is not None and len("".join(value.itertext())) > 60:  # a table, which is no part of the interface
+                member.remove(value)
             found.setdefault(member.find("location").get("file"), []).append(member)
     for path in xml.glob("*_8hpp.xml"):
         tree = ElementTree.parse(path)

@@ -84,7 +84,7 @@ def netcdf_page(folder):
     for name, title in {"basin": "basin -o", "map": "map -o", "sweep": "sweep -o", "capacity": "capacity -o",
                         "along": "attractors --along -o", "simulate": "simulate -o"}.items():
         with xarray.open_dataset(folder / f"{name}.nc", decode_times=False) as data:
-            text += f"\n## {title}\n\n| variable | dimensions | type | meaning |\n|---|---|---|---|\n"
+            text += f"\n## {title}\n\n| variable | meaning | dimensions | type |\n|---|---|---|---|\n"
             for key, one in data.variables.items():
                 meaning = one.attrs.get("long_name", "")
                 unit = one.attrs.get("units", "1")
@@ -94,7 +94,7 @@ def netcdf_page(folder):
                     values = one.attrs["flag_values"]
                     meaning += ": " + ", ".join(f"{v} {w}" for v, w in zip(values, one.attrs["flag_meanings"].split()))
                 meaning = meaning.replace("|", "\\|")
-                text += f"| `{key}` | {', '.join(map(str, one.dims))} | {one.dtype if one.dtype != object else 'text'} | {meaning} |\n"
+                text += f"| `{key}` | {meaning} | {', '.join(map(str, one.dims))} | {one.dtype if one.dtype != object else 'text'} |\n"
             text += "\nAttributes of the file: " + ", ".join(f"`{key}`" for key in data.attrs) + ".\n"
     return text
 

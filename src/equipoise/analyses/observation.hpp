@@ -13,8 +13,8 @@ namespace equipoise {
 
 struct ObservationSettings : RunOptions {
   std::uint64_t first = 0;      ///< index of the first start
-  std::uint64_t starts = 4096;  ///< > 0
-  double window = 10.0;         ///< > 0
+  std::uint64_t starts = 4096;  ///< above 0
+  double window = 10.0;         ///< above 0
   double until = 1000.0;        ///< study time; the last whole window that fits is the last recorded
 };
 

@@ -26,9 +26,9 @@ struct WarmStartLevels;
 /// Progress counts stages of the attractor search (Progress::preparing), then decided starts, in order. The total is 0
 /// while sampling until a half-width is reached.
 struct BasinOptions : RunOptions {
-  double half_width = 0.0;  ///< > 0: sample until every outcome's interval is this narrow: up to study.sampling.starts
-                            ///< if limit_given, else 10^9. A study without sampling.method gets the cheaper of random
-                            ///< and Sobol starts
+  double half_width = 0.0;  ///< where above 0: sample until every outcome's interval is this narrow: up to
+                            ///< study.sampling.starts if limit_given, else 10^9. A study without sampling.method gets
+                            ///< the cheaper of random and Sobol starts
   bool limit_given = false;
   std::string output;  ///< NetCDF file for per-start results; empty: none. An unfinished file of the same study is
                        ///< resumed, a finished one extended or simply read

@@ -167,7 +167,7 @@ namespace {
 std::string required_text(const DesignResult& r, const TextStyle& style) {
   std::string text;
   for (const DesignLimit& limit : r.limits)
-    text += fmt::format("{}{} {}", text.empty() ? "Must be: " : "; ", figure_words(r.figures[limit.figure]),
+    text += fmt::format("{}{} {}", text.empty() ? "Must be: " : "; ", figure_words(r.figures[limit.figure], true),
                         limit_text(r.figures[limit.figure], limit));
   return text.empty() ? "" : filled("", text + ".", style);
 }
