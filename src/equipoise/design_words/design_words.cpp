@@ -208,8 +208,8 @@ std::string design_answer(const DesignResult& r) {
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
     if (surely_keeps(limit, e)) continue;
-    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : ", ",
-                          figure_words(r.figures[limit.figure]), limit_text(r.figures[limit.figure], limit),
+    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : "; ",
+                          figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit),
                           keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
                           estimate_with_interval(r.figures[limit.figure], e));
   }
