@@ -36,9 +36,9 @@ add_test(NAME web.page_is_built
     -P ${CMAKE_CURRENT_SOURCE_DIR}/web/build_page.cmake)
 set_tests_properties(web.page_is_built PROPERTIES LABELS web TIMEOUT ${longest_test} FIXTURES_REQUIRED web_engine
   FIXTURES_SETUP web_page SKIP_REGULAR_EXPRESSION "skipped: the page's packages could not be fetched")
-foreach(part answer study life)
+foreach(part answer decision study life)
   add_test(NAME web.page_${part}
     COMMAND ${EQUIPOISE_NODE} --test --test-concurrency=1 ${PROJECT_SOURCE_DIR}/web/tests/${part}.test.mjs)
   set_tests_properties(web.page_${part} PROPERTIES LABELS web TIMEOUT ${longest_test} FIXTURES_REQUIRED web_page
-    ENVIRONMENT CHROMIUM=${EQUIPOISE_CHROMIUM})
+    ENVIRONMENT "CHROMIUM=${EQUIPOISE_CHROMIUM};EQUIPOISE_PROGRAM=$<TARGET_FILE:equipoise_program>")
 endforeach()

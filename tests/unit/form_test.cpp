@@ -71,6 +71,29 @@ TEST(Form, HasAFieldForEveryKeyOfAPlace) {
   EXPECT_EQ(find(form_of(machine + place, "machine"), "rotor.eccentricity")->value, "0.2");
 }
 
+TEST(Form, NamesTheTableWithinATable) {
+  const std::string oiled = with(machine, "drag = ", "# drag = ");
+  const std::vector<FormField> form = form_of(
+      with(oiled, "[balancer]\n", "[balancer]\noil = { grade = \"ISO VG 32\", at = \"40 degC\" }\n"), "machine");
+  ASSERT_TRUE(find(form, "balancer.oil.at"));
+  EXPECT_EQ(find(form, "balancer.oil.at")->label, "oil at");
+}
+
+TEST(Form, OffersWhatMayBeStatedBesides) {
+  const std::string judged = std::string(machine) + "[standards]\nhand_held = true\n";
+  const std::vector<FormField> form = form_of(judged, "machine");
+  ASSERT_TRUE(find(form, "standards.hand_held"));
+  const std::vector<OfferedKey> offered = offered_keys(parse_study(judged, "machine"), form);
+  const auto offers = [&](const std::string& key) {
+    return std::count_if(offered.begin(), offered.end(), [&](const OfferedKey& o) { return o.key == key; });
+  };
+  for (const char* key : {"limits.velocity", "limits.clearance", "standards.severity_class", "release.speed"})
+    EXPECT_EQ(offers(key), 1) << key;
+  for (const char* key : {"standards.hand_held", "rotor.mass", "speed.peak", "balancer.oil.at"})
+    EXPECT_EQ(offers(key), 0) << key;
+  for (const OfferedKey& o : offered) EXPECT_FALSE(o.sentence.empty()) << o.key;
+}
+
 // A study's echo omits angles that nobody chose; the form offers those in effect.
 TEST(Form, OffersTheAnglesWhereBallsStart) {
   const std::vector<FormField> form = form_of(constant_speed, "rotor");

@@ -87,6 +87,13 @@ Json fields_json(const std::vector<FormField>& fields) {
   return json;
 }
 
+Json offers_json(const Study& study, const std::vector<FormField>& fields) {
+  Json json = Json::array();
+  for (const OfferedKey& o : offered_keys(study, fields))
+    json.push_back({{"key", o.key}, {"label", o.label}, {"sentence", o.sentence}});
+  return json;
+}
+
 std::string command_of(const std::vector<std::string>& overrides) {
   std::string command = "equipoise basin study.toml";
   for (const std::string& text : overrides) {
@@ -128,15 +135,18 @@ Json check_study(const Json& args) {
   const Study study = with_medians(uncertain);
   const Explanation e = explain(study, parse_ball_details(text, study_name, overrides));
   const Json problem = undecidable(uncertain);
+  const std::vector<FormField> fields = form_of(text, study_name, overrides);
   return {{"toml", with_overrides(text, study_name, overrides)},
           {"study", study_json(uncertain)},
           {"physical", study.scales.has_value()},
           {"scales", scales_json(study.scales)},
           {"machine", machine_json(study, e)},
-          {"fields", fields_json(form_of(text, study_name, overrides))},
+          {"fields", fields_json(fields)},
+          {"offers", offers_json(uncertain, fields)},
           {"explain", explain_text(e)},
           {"warnings", e.warnings},
           {"command", command_of(overrides)},
+          {"uncertain", !uncertain.uncertain.empty()},
           {"decidable", problem.is_null()},
           {"problem", problem},
           {"starts", uncertain.sampling.starts},

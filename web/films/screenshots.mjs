@@ -12,6 +12,7 @@ const SHOTS = [
   { name: "desktop", viewport: { width: 1440, height: 900 } },
   { name: "tablet", viewport: { width: 1024, height: 768 }, colorScheme: "dark" },
   { name: "phone", viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
+  { name: "verdict", viewport: { width: 1440, height: 900 }, hash: "study=grinder-230&start=0", starts: 1000, map: 8 },
   { name: "machine", viewport: { width: 1440, height: 900 }, hash: MACHINE, starts: 1000, map: 8 },
 ];
 

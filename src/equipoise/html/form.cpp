@@ -86,16 +86,17 @@ std::string plain(const StudyValue& value) {
   return value.real() ? fmt::format("{}", *value.real()) : "";
 }
 
-// Without the table, which a form shows above it.
+// Without the table, which a form shows above it; with the table within that: "oil grade".
 std::string label_of(const std::string& key) {
   const std::size_t dot = key.rfind('.');
   const study::KeyTable* table = study::find_keys(key.substr(0, dot));
   const study::Key* known = table ? table->find(key.substr(dot + 1), false) : nullptr;
   if (known && known->label) return known->label;
   const std::string words = key_words(key);
+  const std::size_t shown = key.starts_with("place.") ? dot : key.find('.');
   const bool generic =
-      words.size() == key.size() && words.compare(dot + 1, words.npos, key_words(key.substr(dot + 1))) == 0;
-  return generic ? words.substr(dot + 1) : words;
+      words.size() == key.size() && words.compare(shown + 1, words.npos, key_words(key.substr(shown + 1))) == 0;
+  return generic ? words.substr(shown + 1) : words;
 }
 
 // A value as TOML writes it.
@@ -169,7 +170,10 @@ class Form {
     f.key = key;
     f.label = label_of(key);
     f.given = given;
-    if (const auto refused = refusal(key, "\"?\""); refused && refused->key() == key) f.allowed = refused->allowed();
+    const std::size_t dot = key.rfind('.');
+    for (const auto& refused :
+         {refusal(key, "\"?\""), refusal(key.substr(0, dot), "{ " + key.substr(dot + 1) + " = \"?\" }")})
+      if (f.allowed.empty() && refused && refused->key() == key) f.allowed = refused->allowed();
     constexpr std::string_view one_of = "one of: ";
     if (f.allowed.starts_with(one_of)) {
       for (std::size_t at = one_of.size(); at < f.allowed.size();) {
@@ -233,6 +237,26 @@ const char* name_of(FormField::Kind kind) {
 std::vector<FormField> form_of(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides) {
   return Form(toml_text, name, overrides).fields();
+}
+
+std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormField>& fields) {
+  const auto shown = [&](const std::string& key) {
+    return std::any_of(fields.begin(), fields.end(),
+                       [&](const FormField& f) { return f.key == key || f.key.starts_with(key + "."); });
+  };
+  std::vector<OfferedKey> offered;
+  for (const char* name : told_tables) {
+    const study::KeyTable* table = study::find_keys(name);
+    if (!table || table->name == "place" || table->name == "units") continue;
+    const bool speed = table->name == "speed";
+    for (const study::Key& key :
+         table->of(speed ? study::variant_of(study.speed.profile) : study::all_variants, study.scales.has_value())) {
+      const std::string dotted = table->name + "." + key.name;
+      const bool twice = std::any_of(offered.begin(), offered.end(), [&](const auto& o) { return o.key == dotted; });
+      if (!twice && !shown(dotted)) offered.push_back({dotted, label_of(dotted), key.sentence});
+    }
+  }
+  return offered;
 }
 
 std::string with_overrides(const std::string& toml_text, const std::string& name,

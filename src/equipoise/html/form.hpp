@@ -30,6 +30,14 @@ const char* name_of(FormField::Kind kind);
 std::vector<FormField> form_of(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides = {});
 
+/// A key that a study of this kind, with this profile, may state besides; some only in place of another.
+struct OfferedKey {
+  std::string key, label;
+  std::string sentence;  ///< what it is, as the guide has it
+};
+/// Those that are not among `fields`, which are form_of() the study; keys of tables within tables left out.
+std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormField>& fields);
+
 /// The same text with the overrides in it.
 std::string with_overrides(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides);

@@ -10,8 +10,8 @@
 namespace equipoise {
 
 /// The tables that forms and pages show, in the order of the guide. [[place]] is an array of tables: "place 1", ...
-inline constexpr const char* told_tables[]{"rotor",   "place",  "balancer", "speed",    "release",
-                                           "initial", "limits", "sampling", "numerics", "units"};
+inline constexpr const char* told_tables[]{"rotor",  "place",     "balancer", "speed",    "release", "initial",
+                                           "limits", "standards", "sampling", "numerics", "units"};
 
 /// The tables of a study's text that parse_study() accepts, with overrides applied: in the order of the guide, with
 /// numbers and quantities as written.

@@ -88,6 +88,14 @@ export interface Scales {
   speed_rpm: number;
 }
 
+/** A key that may be stated besides. */
+export interface OfferedKey {
+  key: string;
+  label: string;
+  /** What it is. */
+  sentence: string;
+}
+
 export interface StudyCheck {
   /** The study with the overrides in it: what all other calls take. */
   toml: string;
@@ -97,11 +105,14 @@ export interface StudyCheck {
   scales: Scales | null;
   machine: Machine;
   fields: StudyField[];
+  offers: OfferedKey[];
   /** Text of `equipoise explain`. */
   explain: string;
   warnings: string[];
   /** What to type in a terminal for the same question. */
   command: string;
+  /** Every start draws a rotor of its own: balls cannot be put to where somebody wants them to start. */
+  uncertain: boolean;
   /** Whether starts can be decided (`problem` says why not), and drawn rotors with them (uncertain values). */
   decidable: boolean;
   problem: Problem | null;

@@ -222,7 +222,7 @@ export class Desk {
     if (!this.goesOn && run.done >= Math.min(FIRST_STARTS, run.wanted)) {
       this.goesOn = true;
       run.extend(Math.min(STARTS, check.starts));
-      if (check.machine.balls > 1) this.mapBegins(check);
+      if (check.machine.balls > 1 && !check.uncertain) this.mapBegins(check);
       if (!run.gathers) void this.watch(check, this.stopper.signal);
     }
     this.decision.value?.look();

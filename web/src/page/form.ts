@@ -1,7 +1,7 @@
 // Every key of the study as a field: number, slider, unit; what is wrong stands beside it in the program's own words.
-import type { Problem, StudyCheck, StudyField } from "../engine/protocol";
+import type { OfferedKey, Problem, StudyCheck, StudyField } from "../engine/protocol";
 import { h, settled } from "../base/dom";
-import { inUnit, numberOf, rounded, sliderRange, speedTable, valueText } from "../setting/values";
+import { inUnit, numberOf, offeredText, rounded, shownText, sliderRange, speedTable, valueText } from "../setting/values";
 import type { Desk } from "./desk";
 
 const GROUPS: Record<string, string> = {
@@ -10,12 +10,14 @@ const GROUPS: Record<string, string> = {
   speed: "Speed",
   release: "Release",
   limits: "Limits",
+  standards: "Standards",
   initial: "Initial state",
   sampling: "Starts",
   numerics: "Numerics",
   units: "Units",
 };
 const SIDE_GROUPS = new Set(["initial", "sampling", "numerics", "units"]); // seldom touched: folded away
+const MANY_PLACES = 2; // more are folded
 const QUIET = 140; // ms after the last movement of a slider
 
 interface Entry {
@@ -50,7 +52,10 @@ export class Form {
       this.baseSource = this.desk.source;
       this.base = new Map(check.fields.map((field) => [field.key, numberOf(field)]));
     }
-    const shape = JSON.stringify(check.fields.map(({ key, kind, units, given }) => [key, kind, units, given]));
+    const shape = JSON.stringify([
+      check.fields.map(({ key, kind, units, given }) => [key, kind, units, given]),
+      check.offers.map(({ key }) => key),
+    ]);
     if (shape !== this.shape) this.build(check);
     this.shape = shape;
     for (const field of check.fields) this.entries.get(field.key)?.show(field);
@@ -60,33 +65,80 @@ export class Form {
   private build(check: StudyCheck): void {
     this.entries.clear();
     const groups = new Map<string, StudyField[]>();
+    const tables = new Set(check.fields.map(({ key }) => key.split(".")[0]!));
     for (const field of check.fields) {
       const [table, entry] = field.key.split(".");
       const group = table === "place" ? `Place ${entry}` : table!; // [[place]] is a list of tables
       groups.set(group, [...(groups.get(group) ?? []), field]);
     }
+    for (const { key } of check.offers) {
+      const table = key.split(".")[0]!;
+      if (!tables.has(table) && !groups.has(table)) groups.set(table, []);
+    }
+    const offers = (group: string) => check.offers.filter(({ key }) => key.startsWith(`${group}.`));
+    const places = [...groups.keys()].filter((group) => group.startsWith("Place ")).length;
+
     const intro = h("p", { class: "quiet wholewidth" }, "Change anything; everything is computed again. ", this.reset);
     this.place.replaceChildren(intro, this.general);
-    for (const [group, fields] of groups) if (!SIDE_GROUPS.has(group)) this.place.append(this.fieldset(group, fields));
+    const order = Object.keys(GROUPS);
+    const rank = (group: string) => (order.includes(group) ? order.indexOf(group) : 0.5); // places after the rotor
+    for (const [group, fields] of [...groups].sort(([a], [b]) => rank(a) - rank(b)))
+      if (!SIDE_GROUPS.has(group))
+        this.place.append(
+          group.startsWith("Place ") && places > MANY_PLACES
+            ? this.folded(group, fields)
+            : this.fieldset(group, fields, false, offers(group)),
+        );
     const side = [...groups].filter(([group]) => SIDE_GROUPS.has(group));
     if (side.length === 0) return;
-    const inside = h("div", {}, ...side.map(([group, fields]) => this.fieldset(group, fields, true)));
+    const inside = h("div", {}, ...side.map(([group, fields]) => this.fieldset(group, fields, true, offers(group))));
     this.place.append(h("details", {}, h("summary", {}, "Initial state, starts, numerics"), inside));
   }
 
-  private fieldset(group: string, fields: readonly StudyField[], all = false): HTMLElement {
+  /** One of many places, told in a line. */
+  private folded(group: string, fields: readonly StudyField[]): HTMLElement {
+    const told = (key: string) => fields.find((field) => field.key.endsWith(`.${key}`));
+    const words = ["name", "mass", "angle"].map(told).map((field) => field && `${field.value} ${field.unit}`.trim());
+    const summary = h("summary", {}, `${group}: ${words.filter(Boolean).join(", ")}`);
+    return h("details", {}, summary, h("div", {}, ...fields.map((field) => this.entry(field))));
+  }
+
+  /** Keys that have no value yet: choose one, say what it shall be. */
+  private adder(offers: readonly OfferedKey[]): HTMLElement {
+    const option = ({ key, label }: OfferedKey) => h("option", { value: key }, label);
+    const menu = h("select", { "aria-label": "Key to be stated" }, h("option", { value: "" }, "state more…"), ...offers.map(option));
+    const input = h("input", { "aria-label": "Its value, with its unit", placeholder: "value", autocomplete: "off", hidden: true });
+    const told = h("p", { class: "quiet wide" });
+    menu.addEventListener("change", () => {
+      const sentence = offers.find(({ key }) => key === menu.value)?.sentence ?? "";
+      told.textContent = sentence.replaceAll("`", "");
+      input.hidden = menu.value === "";
+      if (menu.value) input.focus();
+    });
+    input.addEventListener("change", () => menu.value && input.value.trim() && this.set(menu.value, offeredText(input.value)));
+    return h("div", { class: "field adder" }, menu, input, told);
+  }
+
+  private fieldset(
+    group: string,
+    fields: readonly StudyField[],
+    all: boolean,
+    offers: readonly OfferedKey[],
+  ): HTMLElement {
     const made = fields.map((field) => ({ given: field.given || all, element: this.entry(field) }));
     const [given, others] = [made.filter((one) => one.given), made.filter((one) => !one.given)];
     const set = h("fieldset", {}, h("legend", {}, GROUPS[group] ?? group), ...given.map(({ element }) => element));
+    const adder = offers.length > 0 ? this.adder(offers) : null;
     if (others.length > 0)
       set.append(
         h(
           "details",
           {},
-          h("summary", {}, `more (${others.length})`),
-          h("div", {}, ...others.map(({ element }) => element)),
+          h("summary", {}, `more (${others.length + offers.length})`),
+          h("div", {}, ...others.map(({ element }) => element), adder),
         ),
       );
+    else if (adder) set.append(adder);
     return set;
   }
 
@@ -164,7 +216,7 @@ export class Form {
     });
     const show = (shown: StudyField) => {
       now = shown;
-      input.value = shown.value;
+      input.value = shownText(shown);
       input.removeAttribute("aria-invalid");
       if (units instanceof HTMLSelectElement) units.value = shown.unit;
       if (slider && document.activeElement !== slider) slider.value = String(range!.place(numberOf(shown)));

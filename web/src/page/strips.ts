@@ -117,16 +117,16 @@ export class Strips {
     const u = this.units!;
     const balls = Array.from({ length: this.record.balls }, (_, k) => BALL_COLOURS[k % BALL_COLOURS.length]!);
     const one = [styleColour("--chart")];
-    const captions = balls.map((colour, k) => {
-      const mark = h("span", {}, `ball ${k + 1}`);
+    const marked = (words: string, colour: string) => {
+      const mark = h("span", {}, words);
       mark.style.color = colour;
       return mark;
-    });
-    const bareMark = h("span", {}, "without balls");
+    };
+    const bare = styleColour("--heavy");
     const specs: [string, string[], [number, number] | null, HTMLElement[]][] = [
       [`speed (${u.speed.name})`, one, null, []],
-      [`whirl radius (${u.length.name})`, [...one, styleColour("--quiet")], null, [bareMark]],
-      ["angle from the heavy side (°)", balls, [0, 360], captions],
+      [`whirl radius (${u.length.name})`, [...one, bare], null, [marked("with balls", one[0]!), marked("without", bare)]],
+      ["angle from the heavy side (°)", balls, [0, 360], balls.map((colour, k) => marked(`ball ${k + 1}`, colour))],
     ];
     this.place.replaceChildren();
     this.plots = specs.map(([label, colours, range, marks], k) => {

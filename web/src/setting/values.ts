@@ -5,11 +5,24 @@ const quoted = (text: string): string => `"${text.replaceAll("\\", "").replaceAl
 
 /** What `--set key=` takes for what was entered into a field, in a unit. */
 export function valueText(field: StudyField, entered: string, unit: string): string {
+  if (/^\s*[{[]/.test(entered)) return entered.trim(); // a distribution, or a list as TOML has it
   const one = (text: string) => (unit ? quoted(`${text.trim()} ${unit}`) : text.trim());
   if (field.kind === "list" || (field.kind === "number" && entered.includes(",")))
     return `[${entered.split(",").map(one).join(", ")}]`;
   if (field.kind === "number") return one(entered);
   return field.kind === "choice" || field.kind === "text" ? quoted(entered) : entered.trim();
+}
+
+/** What --set takes for a key that has no field yet: numbers and what is TOML already as they are, the rest as text. */
+export function offeredText(entered: string): string {
+  const text = entered.trim();
+  return /^([{["]|true$|false$|[-+]?[\d.]+(e[-+]?\d+)?$)/i.test(text) ? text : quoted(text);
+}
+
+/** A default that was computed, to so many digits as a reader takes in. */
+export function shownText({ value, given }: StudyField): string {
+  const short = (text: string) => (/\.\d{6,}/.test(text) ? String(Number(Number(text).toPrecision(6))) : text.trim());
+  return given ? value : value.split(",").map(short).join(", ");
 }
 
 const DIGITS = 12; // more than anybody writes, fewer than a conversion's roundings show in

@@ -48,7 +48,7 @@ export class DecisionRun {
     try {
       this.bare = await this.runs(false, URGENCY.bare);
       this.renew();
-      this.held = await this.runs(true, URGENCY.figures);
+      this.held = await this.runs(true, URGENCY.held);
       this.renew();
     } catch (error) {
       if (!isAborted(error)) this.failed(error as Error);

@@ -9,5 +9,6 @@ export const URGENCY = {
   comparison: 4,
   bare: 2,
   figures: 3,
+  held: 4,
   changes: 4,
 } as const;
