@@ -77,6 +77,11 @@ TEST(Form, NamesTheTableWithinATable) {
       with(oiled, "[balancer]\n", "[balancer]\noil = { grade = \"ISO VG 32\", at = \"40 degC\" }\n"), "machine");
   ASSERT_TRUE(find(form, "balancer.oil.at"));
   EXPECT_EQ(find(form, "balancer.oil.at")->label, "oil at");
+  EXPECT_EQ(find(form, "balancer.oil.grade")->label, "oil grade");
+  const std::vector<FormField> graded = form_of(
+      with(machine, "eccentricity = \"0.2 mm\"\n", "balance_grade = { grade = \"G 16\", at = \"1500 rpm\" }\n"), "m");
+  ASSERT_TRUE(find(graded, "rotor.balance_grade.grade"));
+  EXPECT_EQ(find(graded, "rotor.balance_grade.grade")->label, "balance grade");
 }
 
 TEST(Form, OffersWhatMayBeStatedBesides) {

@@ -103,7 +103,7 @@ check("a limit that is stated in the form counts at once; so does what a place h
   await judgedOn(page, 60);
   const limits = page.locator("fieldset:has(legend:text-is('Limits'))");
   await limits.locator(".adder select").selectOption("limits.velocity");
-  assert.match(await limits.locator(".adder p").textContent(), /velocity/i);
+  assert.match(await limits.locator(".adder p").textContent(), /^root mean square, of the centre of the race$/);
   await limits.locator(".adder input").fill("0.001 mm/s");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => /keep every limit/.test(document.querySelector("#judgement dd")?.textContent ?? ""));

@@ -96,7 +96,9 @@ std::string label_of(const std::string& key) {
   const std::size_t shown = key.starts_with("place.") ? dot : key.find('.');
   const bool generic =
       words.size() == key.size() && words.compare(shown + 1, words.npos, key_words(key.substr(shown + 1))) == 0;
-  return generic ? words.substr(shown + 1) : words;
+  if (!generic) return words;
+  const std::string below = words.substr(shown + 1), last = " " + key.substr(dot + 1);  // "balance grade grade"
+  return below.ends_with(last + last) ? below.substr(0, below.size() - last.size()) : below;
 }
 
 // A value as TOML writes it.

@@ -111,7 +111,9 @@ export class Form {
     const told = h("p", { class: "quiet wide" });
     menu.addEventListener("change", () => {
       const sentence = offers.find(({ key }) => key === menu.value)?.sentence ?? "";
-      told.textContent = sentence.replaceAll("`", "");
+      // "..., in R": of a study without units.
+      const physical = this.desk.checked.value?.physical;
+      told.textContent = sentence.replaceAll("`", "").replace(physical ? /, in [^,;]*$/ : "", "");
       input.hidden = menu.value === "";
       if (menu.value) input.focus();
     });
