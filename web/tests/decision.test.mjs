@@ -112,12 +112,12 @@ check("a limit that is stated in the form counts at once; so does what a place h
   const other = await openPage(browser, { hash: hashOf("centrifuge-12", 10), ready: false });
   const place = other.locator("#form details:has(> summary:text('Place 1: tube 1'))");
   await place.locator("> summary").click();
-  const mass = place.locator('[data-key="place.1.mass"] .entry input');
-  assert.match(await mass.inputValue(), /uniform/);
-  await mass.fill('{ uniform = ["20 g", "29.9 g"] }');
+  const radius = place.locator('[data-key="place.1.radius"] .entry input');
+  assert.equal(await radius.inputValue(), "120");
+  await radius.fill("110");
   await other.keyboard.press("Enter");
-  await other.waitForFunction(() => /place\.1\.mass/.test(decodeURIComponent(location.hash)));
-  assert.equal(await place.locator('[data-key="place.1.mass"] .wrong').textContent(), "");
+  await other.waitForFunction(() => /place\.1\.radius/.test(decodeURIComponent(location.hash)));
+  assert.equal(await place.locator('[data-key="place.1.radius"] .wrong').textContent(), "");
   await closePage(other);
 });
 

@@ -22,7 +22,7 @@ export class DecisionView {
     const judgement = run?.judgement;
     this.figures.replaceChildren(...(judgement?.groups ?? []).map((group) => h("div", {}, ...blocksOf(group))));
     this.figures.closest("section")!.hidden = !judgement || judgement.groups.length === 0;
-    if (!run || !judgement?.verdict) return this.place.replaceChildren(h("p", { class: "quiet" }, this.waiting()));
+    if (!run || !judgement?.verdict || !this.desk.run) return this.place.replaceChildren(h("p", { class: "quiet" }, this.waiting()));
     const { verdict } = judgement;
     const line = (label: string, ...words: (Node | string)[]) => [h("dt", {}, label), h("dd", {}, ...words)];
     this.place.replaceChildren(

@@ -140,13 +140,13 @@ export class Desk {
     this.run?.stop();
     this.mapChanged.value?.stop();
     this.run = null;
+    this.decision.set(null); // first: it tells of the run
     this.goesOn = false;
     this.shares.set([]);
     this.discovery.set(null);
     this.finding.set(null);
     this.mapChanged.set(null);
     this.watched = null;
-    this.decision.set(null);
     if (check.decidable) void this.compute(check, this.stopper.signal);
   }
 
