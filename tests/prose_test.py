@@ -16,7 +16,7 @@ LIMIT = 20.0  # words a sentence, on average over a page
 
 # Pages whose sentences are longer on average: a ceiling each.
 CEILINGS = {
-    "README.md": 22.2,
+    "README.md": 21.7,
     "docs/evidence/performance.md": 22.8,
     "docs/evidence/rules-of-thumb.md": 29.9,
     "docs/evidence/table-7.md": 23.6,
