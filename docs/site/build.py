@@ -36,7 +36,7 @@ KATEX = pathlib.Path("/usr/share/javascript/katex")
 
 
 def put(path, text):
-    """Writes what has changed, so that Sphinx reads no page anew for nothing."""
+    """Writes what has changed."""
     if not path.exists() or path.read_text() != text:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -124,7 +124,7 @@ def main():
     environment = {**os.environ, "EQUIPOISE_PYTHON": str(build / "python"), "EQUIPOISE_XML": str(xml), "EQUIPOISE_STATIC": str(gathering.root / "_static"),
                   
                    "PYTHONDONTWRITEBYTECODE": "1"}
-    sphinx = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-n", "-q", "-j", "auto",
+    sphinx = [sys.executable, "-m", "sphinx", "-b", "html", "-E", "-a", "-W", "--keep-going", "-n", "-q", "-j", "auto",
               "-c", str(source / "docs/site"), "-d", str(site / "doctrees"), str(gathering.root), str(site / "html")]
     return subprocess.run(sphinx, env=environment).returncode
 

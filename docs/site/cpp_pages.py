@@ -53,6 +53,8 @@ def doxygen(source, build, site, names):
 
 def by_file(xml):
     """Puts what a namespace holds into the files that declare it, where Doxygen only names the namespace: a page a file follows."""
+    for path in xml.glob("*.xml"):  # headers are named in comments, and have no place of their own here
+        path.write_text(re.sub(r'<ref refid="\w+_8hpp"[^>]*>([^<]*)</ref>', r"\1", path.read_text()))
     found = {}
     for path in xml.glob("namespace*.xml"):
         for member in ElementTree.parse(path).iter("memberdef"):

@@ -101,15 +101,6 @@ std::string label_of(const std::string& key) {
   return below.ends_with(last + last) ? below.substr(0, below.size() - last.size()) : below;
 }
 
-// A value as TOML writes it.
-std::string toml_of(const StudyValue& value) {
-  const std::string text = study::toml_text(StudyValue{{"t", StudyValue{{"v", value}}}});
-  const std::size_t at = text.find("v = ");
-  std::string only = at == text.npos ? "" : text.substr(at + 4);
-  only.erase(only.find_last_not_of(" \n") + 1);
-  return only;
-}
-
 class Form {
  public:
   Form(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
@@ -154,7 +145,7 @@ class Form {
 
   // A default that may be written beside all other keys: not a second way to state what another key states.
   bool may_be_written(const std::string& key, const StudyValue& value) const {
-    return !given_.find_path(key) && !refusal(key, toml_of(value));
+    return !given_.find_path(key) && !refusal(key, study::value_text(value));
   }
 
   // The reader's refusal of a value; empty if it accepts the value.
@@ -207,7 +198,7 @@ class Form {
     } else if (const auto* array = value.array()) {
       fill_list(*array, f);
     } else {
-      f.value = toml_of(value);
+      f.value = study::value_text(value);
     }
   }
 

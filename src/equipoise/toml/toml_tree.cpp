@@ -67,18 +67,6 @@ std::string in_quotes(std::string_view text) {
   return result + '"';
 }
 
-std::string value_text(const StudyValue& value) {
-  if (const auto* text = value.string()) return in_quotes(*text);
-  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
-  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
-  if (const auto* number = value.real()) return number_text(*number);
-  if (const auto* other = value.other()) return other->text;
-  std::string entries;
-  if (const auto* array = value.array())
-    for (const StudyValue& entry : *array) entries += (entries.empty() ? "" : ", ") + value_text(entry);
-  return "[" + entries + "]";
-}
-
 // "balancer.drag" as one key, of [design.vary], has quotes.
 std::string key_text(const std::string& key) {
   constexpr std::string_view bare = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
@@ -112,6 +100,23 @@ StudyValue parse_toml(std::string_view text) {
     throw TextFault{e.source().begin.line, e.source().begin.column,
                     fmt::format("not TOML: {}", printable(e.description(), longest_description))};
   }
+}
+
+std::string value_text(const StudyValue& value) {
+  if (const auto* text = value.string()) return in_quotes(*text);
+  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* number = value.real()) return number_text(*number);
+  if (const auto* other = value.other()) return other->text;
+  std::string entries;
+  const auto add = [&](const std::string& entry) { entries += (entries.empty() ? "" : ", ") + entry; };
+  if (const auto* table = value.table()) {
+    for (const auto& [key, member] : *table) add(key_text(key) + " = " + value_text(member));
+    return entries.empty() ? "{}" : "{ " + entries + " }";
+  }
+  if (const auto* array = value.array())
+    for (const StudyValue& entry : *array) add(value_text(entry));
+  return "[" + entries + "]";
 }
 
 std::string number_text(double v) {
