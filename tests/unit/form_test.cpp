@@ -158,6 +158,14 @@ TEST(Form, OffersTheMaterialsOfBalls) {
             (std::vector<std::string>{"steel", "stainless steel", "tungsten carbide", "ceramic", "glass"}));
 }
 
+TEST(Form, ShowsADistributionAsItIsWritten) {
+  const std::string drawn = with(machine, "mass = \"60 g\"", "mass = { uniform = [\"50 g\", \"70 g\"] }");
+  const std::vector<FormField> form = form_of(drawn, "machine");
+  const FormField* mass = find(form, "balancer.mass");
+  ASSERT_TRUE(mass);
+  EXPECT_EQ(mass->value, "{ uniform = [\"50 g\", \"70 g\"] }");
+}
+
 TEST(Form, OverridesAreWrittenIntoTheText) {
   const std::string text = with_overrides(machine, "machine", {"rotor.mass=13 kg", "speed.final=1400 rpm"});
   EXPECT_EQ(to_toml(parse_study(text, "machine")),
