@@ -10,6 +10,7 @@
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/reports/sweep_report.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -65,6 +66,26 @@ TEST(SweepAnswer, SaysWhereItBalancesMostAndLeast) {
   EXPECT_TRUE(holds(answer_sentence(r), "Nothing is known"));
 }
 
+// Where limits are stated, by the starts that keep them all; not so if one cell does not tell.
+TEST(SweepAnswer, ComparesCellsByTheLimitsThatStartsKeep) {
+  SweepResult r = sweep_of(constant_speed, {cell_of(60), cell_of(20)});
+  const auto keep = [&](std::size_t cell, std::uint64_t starts) {
+    auto group = std::make_shared<TransientGroup>();
+    group->within[static_cast<std::size_t>(Within::both)] = wilson_share(starts, 100);
+    r.cells[cell]->transients = group;
+  };
+  keep(0, 20);
+  EXPECT_TRUE(holds(answer_sentence(r), "The rotor ends balanced most often at final speed 2 ω_c"))
+      << answer_sentence(r);
+  EXPECT_TRUE(holds(sweep_text(r), "20.0 % (13.3 to 28.9)                      -")) << sweep_text(r);
+  keep(1, 60);
+  EXPECT_EQ(answer_sentence(r),
+            "Every limit is kept most often at final speed 3 ω_c: in 50.2 to 69.1 % of starts; least often at final "
+            "speed 2 ω_c: in 13.3 to 28.9 % (95 % confidence in each cell).");
+  EXPECT_TRUE(holds(sweep_text(r), "answer   Every limit is kept most often")) << sweep_text(r);
+  EXPECT_TRUE(holds(sweep_text(r), "keep all limits"));
+}
+
 TEST(SweepAnswer, BeginsWithWhatIsDrawnUnlessItIsVaried) {
   SweepResult r = sweep_of(drawn_rotor, {cell_of(60)});
   EXPECT_TRUE(answer_sentence(r).starts_with(
@@ -118,8 +139,12 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
   EXPECT_EQ(answer_sentence(capacity_of({inside})),
             "Up to unbalance 213.2 g mm, 95 % of starts end balanced: surely up to 201, surely fewer from 220 on "
             "(95 % confidence).");
-  EXPECT_TRUE(holds(answer_sentence(capacity_of({always})), "Up to unbalance 400 g mm, as far as was looked"));
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({always})),
+                    "Up to unbalance 400 g mm, the end of the range, 95 % of starts end balanced"));
   EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "Nowhere from unbalance 20 g mm on"));
+  CapacityResult by_limits = capacity_of({inside});
+  by_limits.by = "limits";
+  EXPECT_TRUE(holds(answer_sentence(by_limits), "95 % of starts keep every limit: surely up to 201"));
   EXPECT_EQ(answer_sentence(capacity_of({inside, never, always})),
             "The largest unbalance at which 95 % of starts end balanced is more than 400 g mm at final speed 4 ω_c; it "
             "is least at final speed 3 ω_c: less than 20 g mm (95 % confidence).");

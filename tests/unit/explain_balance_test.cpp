@@ -79,7 +79,7 @@ TEST(ExplainedBalance, InstabilityUnderGravityIsTold) {
   EXPECT_LT(measured_rate(stable, 1e-4, 0, 120), 0.0);
   EXPECT_FALSE(warned(stable, "unstable"));
   EXPECT_TRUE(holds(explain_text(stable), "can balance           yes, apart from what gravity adds\n"));
-  EXPECT_TRUE(holds(explain_text(stable), "approach to balance      stable; slowest time constant"));
+  EXPECT_TRUE(holds(explain_text(stable), "approach to balance   stable; slowest time constant"));
   EXPECT_TRUE(holds(explain_text(stable), "rate, by multipliers"));
   EXPECT_TRUE(holds(rule(stable, "settling").words, "the rule without gravity"));
 }

@@ -72,7 +72,7 @@ TEST(Form, HasAFieldForEveryKeyOfAPlace) {
 }
 
 TEST(Form, NamesTheTableWithinATable) {
-  const std::string oiled = with(machine, "drag = ", "# drag = ");
+  const std::string oiled = with(machine, "drag = ", "ball_diameter = \"8 mm\"\n# drag = ");
   const std::vector<FormField> form = form_of(
       with(oiled, "[balancer]\n", "[balancer]\noil = { grade = \"ISO VG 32\", at = \"40 degC\" }\n"), "machine");
   ASSERT_TRUE(find(form, "balancer.oil.at"));

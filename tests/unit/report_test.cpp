@@ -87,7 +87,7 @@ TEST(SweepText, TellsMotionsApartAndSaysWhatOthersAre) {
   }
   const std::string text = sweep_text(r);
   std::size_t from = 0;
-  for (const char* title : {"95 % interval", " V2 ", " V1 ", " V2 (3) ", " V2 (2) ", "others", "undecided"}) {
+  for (const char* title : {"starts      balanced", " V2 ", " V1 ", " V2 (3) ", " V2 (2) ", "others", "undecided"}) {
     from = text.find(title, from);
     ASSERT_NE(from, std::string::npos) << title << "\n" << text;
   }
@@ -352,9 +352,9 @@ TEST(TransientText, SaysWhichFiguresHoldTheWeight) {
   Counted c(text);
   c.add(20, fate(Outcome::attracted, 1), 0.0);
   // (12 + 0.12) kg 9.81 m/s2 = 118.9 N on 48 kN/m.
-  EXPECT_TRUE(
-      holds(transient_text(c.tally.result(c.catalogue), c.study),
-            "from where the rotor rests, 2.477 mm below slack springs; bearing forces hold its weight, 118.9 N"));
+  EXPECT_TRUE(holds(
+      transient_text(c.tally.result(c.catalogue), c.study),
+      "from where the rotor rests, 2.477 mm below its unloaded springs; bearing forces include its weight, 118.9 N"));
 }
 
 }  // namespace
