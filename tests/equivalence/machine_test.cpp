@@ -107,11 +107,6 @@ std::vector<Case> cases() {
                  rotor() + balls(3, "contact_angle = 1.0\nrestitution = 0.9") +
                      torque("{ constant = 0.3, slope = -0.1 }") + at_speed,
                  20.0, 5e-9});
-  for (int n : {12, 16})
-    all.push_back(
-        {fmt::format("contact_of_{}", n),
-         rotor() + balls(n, "contact_angle = 0.25\nrestitution = 0.5") + torque("{ constant = 0.3, slope = -0.1 }"),
-         4.0, 5e-9});
   const std::string rolls = "rolls = true\nball_radius = ", motor = torque("{ constant = 0.3, slope = -0.1 }");
   for (int n : {1, 2, 3, 5})
     all.push_back(

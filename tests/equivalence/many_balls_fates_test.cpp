@@ -34,9 +34,7 @@ std::vector<Case> cases() {
           {"of_12", study_text(12, "0.00833", "")},
           {"of_16", study_text(16, "0.00625", "")},
           {"of_12_in_contact", study_text(12, "0.00833", contact)},
-          {"of_16_in_contact", study_text(16, "0.00625", contact)},
-          {"of_16_of_three_kinds", study_text(16, kinds, "")},
-          {"of_16_of_three_kinds_in_contact", study_text(16, kinds, contact)}};
+          {"of_16_of_three_kinds", study_text(16, kinds, "")}};
 }
 
 class ManyBalls : public testing::TestWithParam<Case> {};

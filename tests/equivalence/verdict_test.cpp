@@ -190,7 +190,8 @@ TEST(BasinText, KeepsToEightyColumns) {
 // Each as the same change made in the study's text.
 TEST(Changes, AreWhatTheirWordsSay) {
   const Study study = parse_study(machine, "machine");
-  const auto expect = [&](const std::string& words, const std::vector<std::string>& overrides) {
+  const auto expect = [&](const std::string& words, std::vector<std::string> overrides) {
+    overrides.push_back(fmt::format("sampling.starts={}", starts_of_a_change));
     for (const Change& change : usual_changes(study))
       if (change.words == words) {
         const Study same = parse_study(machine, "machine", overrides);
