@@ -15,7 +15,7 @@ Command add_inspect(CLI::App& app) {
     bool json = false;
   };
   const auto a = std::make_shared<Arguments>();
-  app.add_option("file", a->file, "a file of results (.nc), or the unfinished part of one (.nc.part)")
+  app.add_option("file", a->file, "file of results (.nc), or the unfinished part of one (.nc.part)")
       ->required()
       ->type_name("FILE");
   app.add_flag("--json", a->json, "print one JSON object");

@@ -132,6 +132,9 @@ TEST(Verdict, TellsTheBestChangeThatWasTried) {
   std::vector<TriedChange> tried{{"half the drag", r.study, 200, Decision::change, wilson_share(150, 200), {}, {}},
                                  {"twice the drag", r.study, 200, Decision::change, wilson_share(180, 200), {}, {}}};
   EXPECT_TRUE(holds(verdict_of(r, tried)->change, "None of 2 changes tried is enough; best is twice the drag: 90.0 %"));
+  const std::vector<TriedChange> useless{
+      {"half the drag", r.study, 200, Decision::change, wilson_share(0, 200), {}, {}}};
+  EXPECT_TRUE(holds(verdict_of(r, useless)->change, "With none of 1 changes tried does a start keep every limit."));
   tried.push_back({"6 balls", r.study, 200, Decision::fit, wilson_share(200, 200), {}, {}});
   EXPECT_TRUE(verdict_of(r, tried)->change.starts_with("With 6 balls: 100.00 % (above 98.12 %) of 200 starts keep"));
 }

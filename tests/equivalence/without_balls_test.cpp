@@ -305,7 +305,7 @@ TEST(Basin, SaysWhichLimitsTheBareRotorKeeps) {
   EXPECT_TRUE(holds(text_of("displacement = 0.01\n"),
                     "Without balls the rotor ends over a limit, and is over one on the way."));
   EXPECT_TRUE(holds(text_of("displacement = 0.02\n"), "ends within all limits, and is over one on the way."));
-  EXPECT_TRUE(holds(text_of("displacement = 0.03\n"), "ends within all limits, and never is over one on the way."));
+  EXPECT_TRUE(holds(text_of("displacement = 0.03\n"), "ends within all limits, and is never over one on the way."));
   EXPECT_TRUE(holds(text_of("velocity = 0.03\n"), "Without balls the rotor ends over a limit."));
 }
 

@@ -71,7 +71,7 @@ TEST(ExplainedMotor, RunUpKnowsWhatShakingTakes) {
   const double stalled = speed_at(held, 20000.0);
   EXPECT_LT(stalled, 1.0);
   EXPECT_NEAR(stalled, weak.run_up->stalls_at, 1e-3);  // it comes closer still, and swings about it once a turn
-  EXPECT_TRUE(warned(weak, "too weak for the critical speed"));
+  EXPECT_TRUE(warned(weak, "the motor may be too weak for the critical speed"));
   EXPECT_TRUE(
       warned(slow, "may not suffice at the critical speed: whether it is enough depends on where the balls are"));
   EXPECT_FALSE(warned(driven("{stall=0.1, no_load_speed=3.0}"), "critical speed:"));

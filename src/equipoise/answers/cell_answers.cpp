@@ -123,7 +123,7 @@ std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, con
 
 std::string answer_sentence(const SweepResult& r) {
   const std::vector<std::size_t> cells = done_cells(r);
-  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  if (cells.empty()) return "Nothing is known: no cell is done.";
   const std::vector<std::string> keys = drawn_keys(r.study, keys_of(r.axes));
   std::string text = shares_over(r, cells) + limits_over(r, cells);
   const auto open = std::max_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
@@ -139,7 +139,7 @@ std::string answer_sentence(const CapacityResult& r) {
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < r.cells.size(); ++k)
     if (r.cells[k]) cells.push_back(k);
-  if (cells.empty()) return "Nothing is known: stopped before any cell was done.";
+  if (cells.empty()) return "Nothing is known: no cell is done.";
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   const std::vector<std::string> keys = drawn_keys(r.study, set);

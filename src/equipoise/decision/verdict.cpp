@@ -63,11 +63,11 @@ class Judge {
     const double needed = required();
     const auto& bare = kept_of(none_);
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
-    verdict_.because = fmt::format("{} of starts keep every limit{}", share_words(kept), bare_words(bare));
+    verdict_.because = fmt::format("{} of starts keep every limit", share_words(kept));
     if (with_.within[0] && with_.within[1] && kept.share < needed)
-      verdict_.because += fmt::format(" ({} on the way, {} at the end)", percent_text(with_.within[1]->share),
+      verdict_.because += fmt::format(", {} on the way and {} at the end", percent_text(with_.within[1]->share),
                                       percent_text(with_.within[0]->share));
-    verdict_.because += ".";
+    verdict_.because += bare_words(bare) + ".";
     const std::string asked = percent_text(needed);
     if (kept.least >= needed) {
       if (bare_keeps)
@@ -163,6 +163,11 @@ class Judge {
       return fmt::format("None of {} changes tried lowers the peak surely. \"equipoise design\" searches further.",
                          tried.size());
     }
+    if (best->kept && best->kept->count == 0)
+      return fmt::format(
+          "With none of {} changes tried does a start keep every limit. \"equipoise design\" searches "
+          "further.",
+          tried.size());
     return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
                        tried.size(), best->words, figure);
   }

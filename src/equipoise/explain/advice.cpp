@@ -282,8 +282,9 @@ RuleOfThumb torque(const Explanation& e) {
                          : "enough however slowly it passes, wherever the balls are";
   } else if (!by_itself) {
     rule.kept = false;
-    rule.words = passing ? "too little or too short: the rotor's own unbalance stops it"
-                         : "less than the rotor's own unbalance takes: it stalls unless it comes with momentum";
+    rule.words =
+        passing ? "too little or too short: the rotor's own unbalance stops it"
+                : "less than the rotor's own unbalance takes: without balls it stalls unless it comes with momentum";
   } else {
     rule.words = "whether it is enough depends on where the balls are";
   }

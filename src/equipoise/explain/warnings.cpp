@@ -153,7 +153,7 @@ class Warnings {
     constexpr std::size_t with_the_motors = 3;  // figures: what is taken, by two unbalances, and what is given
     if (!e_.study.speed.driven() || !torque || torque->figures.size() < with_the_motors) return;
     if (torque->kept == false)
-      warn("the motor is too weak for the critical speed: {}", torque->words);
+      warn("the motor may be too weak for the critical speed: {}", torque->words);
     else if (!torque->kept)
       warn("the motor's torque may not suffice at the critical speed: {}", torque->words);
   }

@@ -110,7 +110,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   FileHeader header;
   const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
   if (!read_at(file_, 0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
-    throw InputError(path_, "", "", "is no file of unfinished results, or damaged; must be removed first");
+    throw InputError(path_, "", "", "is not a file of results (.nc, .nc.part), or is damaged; must be another file");
   const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
   if (begun) {  // new, or its writer was killed at once
     identity_ = identity;

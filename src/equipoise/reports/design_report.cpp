@@ -92,9 +92,10 @@ std::string optimism_text(const DesignResult& r) {
   if (!best.held_out || best.search.figures.empty() || best.held_out->figures.empty()) return "";
   const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
   const double gain = r.figures[k].up ? search - held_out : held_out - search;
-  if (gain == 0.0 || !std::isfinite(gain)) return "";
-  return fmt::format("; on the {} starts of the search {} was {}, {}", best.search.starts, figure_words(r.figures[k]),
-                     estimate_text(r.figures[k], search), gain > 0.0 ? "which was optimistic" : "no better");
+  const std::string found = estimate_text(r.figures[k], search);
+  if (!std::isfinite(gain) || found == estimate_text(r.figures[k], held_out)) return "";
+  return fmt::format("; on the {} starts of the search it was {} ({}), {}", best.search.starts, found,
+                     figure_words(r.figures[k], true), gain > 0.0 ? "which was optimistic" : "which was pessimistic");
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string sensitivity_text(const SensitivityResult& r) {
         "total: the part that is left if all else is.";
     text = table_text(table);
   }
-  text += fmt::format("{} starts in {} rows, {} of all pairs balanced ({})", r.evaluations, r.rows,
+  text += fmt::format("{} starts in {} rows, {} of the independent starts balanced ({})", r.evaluations, r.rows,
                       percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));
   if (r.undecided > 0) text += fmt::format("; {} undecided ones count as not balanced", r.undecided);
   return text + (r.partial ? ". PARTIAL: stopped before all rows were done.\n\n" : ".\n\n");

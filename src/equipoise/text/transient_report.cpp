@@ -148,7 +148,7 @@ std::string limit_words(const OneBodyRuns& bare) {
   if (bare.one)
     return fmt::format("without balls the rotor ends {}{}", end->count > 0 ? "within all limits" : "over a limit",
                        !way             ? ""
-                       : way->count > 0 ? ", and never is over one on the way"
+                       : way->count > 0 ? ", and is never over one on the way"
                                         : ", and is over one on the way");
   const auto share = [](const Share& s) { return percent(s.share, digits_for(s)); };
   return fmt::format("without balls {} of the runs end within all limits{}", share(*end),
