@@ -90,7 +90,7 @@ class Gathering:
         for name, place in OUTSIDE.items():
             self.page(self.source / name, place)
         for file in sorted(self.docs.rglob("*")):
-            if file.suffix in {".png", ".gif", ".csv", ".json", ".sbatch"} or file.name == "Snakefile":
+            if file.suffix in {".png", ".svg", ".gif", ".csv", ".json", ".sbatch"} or file.name == "Snakefile":
                 place = self.root / file.relative_to(self.docs)
                 self.kept.add(place)
                 copied(file, place)
