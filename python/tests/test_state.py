@@ -164,7 +164,7 @@ def test_an_array_that_could_be_either_is_refused(study, call):
         (lambda s: eq.State(phi=[1.0, 2.0]), TypeError, "x_dot and y_dot"),
         (lambda s: eq.State(phi=[1.0, 2.0], u=0.0), TypeError, "one pair"),
         (lambda s: eq.State(phi=[1.0, 2.0], u=0.0, v=0.0, x_dot=0.0, y_dot=0.0), TypeError, "one pair"),
-        (lambda s: eq.State(phi=1.0, u=0.0, v=0.0), eq.StudyError, "one a ball"),
+        (lambda s: eq.State(phi=1.0, u=0.0, v=0.0), eq.StudyError, "one per ball"),
         (lambda s: eq.State(phi=[1.0, 2.0], u=[0.0, 1.0, 2.0], v=0.0), eq.StudyError, r"of shape \(\)"),
         (lambda s: eq.State(phi=[1.0, 2j], u=0.0, v=0.0), eq.StudyError, "dtype complex"),
         (lambda s: eq.State(phi=[1.0, 2.0], x_dot=0.0, y_dot=0.0).u, TypeError, r"at_speed\(psi_dot\)"),
