@@ -42,7 +42,7 @@ def check(bench, folder):
     # Stage sums of DOP853 alone are over a thousand operations a step, and so are twelve evaluations.
     assert 2000 < kernel["flops_per_step"] < 6000, kernel["flops_per_step"]
     assert [t["name"] for t in works["targets"]["targets"]] == result["machine"]["instruction_sets"]
-    assert len(works["balls"]["balls"]) == 8 and works["threads"]["full"] and works["threads"]["decided"]
+    assert len(works["balls"]["balls"]) == 16 and works["threads"]["full"] and works["threads"]["decided"]
     assert works["starts"]["sizes"][0]["peak_memory_mib"]["most"] > 1
     widest = max(done.stdout.splitlines(), key=len)
     assert len(widest) <= 120, widest
