@@ -21,6 +21,8 @@ std::string answer_sentence(const BasinResult& result);
 
 /// Where the rotor balances most and least often, how often at worst a limit is exceeded, how much stays undecided.
 std::string answer_sentence(const SweepResult& result);
+/// Of all starts of a cell, those within every limit on the way and at the end; null where none is stated or gathered.
+const Share* kept_share(const SweepCell& cell);
 
 /// The capacity with its interval, or the least and the largest, with their cells.
 std::string answer_sentence(const CapacityResult& result);

@@ -21,21 +21,17 @@ std::vector<std::size_t> done_cells(const SweepResult& r) {
   return cells;
 }
 
-// Of all starts, those within every limit on the way and at the end; null where none is stated or gathered.
-const Share* kept_share(const SweepCell& cell) {
-  if (!cell.transients) return nullptr;
-  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
-  return share ? &*share : nullptr;
-}
-
-bool judged_by_limits(const SweepResult& r) {
-  return std::all_of(r.cells.begin(), r.cells.end(), [](const auto& cell) { return !cell || kept_share(*cell); });
-}
-
-// What cells are compared by: starts that keep every limit, or that end balanced.
-const Share& judged_share(const SweepResult& r, std::size_t cell) {
-  return judged_by_limits(r) ? *kept_share(*r.cells[cell]) : r.cells[cell]->outcomes.front().share;
-}
+// What cells are compared by: starts that keep every limit where all of them tell it, else those that end balanced.
+struct CellShares {
+  explicit CellShares(const SweepResult& r)
+      : limits(std::all_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return !c || kept_share(*c); })),
+        result(r) {}
+  const Share& operator()(std::size_t cell) const {
+    return limits ? *kept_share(*result.cells[cell]) : result.cells[cell]->outcomes.front().share;
+  }
+  bool limits;
+  const SweepResult& result;
+};
 
 // "final speed 2.4 ω_c, ball drag 0.05".
 std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
@@ -47,29 +43,28 @@ std::string cell_words(const std::vector<SweepAxis>& axes, std::size_t cell) {
 }
 
 // "at final speed 2.4 ω_c", "in 3 of 12 cells, such as final speed 2.4 ω_c": cells with the same share.
-std::string where(const SweepResult& r, const std::vector<std::size_t>& cells, std::size_t one) {
-  const auto alike = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
-    return judged_share(r, cell).share == judged_share(r, one).share;
-  });
-  const std::string title = cell_words(r.axes, one);
+std::string where(const CellShares& shares, const std::vector<std::size_t>& cells, std::size_t one) {
+  const auto alike = std::count_if(cells.begin(), cells.end(),
+                                   [&](std::size_t cell) { return shares(cell).share == shares(one).share; });
+  const std::string title = cell_words(shares.result.axes, one);
   return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
 }
 
 std::string shares_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
-  const bool limits = judged_by_limits(r);
-  const auto less = [&](std::size_t a, std::size_t b) { return judged_share(r, a).share < judged_share(r, b).share; };
+  const CellShares shares(r);
+  const auto less = [&](std::size_t a, std::size_t b) { return shares(a).share < shares(b).share; };
   const std::size_t worst = *std::min_element(cells.begin(), cells.end(), less);
   const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
-  const std::string most = share_words(judged_share(r, best)), least = share_words(judged_share(r, worst));
+  const std::string most = share_words(shares(best)), least = share_words(shares(worst));
   if (cells.size() == 1)
     return fmt::format("At {} {} in {} of starts (95 % confidence)", cell_words(r.axes, best),
-                       limits ? "every limit is kept" : "the rotor ends balanced", most);
+                       shares.limits ? "every limit is kept" : "the rotor ends balanced", most);
   if (!less(worst, best))
     return fmt::format("In each of {} cells {} in {} of starts (95 % confidence)", cells.size(),
-                       limits ? "every limit is kept" : "the rotor ends balanced", most);
+                       shares.limits ? "every limit is kept" : "the rotor ends balanced", most);
   return fmt::format("{} most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
-                     limits ? "Every limit is kept" : "The rotor ends balanced", where(r, cells, best), most,
-                     where(r, cells, worst), least);
+                     shares.limits ? "Every limit is kept" : "The rotor ends balanced", where(shares, cells, best),
+                     most, where(shares, cells, worst), least);
 }
 
 // How often a limit is exceeded, from the best cell to the worst.
@@ -120,6 +115,12 @@ std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, con
 }
 
 }  // namespace
+
+const Share* kept_share(const SweepCell& cell) {
+  if (!cell.transients) return nullptr;
+  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
+  return share ? &*share : nullptr;
+}
 
 std::string answer_sentence(const SweepResult& r) {
   const std::vector<std::size_t> cells = done_cells(r);

@@ -90,13 +90,6 @@ std::string others_text(const Columns& columns) {
   return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), columns.others.size() == 1 ? "" : "s", text);
 }
 
-// Of all starts, those within every limit on the way and at the end; null where none is stated or gathered.
-const Share* kept(const SweepCell& cell) {
-  if (!cell.transients) return nullptr;
-  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
-  return share ? &*share : nullptr;
-}
-
 const SweepOutcome* find(const SweepCell& cell, int id) {
   const auto at = std::find_if(cell.outcomes.begin(), cell.outcomes.end(), [&](const auto& o) { return o.id == id; });
   return at == cell.outcomes.end() ? nullptr : &*at;
@@ -104,7 +97,7 @@ const SweepOutcome* find(const SweepCell& cell, int id) {
 
 // The rarest motions go first where the terminal is narrow, then what all cells have alike.
 DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
-  const bool limits = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return c && kept(*c); });
+  const bool limits = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return c && kept_share(*c); });
   DocumentTable table{parameter_titles(r.axes, key_itself), {}, "", false, {}};
   const auto column = [&](bool there, const std::string& title) {
     if (there) table.header.push_back(title);
@@ -135,7 +128,7 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
     };
     put(true, fmt::format("{}", cell.starts));
     put(true, share_with_interval(cell.outcomes.front().share));
-    put(limits, kept(cell) ? share_with_interval(*kept(cell)) : "-");
+    put(limits, kept_share(cell) ? share_with_interval(*kept_share(cell)) : "-");
     for (const SweepColumn& c : columns.shown) put(true, find(cell, c.id) ? percent(share_of(c), 2) : "-");
     double rest = 0.0;
     for (const SweepColumn& c : columns.others) rest += share_of(c);

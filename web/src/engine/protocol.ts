@@ -180,7 +180,7 @@ export interface Discovery {
 
 /** What runs came to, as judge() takes it: one entry a run, of figures as many as the library has. */
 export interface Told {
-  /** Attractor's identifier, or UNDECIDED and its like. */
+  /** Attractor's identifier, or a code such as UNDECIDED. */
   outcome: Int32Array;
   /** Of a driven rotor, in the end. */
   speed: Float64Array;
