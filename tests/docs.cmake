@@ -6,13 +6,16 @@ add_test(NAME docs.links_lead_somewhere
   COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/links_test.py ${PROJECT_SOURCE_DIR})
 add_test(NAME docs.words_and_sentences
   COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/prose_test.py ${PROJECT_SOURCE_DIR})
-set_tests_properties(docs.links_lead_somewhere docs.words_and_sentences PROPERTIES LABELS docs TIMEOUT 60)
+add_test(NAME docs.numbers_of_the_readme
+  COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/docs/figures/readme_numbers.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(docs.links_lead_somewhere docs.words_and_sentences docs.numbers_of_the_readme PROPERTIES LABELS docs TIMEOUT 60)
 
 set(docs_python /usr/bin/python3)  # the system's, as in python/CMakeLists.txt
 if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON AND NOT EQUIPOISE_SANITIZE)
   set(lessons tutorials/first-machine tutorials/first-basin-python tutorials/first-cpp-program tutorials/reproduce-a-table
-    how-to/hangs-at-resonance how-to/how-much-oil how-to/own-initial-states)
+    how-to/hangs-at-resonance how-to/how-much-oil how-to/own-initial-states how-to/next-to-peers)
   list(TRANSFORM lessons PREPEND docs/)
+  list(APPEND lessons README)
   list(TRANSFORM lessons APPEND .md)
   add_test(NAME docs.lessons_run
     COMMAND ${docs_python} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons_test.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}
