@@ -15,12 +15,14 @@ std::vector<TriedChange> tried(const Study& study, const RunOptions& options) {
   const std::vector<Change> changes = usual_changes(study);
   std::vector<TriedChange> done;
   const double begin = cpu_seconds();
+  const auto spent = [begin] { return cpu_seconds() - begin; };
   for (std::size_t k = 0; k < changes.size() && !is_set(options.stop); ++k) {
-    if (cpu_seconds() - begin > seconds_for_changes) break;
+    if (spent() > seconds_for_changes) break;
     if (options.progress) options.progress({k, changes.size(), "changes", {}, false});
     BasinOptions one;
     one.threads = options.threads;
     one.stop = options.stop;
+    one.stop_asked = [spent] { return spent() > longest_for_changes; };
     one.cpu_target = options.cpu_target;
     one.transients = true;
     const BasinResult result = basin(changes[k].study, one);
