@@ -16,7 +16,7 @@ inline constexpr char unfinished_results_beside[] =
 inline constexpr char written_by_another[] =
     "is being written by another process; must be a file that no other run writes to";
 
-// Whether a file is what it should be. The first {} is its path.
+// Whether a file is what it should be. Before a colon: its path.
 inline constexpr char no_results_or_damaged[] =
     "is not a file of results (.nc, .nc.part), or is damaged; must be another file";
 inline constexpr char results_of_other_version[] =
@@ -28,9 +28,11 @@ inline constexpr char results_or_unfinished_part[] =
 inline constexpr char damaged_at_end[] =
     "{} bytes at its end are cut off or damaged; all before them is sound and will be used";
 inline constexpr char variable_of_other_shape[] = "{}: variable {} has not the type and shape that it must have";
+// The finished file.
 inline constexpr char does_not_follow[] = "does not go on where {} ends; must be removed first";
 inline constexpr char start_is_missing[] = "{}: start {} is not there";
 inline constexpr char start_without_outcome[] = "{}: start {} has no valid outcome; the file is damaged";
+// What is wrong.
 inline constexpr char finished_basin[] = "{}; must be a result that \"basin -o\" finished";
 inline constexpr char no_starts[] = "holds no starts";
 inline constexpr char map_file[] = "must be a file that \"map -o\" wrote";
