@@ -53,6 +53,7 @@ foreach(header
     drawing/plot_parts.hpp
     drawing/chart.hpp drawing/document.hpp
     text/table_text.hpp
+    words/results.hpp
     decision/verdict.hpp
     changes/try_changes.hpp
     changes/usual_changes.hpp

@@ -15,6 +15,14 @@ LEAST = 4  # words
 
 # Files that hold sentences in rows of a table, named by the row; or code for another program, which reads like prose.
 TABLES = {
+    "src/equipoise/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
+    "src/equipoise/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
+    "src/equipoise/result_files/share_columns.hpp": "a row a column",
+    "src/equipoise/result_files/start_columns.cpp": "a row a column",
+    "src/equipoise/results/basin_slice.hpp": "a row a column",
+    "src/equipoise/results/motion_table.hpp": "a row a column",
+    "src/equipoise/results/sweep_result.hpp": "a row a column",
+    "src/equipoise/results/trajectory.hpp": "a row a column",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
 }

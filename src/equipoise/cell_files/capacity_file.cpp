@@ -10,6 +10,7 @@
 #include "equipoise/cell_files/cell_netcdf.hpp"
 #include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/io/netcdf.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -30,10 +31,9 @@ class CapacityWriter {
     define_boundaries();
     define_trials();
     table_.define_records();
-    io::define_cell_attributes(file_, "capacity",
-                               fmt::format("Largest {} at which a share of {} of the starts {}", result_.key,
-                                           result_.at_least, result_.asked_of_one()),
-                               identity_, result_.study, result_.complete());
+    io::define_cell_attributes(
+        file_, "capacity", fmt::format(words::files::capacity, result_.key, result_.at_least, result_.asked_of_one()),
+        identity_, result_.study, result_.complete());
     file_.attribute(NC_GLOBAL, "of", result_.key);
     file_.end_definitions();
     table_.write();
@@ -51,19 +51,17 @@ class CapacityWriter {
   void define_boundaries() {
     const std::string& key = result_.key;
     table_.column("capacity", unit(),
-                  fmt::format("{}: the largest at which a share of {} of the starts {}", key, result_.at_least,
-                              result_.asked_of_one()),
+                  fmt::format(words::files::capacity_of_cell, key, result_.at_least, result_.asked_of_one()),
                   [this](std::size_t index, double* v) {
                     if (const auto& value = result_.cells[index]->value) *v = *value;
                   });
-    by_cell("capacity_low", unit(), key + ": up to here the share is as large with 95 % confidence",
+    by_cell("capacity_low", unit(), fmt::format(words::files::share_still_kept, key),
             [](const CapacityCell& c) { return c.low; });
-    by_cell("capacity_high", unit(), key + ": here the share is smaller with 95 % confidence",
+    by_cell("capacity_high", unit(), fmt::format(words::files::share_lost, key),
             [](const CapacityCell& c) { return c.high; });
-    by_cell("always", "1", "1: the share is as large up to the end of the range",
+    by_cell("always", "1", words::files::kept_in_whole_range,
             [](const CapacityCell& c) { return c.always ? 1.0 : 0.0; });
-    by_cell("never", "1", "1: the share is smaller over the whole range",
-            [](const CapacityCell& c) { return c.never ? 1.0 : 0.0; });
+    by_cell("never", "1", words::files::lost_in_whole_range, [](const CapacityCell& c) { return c.never ? 1.0 : 0.0; });
     by_cell("trials", "1", "values tried", [](const CapacityCell& c) { return static_cast<double>(c.trials.size()); });
   }
 
@@ -81,15 +79,14 @@ class CapacityWriter {
     by_trial("trial_value", unit(), result_.key + ": value tried", [](const CapacityTrial& t) { return t.value; });
     by_trial("trial_starts", "1", "starts followed",
              [](const CapacityTrial& t) { return static_cast<double>(t.balanced.total); });
-    by_trial("trial_share", "1", "share of the starts that ends balanced",
-             [](const CapacityTrial& t) { return t.balanced.share; });
-    by_trial("trial_share_low", "1", "lower end of its 95 % interval",
+    by_trial("trial_share", "1", words::files::share_balanced, [](const CapacityTrial& t) { return t.balanced.share; });
+    by_trial("trial_share_low", "1", words::files::lower_end,
              [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.low; });
-    by_trial("trial_share_high", "1", "upper end of its 95 % interval",
+    by_trial("trial_share_high", "1", words::files::upper_end,
              [](const CapacityTrial& t) { return t.unstable ? 0.0 : t.balanced.high; });
-    by_trial("trial_undecided", "1", "share of the starts that stay undecided",
+    by_trial("trial_undecided", "1", words::files::share_undecided,
              [](const CapacityTrial& t) { return t.undecided.share; });
-    by_trial("trial_unstable", "1", "1: no balanced state attracts, and no start was followed",
+    by_trial("trial_unstable", "1", words::files::trial_unstable,
              [](const CapacityTrial& t) { return t.unstable ? 1.0 : 0.0; });
   }
 

@@ -11,14 +11,13 @@
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
 namespace {
 
-std::string same_results(const CellFileKind& kind) {
-  return fmt::format("must be a new file, or results of the same {}", kind.name);
-}
+std::string same_results(const CellFileKind& kind) { return fmt::format(words::files::same_results_or_new, kind.name); }
 
 [[noreturn]] void refuse(const CellFileKind& kind, const std::string& path, const std::string& problem) {
   throw InputError(path, "", "", fmt::format("{}; {}", problem, same_results(kind)));
@@ -50,7 +49,7 @@ void read_journal(const CellFileKind& kind, const std::string& path, const Journ
                   const CellFile::Take& take) {
   for (const Journal::Record& record : journal.records()) {
     if (record.kind == Journal::Kind::note) continue;
-    if (record.kind != kind.record) refuse(kind, path, "is of something else");
+    if (record.kind != kind.record) refuse(kind, path, words::files::something_else);
     std::vector<std::uint8_t> bytes(record.bytes);
     journal.read(record, 0, bytes.size(), bytes.data());
     take(record.first, bytes);
@@ -109,7 +108,7 @@ std::string read_cell_file(const CellFileKind& kind, const std::string& path, co
   require_whole(kind, path);
   const NetcdfFile file(path, NetcdfFile::Mode::read);
   if (file.attribute("kind") != kind.name)
-    throw InputError(path, "", "", fmt::format("holds no {0}; must be what \"{0} -o\" wrote", kind.name));
+    throw InputError(path, "", "", fmt::format(words::files::other_command, kind.name));
   read_results(kind, path, file, take);
   return file.attribute("identity");
 }

@@ -9,6 +9,7 @@
 
 #include "equipoise/base/version.hpp"
 #include "equipoise/results/branches_result.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -66,8 +67,8 @@ void CellTable::column(const std::string& name, const std::string& units, const 
 void CellTable::define_records() {
   const int bytes = file_.dimension("record_byte", std::max<std::size_t>(records_.bytes.size(), 1));
   const int cells = file_.dimension("cell", records_.ends.size());
-  record_ = file_.variable("record", NC_BYTE, {bytes}, "1", "all that is known of every cell, for the program (CBOR)");
-  record_end_ = file_.variable("record_end", NC_DOUBLE, {cells}, "1", "where in record a cell ends, in bytes");
+  record_ = file_.variable("record", NC_BYTE, {bytes}, "1", words::files::records_of_cells);
+  record_end_ = file_.variable("record_end", NC_DOUBLE, {cells}, "1", words::files::ends_of_records);
 }
 
 void CellTable::write() const {

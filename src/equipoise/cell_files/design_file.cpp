@@ -11,6 +11,7 @@
 
 #include "equipoise/cell_files/cell_netcdf.hpp"
 #include "equipoise/io/netcdf.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -42,18 +43,17 @@ class DesignWriter {
       all.push_back(&kept.sample);
     }
     names.resize(count);
-    const int candidate = file_.text_variable("candidate", ensemble, names, "starts, seed and values of the candidate");
+    const int candidate = file_.text_variable("candidate", ensemble, names, words::files::candidate);
     file_.attribute(candidate, "units", "1");
     add_figures("", ensemble, all, "of the ensemble");
     if (!result_.front.empty()) {
       const int member = file_.dimension("front", result_.front.size());
       for (const DesignCandidate& c : result_.front) front.push_back(&c.best_known());
       add_figures("front_", member, front,
-                  result_.partial ? "of the front, on the starts of the search" : "of the front, on held-out starts");
+                  result_.partial ? words::files::front_of_search : words::files::front_held_out);
     }
     table_.define_records();
-    io::define_cell_attributes(file_, "design", "Design: candidates, and those that no other beats", identity_,
-                               result_.study, !result_.partial);
+    io::define_cell_attributes(file_, "design", words::files::design, identity_, result_.study, !result_.partial);
     file_.attribute(NC_GLOBAL, "best_study", result_.best_study);
     file_.end_definitions();
     table_.write();
@@ -87,9 +87,8 @@ class DesignWriter {
         };
       };
       add(name, dimension, figure.unit, figure.name + " " + of, samples, part(&DesignEstimate::value));
-      add(name + "_low", dimension, figure.unit, "lower end of its 95 % interval", samples, part(&DesignEstimate::low));
-      add(name + "_high", dimension, figure.unit, "upper end of its 95 % interval", samples,
-          part(&DesignEstimate::high));
+      add(name + "_low", dimension, figure.unit, words::files::lower_end, samples, part(&DesignEstimate::low));
+      add(name + "_high", dimension, figure.unit, words::files::upper_end, samples, part(&DesignEstimate::high));
     }
   }
 

@@ -13,6 +13,7 @@
 #include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/result_files/share_columns.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -54,20 +55,18 @@ class SweepWriter {
  private:
   void define() {
     outcome_ = file_.dimension("outcome", codes_.size());
-    code_ = file_.variable("outcome", NC_INT, {outcome_}, "1",
-                           "identifier of an attractor, the same in all cells; 0 undecided, negative: lost or stalled");
-    name_ = file_.text_variable("name", outcome_, names_, "name of the outcome");
-    alias_ = file_.text_variable("alias", outcome_, aliases_, "name that Wright and Peng (2019) give it");
+    code_ = file_.variable("outcome", NC_INT, {outcome_}, "1", words::files::code_of_attractor);
+    name_ = file_.text_variable("name", outcome_, names_, words::files::name_of_outcome);
+    alias_ = file_.text_variable("alias", outcome_, aliases_, words::files::name_by_wright_and_peng);
     column("starts", "1", "starts counted", 1,
            [](const SweepCell& c, double* v) { *v = static_cast<double>(c.starts); });
-    column("balanced_stable", "1", "1: a linearly stable balanced state exists", 1,
+    column("balanced_stable", "1", words::files::stable_state_exists, 1,
            [](const SweepCell& c, double* v) { *v = c.balanced_stable; });
     define_shares();
     define_motions();
     if (result_.transients) define_transients();
     table_.define_records();
-    define_cell_attributes(file_, "sweep", "Where a rotor with an automatic ball balancer ends, over parameters",
-                           identity_, result_.study, result_.complete());
+    define_cell_attributes(file_, "sweep", words::files::over_parameters, identity_, result_.study, result_.complete());
     file_.end_definitions();
   }
 
@@ -89,7 +88,8 @@ class SweepWriter {
           },
           outcome_);
     };
-    of_outcomes("count", "starts with the outcome", [](const Share& s) { return static_cast<double>(s.count); });
+    of_outcomes("count", words::files::starts_with_outcome,
+                [](const Share& s) { return static_cast<double>(s.count); });
     for (const ShareColumn& c : share_columns)
       of_outcomes(c.name, c.of_cell, [value = c.value](const Share& s) { return s.*value; });
   }
@@ -126,10 +126,7 @@ class SweepWriter {
       const double percent = 100.0 * unbalance_quantiles[q];
       column(
           fmt::format("left_unbalance_{:.0f}", percent), "1",
-          fmt::format(
-              "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in M R",
-              percent),
-          codes_.size(),
+          fmt::format(words::files::unbalance_left_in_percent, percent), codes_.size(),
           [this, q](const SweepCell& cell, double* values) {
             for (const SweepOutcome& o : cell.outcomes)
               if (!o.unbalance.empty())
@@ -155,17 +152,17 @@ class SweepWriter {
             },
             quantile);
       };
-      of_quantiles("", "quantile over starts: ", &QuantileEstimate::value);
-      of_quantiles("_low", "lower end of its 95 % interval: ", &QuantileEstimate::low);
-      of_quantiles("_high", "upper end of its 95 % interval: ", &QuantileEstimate::high);
+      of_quantiles("", words::files::quantile_over_starts, &QuantileEstimate::value);
+      of_quantiles("_low", words::files::lower_end_of, &QuantileEstimate::low);
+      of_quantiles("_high", words::files::upper_end_of, &QuantileEstimate::high);
     }
     for (std::size_t k = 0; k < transient_limits.size(); ++k)
       of_starts(std::string("exceeded_") + transient_limits[k].name,
-                std::string("share of starts above limits.") + transient_limits[k].name,
+                fmt::format(words::files::share_above_limit, transient_limits[k].name),
                 [k](const TransientGroup& all) { return all.exceeded[k]; });
     for (std::size_t k = 0; k < within_names.size(); ++k)
       of_starts(std::string("limits_kept_") + within_names[k],
-                fmt::format("share of starts that keep all limits: {}", within_titles[k]),
+                fmt::format(words::files::share_keeping_limits, within_titles[k]),
                 [k](const TransientGroup& all) { return all.within[k]; });
   }
 
@@ -178,8 +175,8 @@ class SweepWriter {
       });
     };
     part("", words, &Share::share);
-    part("_low", "lower end of its 95 % interval", &Share::low);
-    part("_high", "upper end of its 95 % interval", &Share::high);
+    part("_low", words::files::lower_end, &Share::low);
+    part("_high", words::files::upper_end, &Share::high);
   }
 
   NetcdfFile& file_;

@@ -7,6 +7,7 @@
 
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/study/keys.hpp"
+#include "equipoise/words/units.hpp"
 
 namespace equipoise::study {
 
@@ -33,7 +34,7 @@ GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& u
   const auto [after, error] = read_number(text.data(), end, given.value);
   if (error == std::errc() && after == end && std::isfinite(given.value)) return given;
   if (!unit) {
-    given.problem = "is no plain number";
+    given.problem = words::units::no_plain_number;
     return given;
   }
   const Measured measured = measure(text, {unit->dimension});

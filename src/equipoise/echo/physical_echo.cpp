@@ -7,6 +7,7 @@
 
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise {
 
@@ -55,8 +56,7 @@ Study stating_release(Study study) {
 }
 
 std::string to_physical_toml(const Study& study) {
-  if (!study.scales)
-    throw InputError(study.name, "units", "", "missing; a dimensionless study is shown in physical units by [units]");
+  if (!study.scales) throw InputError(study.name, "units", "", words::study::no_units);
   StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);

@@ -46,7 +46,8 @@ StudyValue tree_with_medians(const Study& study) {
     if (name == "speed") {
       move_to_end(table, "law");
       if (study.speed.driven()) table.set("torque", torque_table(study.speed.torque, study));
-      if (study.speed.driven() && (!study.speed.load.is_none() || study.speed.load.at)) table.set("load", table_of("speed.load", study));
+      if (study.speed.driven() && (!study.speed.load.is_none() || study.speed.load.at))
+        table.set("load", table_of("speed.load", study));
     } else if (name == "sampling") {
       move_to_end(table, "method");
       if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study));

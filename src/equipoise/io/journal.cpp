@@ -16,6 +16,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/checksum.hpp"
 #include "equipoise/io/replacement.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -92,12 +93,10 @@ void Journal::open_locked(const std::string& output) {
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0)
-      throw InputError("output", "", "",
-                       fmt::format("{}: {} (must be a file that can be written)", path_, error_text(errno)));
+      throw InputError("output", "", "", fmt::format(words::files::file_must_be_writable, path_, error_text(errno)));
     if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: this file system has no locks
       close(file_);
-      throw InputError(output, "", "",
-                       "is being written by another process; must be a file that no other run writes to");
+      throw InputError(output, "", "", words::files::written_by_another);
     }
     struct stat locked {
     }, named{};
@@ -110,7 +109,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   FileHeader header;
   const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
   if (!read_at(file_, 0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
-    throw InputError(path_, "", "", "is not a file of results (.nc, .nc.part), or is damaged; must be another file");
+    throw InputError(path_, "", "", words::files::no_results_or_damaged);
   const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
   if (begun) {  // new, or its writer was killed at once
     identity_ = identity;
@@ -121,7 +120,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   const bool read = read_at(file_, sizeof header, identity_.data(), identity_.size());
   sum.add(identity_.data(), identity_.size());
   if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
-    throw InputError(path_, "", "", "is damaged where it says whose results it holds; must be removed first");
+    throw InputError(path_, "", "", words::files::owner_is_damaged);
   end_ = sizeof header + header.bytes;
 }
 

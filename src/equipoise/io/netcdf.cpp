@@ -5,11 +5,13 @@
 #include <cctype>
 #include <mutex>
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/io/sealed_file.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -96,7 +98,7 @@ int NetcdfFile::variable(const std::string& name, int type, const std::vector<st
     check(call(nc_inq_dimlen, id_, ids[k], &length), "variable " + name);
     same = length == shape[k];
   }
-  if (!same) throw RunError(name_ + ": variable " + name + " has not the type and shape that it must have");
+  if (!same) throw RunError(fmt::format(words::files::variable_of_other_shape, name_, name));
   return variable;
 }
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -62,11 +63,11 @@ std::string why_not_writable(const std::string& path) {
   const std::string target = resolved(path), folder = folder_of(target);
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return "is a folder";
+  if (fs::is_directory(status)) return words::files::is_a_folder;
   if (fs::exists(status) && access(target.c_str(), W_OK) != 0) return error_text(errno);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
-  if (!fs::exists(folder, error)) return fmt::format("the folder {} does not exist", folder_of(path));
-  if (!fs::is_directory(folder, error)) return fmt::format("{} is not a folder", folder_of(path));
+  if (!fs::exists(folder, error)) return fmt::format(words::files::no_such_folder, folder_of(path));
+  if (!fs::is_directory(folder, error)) return fmt::format(words::files::is_no_folder, folder_of(path));
   const std::string trial = target + own_ending();
   const int file = open(trial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return error_text(errno);

@@ -14,6 +14,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/checksum.hpp"
 #include "equipoise/io/replacement.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -70,12 +71,10 @@ std::string why_not_whole(const std::string& path) {
     file.read(reinterpret_cast<char*>(&s), sizeof s);
     file.seekg(0);
   }
-  if (s.mark != seal_mark)
-    return "is no file of results as this version leaves them: of an earlier one, changed since, cut short or "
-           "something else";
+  if (s.mark != seal_mark) return words::files::results_of_other_version;
   Checksum sum;
   const bool whole = s.length == length - sizeof s && sum_up(file, s.length, sum) && sum.value() == s.checksum;
-  return whole ? "" : "is damaged: its content does not match its checksum";
+  return whole ? "" : words::files::checksum_differs;
 }
 
 }  // namespace equipoise::io

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "equipoise/words/paper.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -77,8 +79,8 @@ void judge(ReproducedTable& table) {
         cell.computed = result->share_of(published.attractor);
         cell.p_value = agreement_p_value(cell.computed.count, result->starts, published.share);
       }
-      cell.reason = !result                               ? "not computed under the published law"
-                    : !result->complete                   ? "stopped before all starts were done"
+      cell.reason = !result                               ? words::paper::not_computed
+                    : !result->complete                   ? words::paper::stopped_early
                     : !table.published->unclaimed.empty() ? table.published->unclaimed
                                                           : row.published->slip;
       judged += cell.reason.empty();

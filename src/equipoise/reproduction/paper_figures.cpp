@@ -16,6 +16,7 @@
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/words/paper.hpp"
 
 namespace equipoise {
 
@@ -27,9 +28,6 @@ constexpr std::array both_laws{SpeedLaw::published, SpeedLaw::kinematic};
 constexpr double sampling = 0.1;             // at least fifteen samples in the fastest oscillation of r
 constexpr std::size_t longest_curve = 1800;  // points per curve in a picture
 constexpr double omitted_duration = 500.0;   // T0 where a caption omits it
-const char* const omitted_reason =
-    "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its "
-    "tables 5 and 6 share.";
 
 // Keeps the smallest and largest value of every bucket, in their order: the envelope survives at any width.
 void thin(std::vector<double>& t, std::vector<double>& r) {
@@ -110,27 +108,18 @@ FigurePanel attractor_panel(const std::string& alias, double speed, double until
 }
 
 PaperFigure attractors_figure(const StopFlag* stop) {
-  PaperFigure figure{
-      "figure-attractors",
-      "The vibrating attractors V1 to V4",
-      "Radial displacement r against time on the motions other than balance, at constant speed; β = 0.05, ζ = 0.5. "
-      "V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; V4: the same with four times "
-      "the period.",
-      "",
-      {}};
+  PaperFigure figure{"figure-attractors", words::paper::attractors, words::paper::attractors_caption, "", {}};
   for (const auto& [alias, speed] : {std::pair{"V1", 2.2}, {"V2", 2.2}, {"V3", 4.4}, {"V4", 4.4}})
     figure.panels.push_back(attractor_panel(alias, speed, 50.0, stop));
   return figure;
 }
 
 PaperFigure transients_figure(const StopFlag* stop) {
-  PaperFigure figure{
-      "figure-transients",
-      "Transients after ramps of six durations",
-      "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
-      "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
-      "them opposite, as the text says.",
-      {}};
+  PaperFigure figure{"figure-transients",
+                     words::paper::transients,
+                     words::paper::transients_caption,
+                     words::paper::opposite_balls,
+                     {}};
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
     FigurePanel panel{fmt::format("T0 = {}", duration), {}};
     for (const SpeedLaw law : both_laws)
@@ -155,23 +144,20 @@ void add_releases(PaperFigure& figure, const std::string& title, double zeta, do
 
 PaperFigure ball_lag_figure(const StopFlag* stop) {
   PaperFigure figure{"figure-ball-lag",
-                     "Ball lag: released at the end of the ramp or on the way",
-                     "r against time: ramp 0 to 5, balls at φ = −π/2, π/2 released at 5 (i) and at 2 (ii); β = 0.01, "
-                     "ζ = 0.02. Balls released early lag behind the rotor while it speeds up.",
-                     omitted_reason,
+                     words::paper::ball_lag,
+                     words::paper::ball_lag_caption,
+                     words::paper::no_duration_in_caption,
                      {}};
   add_releases(figure, "", 0.02, 0.01, 5.0, 2.0, 1500.0, stop);
   return figure;
 }
 
 PaperFigure release_figure(const StopFlag* stop) {
-  PaperFigure figure{
-      "figure-release",
-      "Release at 2.4 against 2.2",
-      "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for four pairs of "
-      "external and internal damping.",
-      omitted_reason,
-      {}};
+  PaperFigure figure{"figure-release",
+                     "Release at 2.4 against 2.2",
+                     words::paper::release_caption,
+                     words::paper::no_duration_in_caption,
+                     {}};
   for (const auto& [zeta, beta] : {std::pair{0.02, 0.01}, {0.02, 0.25}, {0.5, 0.05}, {0.5, 0.25}})
     add_releases(figure, fmt::format("ζ = {}, β = {}: ", zeta, beta), zeta, beta, 2.4, 2.2, 900.0, stop);
   return figure;
@@ -190,7 +176,7 @@ PaperFigure paper_figure(const std::string& id, const StopFlag* stop) {
   if (id == "figure-transients") return transients_figure(stop);
   if (id == "figure-ball-lag") return ball_lag_figure(stop);
   if (id == "figure-release") return release_figure(stop);
-  throw InputError("figure", "", id, "must be one of paper_figure_ids()");
+  throw InputError("figure", "", id, words::paper::known_figures);
 }
 
 }  // namespace equipoise

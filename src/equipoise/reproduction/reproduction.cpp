@@ -11,6 +11,7 @@
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/paper.hpp"
 
 namespace equipoise {
 
@@ -120,20 +121,15 @@ std::string table_text(const ReproducedTable& t) {
         starts += (*e)->starts;
       }
   }
-  text += fmt::format(
-      "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected by chance). "
-      "{} starts, {} undecided, {} lost.\n\n",
-      t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable, t.below_one_percent,
-      0.01 * (t.agreeing + t.differing), starts, undecided, lost);
+  text +=
+      fmt::format(words::paper::cells_of_table, t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable,
+                  t.below_one_percent, 0.01 * (t.agreeing + t.differing), starts, undecided, lost);
   return text;
 }
 
 std::string lead_text(const Reproduction& r) {
   if (r.table_7_lead.empty()) return "";
-  std::string text =
-      "Table 7, the best lead (docs/evidence/table-7.md; fitted to the printed shares, not claimed): kinematic law, "
-      "balls "
-      "released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
+  std::string text = words::paper::lead_on_table_7;
   for (const LeadRow& row : r.table_7_lead)
     text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
                         interval(row.balanced));
@@ -141,7 +137,7 @@ std::string lead_text(const Reproduction& r) {
 }
 
 std::string open_text(const OpenQuestions& open) {
-  std::string text = "Open questions: balanced share of starts in a box of the whole state space, and at rest\n";
+  std::string text = words::paper::open_questions;
   for (const BoxShares& b : open.boxes) {
     const Share box = b.box.attractors.front().share, rest = b.rest.attractors.front().share;
     text += fmt::format("  Omega {:<4} box {:>6} ({}), at rest {:>6} ({})\n", b.speed, percentage(box), interval(box),
@@ -161,13 +157,10 @@ std::string conclusions_text(const Reproduction& r) {
     if (row.published.answer == ConclusionResult::Answer::not_asked &&
         row.kinematic.answer == ConclusionResult::Answer::not_asked)
       continue;
-    text += fmt::format("  {} (table {}).\n    published law: {}; kinematic law: {}\n", row.conclusion->text,
-                        row.conclusion->table, answer_text(row.published), answer_text(row.kinematic));
+    text += fmt::format(words::paper::one_conclusion, row.conclusion->text, row.conclusion->table,
+                        answer_text(row.published), answer_text(row.kinematic));
   }
-  return text.empty() ? ""
-                      : "What the printed numbers say, asked of both speed laws (differences of balanced shares in "
-                        "points, 99 %, common starts):\n" +
-                            text + "\n";
+  return text.empty() ? "" : fmt::format(words::paper::conclusions, text);
 }
 
 }  // namespace
@@ -186,10 +179,9 @@ std::string reproduction_text(const Reproduction& r) {
     text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}).\n", r.ensembles, r.starts,
                         r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target);
   }
-  text += fmt::format("This run, all else included: {:.0f} s, {:.0f} s CPU; equipoise {}\n", r.run_seconds,
-                      r.run_cpu_seconds, version_string);
+  text += fmt::format(words::paper::this_run, r.run_seconds, r.run_cpu_seconds, version_string);
   for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);
-  if (r.partial) text += "PARTIAL: stopped before all was done.\n";
+  if (r.partial) text += words::paper::partial;
   return text;
 }
 

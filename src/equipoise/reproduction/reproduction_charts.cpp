@@ -8,6 +8,7 @@
 
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/paper.hpp"
 
 namespace equipoise {
 
@@ -54,7 +55,7 @@ std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& tab
 std::optional<Chart> table_chart(const ReproducedTable& table) {
   if (table.published->number == 7) return {};
   Chart chart{"",
-              table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
+              table.published->parameter == "T0" ? words::paper::ramp_duration : words::paper::final_speed,
               "balanced share, %",
               table.published->number == 3,
               false,
@@ -101,7 +102,7 @@ std::vector<Chart> figure_charts(const PaperFigure& figure) {
 
 Chart box_chart(const OpenQuestions& open) {
   Chart chart{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
-  ChartSeries box{"starts in the box", light_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  ChartSeries box{words::paper::starts_in_box, light_colour, ChartSeries::Style::line, {}, {}, {}, {}};
   ChartSeries rest{"starts at rest", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
   for (const BoxShares& b : open.boxes) {
     add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
@@ -114,9 +115,7 @@ Chart box_chart(const OpenQuestions& open) {
 std::string figure_csv(const PaperFigure& figure) {
   std::string text = fmt::format("# {}. {}\n", figure.title, figure.caption);
   if (!figure.choice.empty()) text += fmt::format("# {}\n", figure.choice);
-  text +=
-      "# r: distance of the rotor's centre from the axis, in race radii; t in 1/omega_c. Long curves are thinned to "
-      "their envelope.\n";
+  text += words::paper::data_of_figure;
   for (const FigurePanel& panel : figure.panels)
     for (const FigureSeries& s : panel.series) {
       text += fmt::format("# study of {}, {}:\n#   ", panel.title, label_of(s));

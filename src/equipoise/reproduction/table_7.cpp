@@ -6,6 +6,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/literature/paper_rotor.hpp"
+#include "equipoise/words/paper.hpp"
 
 namespace equipoise {
 
@@ -58,7 +59,7 @@ std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads,
       settings.first = first;
       settings.starts = std::min(batch, starts - first);
       const Observation seen = observe(lead_study(row), settings);
-      if (!seen.complete) throw RunError("stopped before table 7 was observed");
+      if (!seen.complete) throw RunError(words::paper::table_7_stopped);
       count += called_balanced(seen, test);
     }
     readings.push_back({row, wilson_share(count, starts)});

@@ -23,12 +23,11 @@
 #include "equipoise/result_files/share_columns.hpp"
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/running/search_log.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
 namespace {
-
-constexpr const char* allowed = "must be a new file, or results of the same study";
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
@@ -81,19 +80,20 @@ std::size_t BasinFile::State::column(std::string_view name) const {
 }
 
 void BasinFile::State::require_same(const std::string& there, const std::string& of) const {
-  io::require_same(there, io::identity_of(header), of, "results of this study", allowed);
+  io::require_same(there, io::identity_of(header), of, words::files::results_of_this_study,
+                   words::files::same_study_or_new);
 }
 
 void BasinFile::State::open_results() {
   if (!std::filesystem::exists(path)) return;
   if (const std::string damage = io::why_not_whole(path); !damage.empty())
-    throw InputError(path, "", "", fmt::format("{}; {}", damage, allowed));
+    throw InputError(path, "", "", fmt::format("{}; {}", damage, words::files::same_study_or_new));
   try {
     file.emplace(path, io::NetcdfFile::Mode::read);
     require_same(file->attribute("identity"), path);
     read_results();
   } catch (const RunError& e) {
-    throw InputError("output", "", "", fmt::format("{} ({})", e.what(), allowed));
+    throw InputError("output", "", "", fmt::format("{} ({})", e.what(), words::files::same_study_or_new));
   }
 }
 
@@ -138,8 +138,7 @@ void BasinFile::State::take(const io::Journal::Record& record) {
   const std::size_t each = states ? state_size() * sizeof(double) : start_bytes;
   const bool fits = (states || record.kind == Kind::starts) && record.count <= record.bytes &&
                     record.bytes == record.count * each && record.first <= known && (!states || record.count == 1);
-  if (!fits)
-    throw InputError(path + ".part", "", "", fmt::format("does not go on where {} ends; must be removed first", path));
+  if (!fits) throw InputError(path + ".part", "", "", fmt::format(words::files::does_not_follow, path));
   if (record.first + record.count <= known) return;
   time = {std::max(time.seconds, record.seconds), std::max(time.cpu_seconds, record.cpu_seconds)};
   if (states) {
@@ -171,7 +170,7 @@ void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t coun
   auto piece = std::upper_bound(pieces.begin(), pieces.end(), first,
                                 [](std::uint64_t value, const Piece& p) { return value < p.first + p.count; });
   for (; count > 0; ++piece) {
-    if (piece == pieces.end()) throw RunError(fmt::format("{}: start {} is not there", path, first));
+    if (piece == pieces.end()) throw RunError(fmt::format(words::files::start_is_missing, path, first));
     const std::size_t part = std::min<std::uint64_t>(count, piece->first + piece->count - first);
     const std::uint64_t offset = before * piece->record.count + (first - piece->record.first) * each;
     journal->read(piece->record, offset, part * each, to);
@@ -183,7 +182,7 @@ void BasinFile::State::read(std::size_t k, std::uint64_t first, std::size_t coun
 
 BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : state_(std::make_unique<State>()) {
   State& s = *state_;
-  s.path = io::results_path(path, allowed);
+  s.path = io::results_path(path, words::files::same_study_or_new);
   s.header = header;
   s.columns = io::start_columns(header);
   for (const io::StartColumn& c : s.columns) s.start_bytes += c.bytes();
@@ -210,7 +209,7 @@ std::vector<Fate> BasinFile::read(std::uint64_t first, std::size_t count) const 
   std::vector<Fate> fates(count);
   for (std::size_t i = 0; i < count; ++i)
     if (!io::fate_from(codes[i], grounds[i], times[i], fates[i]))
-      throw RunError(fmt::format("{}: start {} has no valid outcome; the file is damaged", state_->path, first + i));
+      throw RunError(fmt::format(words::files::start_without_outcome, state_->path, first + i));
   if (state_->header.driven) {
     const auto speeds = state_->values<float>("mean_speed", first, count);
     for (std::size_t i = 0; i < count; ++i)
@@ -249,7 +248,7 @@ void BasinFile::State::append(io::Journal::Record record, const void* payload, s
   try {
     journal->append(record, payload, bytes);
   } catch (const RunError& e) {
-    throw RunError(fmt::format("{}; {} starts are kept, from which the same command goes on", e.what(), stored));
+    throw RunError(fmt::format(words::files::starts_are_kept, e.what(), stored));
   }
 }
 
@@ -343,8 +342,7 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
   try {
     io::write_basin_netcdf(s.path, contents);
   } catch (const RunError& e) {
-    throw RunError(fmt::format("{}; {} starts are kept in {}.part and put in place by the same command", e.what(),
-                               s.stored, s.path));
+    throw RunError(fmt::format(words::files::starts_are_kept_in_part, e.what(), s.stored, s.path));
   }
   io::leave_notes(*s.journal, complete);
 }

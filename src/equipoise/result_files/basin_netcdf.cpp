@@ -16,6 +16,7 @@
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/result_files/share_columns.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -56,19 +57,17 @@ class BasinWriter {
     const std::size_t balls = static_cast<std::size_t>(c_.header.balls);
     const int start = file_.dimension("start", c_.starts);
     const int ball = file_.dimension("ball", balls);
-    start_ = file_.variable("start", count_type(), {start}, "1", "index of the start");
-    ball_ = file_.variable("ball", NC_INT, {ball}, "1", "number of the ball");
+    start_ = file_.variable("start", count_type(), {start}, "1", words::files::index_of_start);
+    ball_ = file_.variable("ball", NC_INT, {ball}, "1", words::files::number_of_ball);
     define_columns(start, ball);
     define_kinds(file_.dimension("outcome_kind", c_.summary.size()));
     if (!c_.discoveries.empty()) {
       const int met = file_.dimension("discovery", c_.discoveries.size());
       const int component = file_.dimension("component", components().size());
       component_ = file_.text_variable("component", component, components(), "entry of discovery_state");
-      discovery_ = file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
-                                  c_.header.drawn.empty()
-                                      ? "state on a motion first met during the run: x, y, u, v, phi, phi_dot, and of "
-                                        "driven rotors what turns them"
-                                      : "start that first met a motion");
+      discovery_ = file_.variable(
+          "discovery_state", NC_DOUBLE, {met, component}, "1",
+          c_.header.drawn.empty() ? words::files::state_met_in_run : words::files::start_that_met_motion);
     }
     define_attributes();
     if (c_.header.transients) define_transients();
@@ -84,8 +83,8 @@ class BasinWriter {
     const std::vector<std::string>& drawn = c_.header.drawn;
     const int value = drawn.empty() ? -1 : file_.dimension("uncertain_value", drawn.size());
     if (!drawn.empty()) {
-      value_ = file_.text_variable("uncertain_value", value, drawn, "key of the study");
-      unit_ = file_.text_variable("uncertain_unit", value, c_.header.drawn_units, "unit of its values in drawn");
+      value_ = file_.text_variable("uncertain_value", value, drawn, words::files::key_of_study);
+      unit_ = file_.text_variable("uncertain_unit", value, c_.header.drawn_units, words::files::unit_of_drawn);
     }
     for (const StartColumn& c : c_.columns) {
       std::vector<int> along{start};
@@ -118,37 +117,33 @@ class BasinWriter {
 
   void define_kinds(int kind) {
     kind_code_ = file_.variable("kind_code", NC_SHORT, {kind}, "1", "value of outcome");
-    kind_name_ = file_.text_variable("kind_name", kind, names_, "name of the outcome");
-    kind_alias_ = file_.text_variable("kind_alias", kind, aliases_, "name that Wright and Peng (2019) give it");
-    kind_count_ = file_.variable("kind_count", count_type(), {kind}, "1", "starts with the outcome");
+    kind_name_ = file_.text_variable("kind_name", kind, names_, words::files::name_of_outcome);
+    kind_alias_ = file_.text_variable("kind_alias", kind, aliases_, words::files::name_by_wright_and_peng);
+    kind_count_ = file_.variable("kind_count", count_type(), {kind}, "1", words::files::starts_with_outcome);
     for (std::size_t k = 0; k < share_columns.size(); ++k)
       kind_share_[k] = file_.variable(std::string("kind_") + share_columns[k].name, NC_DOUBLE, {kind}, "1",
                                       share_columns[k].of_ensemble);
     define_left_unbalance(kind);
     if (random_) return;  // random starts need no more than their counts
-    kind_interval_ =
-        file_.text_variable("kind_interval", kind, intervals_,
-                            "where the interval is from: wilson, replicates (their spread) or pairs (of a cell)");
-    kind_effective_ = file_.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1",
-                                     "independent random starts that have the same standard error of the share");
+    kind_interval_ = file_.text_variable("kind_interval", kind, intervals_, words::files::interval_from);
+    kind_effective_ = file_.variable("kind_effective_starts", NC_DOUBLE, {kind}, "1", words::files::effective_starts);
   }
 
   void define_left_unbalance(int kind) {
     if (!c_.header.sticks) return;
     const int quantile = file_.dimension("unbalance_quantile", unbalance_quantiles.size());
-    quantile_ = file_.variable("unbalance_quantile", NC_DOUBLE, {quantile}, "1", "share of an outcome's starts");
-    left_ = file_.variable(
-        "kind_left_unbalance", NC_DOUBLE, {kind, quantile}, "1",
-        "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in M R");
+    quantile_ =
+        file_.variable("unbalance_quantile", NC_DOUBLE, {quantile}, "1", words::files::share_of_starts_of_outcome);
+    left_ = file_.variable("kind_left_unbalance", NC_DOUBLE, {kind, quantile}, "1", words::files::unbalance_left);
     if (c_.header.scales)
-      grade_ = file_.variable("kind_left_balance_grade", NC_DOUBLE, {kind, quantile}, "mm s-1",
-                              "balance quality grade of that (ISO 21940-11), at the speed that the rotor is there for");
+      grade_ =
+          file_.variable("kind_left_balance_grade", NC_DOUBLE, {kind, quantile}, "mm s-1", words::files::grade_left);
   }
 
   void define_attributes() {
     const auto say = [&](const char* name, const std::string& text) { file_.attribute(NC_GLOBAL, name, text); };
     say("Conventions", "CF-1.8");
-    say("title", "Basins of a rotor with an automatic ball balancer");
+    say("title", words::files::basins);
     say("source", fmt::format("equipoise {}", version_string));
     say("identity", identity_of(c_.header));
     say("cpu_target", fmt::format("{}", fmt::join(c_.cpu_targets, ", ")));
@@ -189,8 +184,7 @@ class BasinWriter {
       }
     if (within_.empty()) return;
     const int kept = file_.dimension("limits_kept", within_.size());
-    kept_name_ = file_.text_variable("limits_kept", kept, within_names_,
-                                     "when a start is within all limits: at_end, on_the_way, both");
+    kept_name_ = file_.text_variable("limits_kept", kept, within_names_, words::files::within_all_limits);
     for (std::size_t c = 0; c < share_columns.size(); ++c)
       kept_share_[c] = file_.variable(std::string("limits_kept_") + share_columns[c].name, NC_DOUBLE, {kept}, "1",
                                       share_columns[c].of_ensemble);
@@ -202,20 +196,18 @@ class BasinWriter {
       if (f.of_bare_rotor) figure_names_.emplace_back(f.name);
     const int body = file_.dimension("one_body", 2), figure = file_.dimension("one_body_figure", figure_names_.size()),
               quantile = file_.dimension("figure_quantile", reported_quantiles.size());
-    body_name_ = file_.text_variable("one_body", body, one_bodies(), "what the rotor carries");
-    figure_name_ = file_.text_variable("one_body_figure", figure, figure_names_, "column of the starts' transients");
-    figure_quantile_ = file_.variable("figure_quantile", NC_DOUBLE, {quantile}, "1", "share of runs that have less");
+    body_name_ = file_.text_variable("one_body", body, one_bodies(), words::files::what_rotor_carries);
+    figure_name_ = file_.text_variable("one_body_figure", figure, figure_names_, words::files::column_of_transients);
+    figure_quantile_ = file_.variable("figure_quantile", NC_DOUBLE, {quantile}, "1", words::files::share_of_runs_below);
     body_runs_ = file_.variable("one_body_runs", NC_DOUBLE, {body}, "1", "runs followed");
-    body_stalled_ = file_.variable("one_body_stalled", NC_DOUBLE, {body}, "1", "of these, that stalled");
-    body_mean_ = file_.variable("one_body_mean", NC_DOUBLE, {body, figure}, "1",
-                                "mean of the figure over runs in which it has an end, dimensionless as in its column");
-    body_quantile_ = file_.variable("one_body_quantile", NC_DOUBLE, {body, figure, quantile}, "1",
-                                    "quantile of the figure over runs, dimensionless as in its column; infinite where "
-                                    "it has no end, missing where it was not asked");
+    body_stalled_ = file_.variable("one_body_stalled", NC_DOUBLE, {body}, "1", words::files::runs_stalled);
+    body_mean_ = file_.variable("one_body_mean", NC_DOUBLE, {body, figure}, "1", words::files::mean_of_runs);
+    body_quantile_ =
+        file_.variable("one_body_quantile", NC_DOUBLE, {body, figure, quantile}, "1", words::files::quantile_of_runs);
   }
 
   static const std::vector<std::string>& one_bodies() {
-    static const std::vector<std::string> names{"no balls", "balls held where they start"};
+    static const std::vector<std::string> names{words::files::no_balls, words::files::balls_held};
     return names;
   }
 

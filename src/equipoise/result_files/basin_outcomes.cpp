@@ -4,22 +4,24 @@
 #include <cstddef>
 #include <limits>
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/start_columns.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
 BasinOutcomes read_basin_outcomes(const std::string& path) {
   if (const std::string problem = io::why_not_whole(path); !problem.empty())
-    throw InputError(path, "", "", problem + "; must be a result that \"basin -o\" finished");
+    throw InputError(path, "", "", fmt::format(words::files::finished_basin, problem));
   const io::NetcdfFile file(path, io::NetcdfFile::Mode::read);
   const std::size_t starts = file.length("start"), kinds = file.length("outcome_kind");
   if (starts == 0 || kinds == 0)
-    throw InputError(path, "", "", "holds no starts; must be a result that \"basin -o\" finished");
+    throw InputError(path, "", "", fmt::format(words::files::finished_basin, words::files::no_starts));
   BasinOutcomes result;
   result.study = parse_kept_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";

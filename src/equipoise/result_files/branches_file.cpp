@@ -11,6 +11,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/results/motion_table.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -58,7 +59,7 @@ class BranchesWriter {
     if (!changes_.empty()) define_events();
     const std::string study = to_toml(result_.study);
     f.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-    f.attribute(NC_GLOBAL, "title", "Attractors of a rotor with an automatic ball balancer along a parameter");
+    f.attribute(NC_GLOBAL, "title", words::files::attractors_along);
     f.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
     f.attribute(NC_GLOBAL, "identity",
                 fmt::format("{}\n# along {}\n# version {}\n", study, result_.key, version_string));
@@ -72,9 +73,9 @@ class BranchesWriter {
     io::NetcdfFile& f = file_;
     const int attractor = f.dimension("attractor", result_.branches.size());
     const int ball = f.dimension("ball", balls_);
-    id_ = f.variable("id", NC_INT, {attractor}, "1", "identifier, the same along the whole range");
-    name_ = f.text_variable("name", attractor, names_, "name of the attractor");
-    alias_ = f.text_variable("alias", attractor, aliases_, "name that Wright and Peng (2019) give it");
+    id_ = f.variable("id", NC_INT, {attractor}, "1", words::files::id_along_range);
+    name_ = f.text_variable("name", attractor, names_, words::files::name_of_attractor);
+    alias_ = f.text_variable("alias", attractor, aliases_, words::files::name_by_wright_and_peng);
     const auto add = [&](const auto& columns) {
       for (const MotionNumber& c : columns)
         columns_.emplace_back(filled(c.name, {value, attractor}, c.long_name()), c.value);
@@ -83,25 +84,24 @@ class BranchesWriter {
     kind_ = f.variable("kind", NC_BYTE, {value, attractor}, "1", "kind of motion");
     f.fill(kind_, &none);
     f.attribute(kind_, "flag_values", std::vector<signed char>{0, 1, 2, 3});
-    f.attribute(kind_, "flag_meanings", "equilibrium periodic quasi-periodic chaotic");
-    stable_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", "whether the motion attracts its neighbourhood");
+    f.attribute(kind_, "flag_meanings", words::files::kinds_of_motion);
+    stable_ = f.variable("stable", NC_BYTE, {value, attractor}, "1", words::files::whether_it_attracts);
     f.fill(stable_, &none);
     f.attribute(stable_, "flag_values", std::vector<signed char>{0, 1});
     f.attribute(stable_, "flag_meanings", "unstable stable");
     add(motion_numbers);
-    drift_ =
-        filled("drift", {value, attractor, ball}, "mean rate of a ball in the rotating frame, radians times omega_c");
+    drift_ = filled("drift", {value, attractor, ball}, words::files::drift_of_ball);
     if (result_.study.speed.driven()) add(motor_numbers);
   }
 
   void define_events() {
     io::NetcdfFile& f = file_;
     const int event = f.dimension("event", changes_.size());
-    event_id_ = f.variable("event_id", NC_INT, {event}, "1", "identifier of the attractor to which it happens");
+    event_id_ = f.variable("event_id", NC_INT, {event}, "1", words::files::attractor_of_event);
     event_change_ = f.text_variable("event_change", event, changes_, "what happens");
-    event_type_ = f.text_variable("event_type", event, types_, "type of the bifurcation");
-    event_low_ = f.variable("event_low", NC_DOUBLE, {event}, "1", "it happens above this value of the parameter");
-    event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", "it happens below this value of the parameter");
+    event_type_ = f.text_variable("event_type", event, types_, words::files::type_of_bifurcation);
+    event_low_ = f.variable("event_low", NC_DOUBLE, {event}, "1", words::files::above_parameter);
+    event_high_ = f.variable("event_high", NC_DOUBLE, {event}, "1", words::files::below_parameter);
   }
 
   int filled(const char* name, const std::vector<int>& dimensions, const std::string& meaning) {

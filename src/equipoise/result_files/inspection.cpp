@@ -15,6 +15,7 @@
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -105,11 +106,10 @@ void read_unfinished(Inspection& i) {
   if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
   if (ensembles > 0) i.facts.emplace_back("ensembles done", fmt::format("{}", ensembles));
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
-  if (notes > 0) i.facts.emplace_back("steps of the search", fmt::format("{}", notes));
+  if (notes > 0) i.facts.emplace_back(words::files::search_steps, fmt::format("{}", notes));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
   if (const std::uint64_t end = journal.whole_bytes(); end > 0 && i.bytes > end)
-    i.damage = fmt::format("{} bytes at its end are cut off or damaged; all before them is sound and will be used",
-                           i.bytes - end);
+    i.damage = fmt::format(words::files::damaged_at_end, i.bytes - end);
 }
 
 bool is_netcdf(const std::string& path) {
@@ -126,8 +126,7 @@ Inspection inspect_file(const std::string& path) {
   std::error_code error;
   i.bytes = std::filesystem::file_size(path, error);
   if (error || !std::filesystem::is_regular_file(path))
-    throw InputError(path, "", "",
-                     "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)");
+    throw InputError(path, "", "", words::files::results_or_unfinished_part);
   if (!is_netcdf(path)) {
     read_unfinished(i);
     return i;

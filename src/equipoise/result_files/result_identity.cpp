@@ -12,6 +12,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise::io {
 
@@ -35,8 +36,8 @@ std::string identity_of(const BasinFileHeader& header) {
                           asked->window, asked->work == WorkSource::none ? "" : ", energy")
             : "none";
   const std::string own = header.own_starts.empty() ? "" : fmt::format("own_starts = {}\n", header.own_starts);
-  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nangles = {}\ntransients = {}\n{}", header.study,
-                     version_string, header.arithmetic, header.angles ? "kept" : "left out", transients, own);
+  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\n", header.study, version_string, header.arithmetic) +
+         fmt::format("angles = {}\ntransients = {}\n{}", header.angles ? "kept" : "left out", transients, own);
 }
 
 IdentityLines::IdentityLines(const std::string& identity) : study(identity.substr(0, identity.find("\n[file]"))) {
@@ -78,35 +79,31 @@ std::string difference(const std::string& there, const std::string& here) {
   for (const auto& [key, unused] : all) {
     const std::string before = told(old_values, key), now = told(values, key);
     if (before == now) continue;
-    if (++count <= most_told)
-      text += fmt::format("{}{} is {} there and {} here", count > 1 ? ", " : "", key, before, now);
+    if (++count <= most_told) text += fmt::format(words::files::differs, count > 1 ? ", " : "", key, before, now);
   }
-  if (count > most_told) text += fmt::format(", and {} more", count - most_told);
-  return count == 0 && there != here ? "its header has another form" : text;
+  if (count > most_told) text += fmt::format(words::files::and_more_differences, count - most_told);
+  return count == 0 && there != here ? words::files::header_differs : text;
 }
 
 void require_same(const std::string& there, const std::string& here, const std::string& of, const std::string& results,
                   const std::string& allowed) {
   const std::string how = difference(there, here);
-  if (!how.empty())
-    throw InputError(of, "", "", fmt::format("holds something other than {}: {}; {}", results, how, allowed));
+  if (!how.empty()) throw InputError(of, "", "", fmt::format(words::files::other_results, results, how, allowed));
 }
 
 std::string results_path(const std::string& path, const std::string& allowed) {
   if (const std::string problem = why_not_writable(path); !problem.empty())
-    throw InputError("output", "", path, problem + "; must be a file that can be written");
+    throw InputError("output", "", path, fmt::format(words::files::must_be_writable, problem));
   const std::string place = resolved(path);
   if (std::filesystem::exists(place) && !std::filesystem::is_regular_file(place))
-    throw InputError("output", "", path, fmt::format("is no regular file; {}", allowed));
+    throw InputError("output", "", path, fmt::format(words::files::no_regular_file, allowed));
   return place;
 }
 
 std::string path_for_whole_results(const std::string& path) {
-  const std::string place = results_path(path, "must be a file that can be replaced"), unfinished = place + ".part";
+  const std::string place = results_path(path, words::files::replaceable), unfinished = place + ".part";
   if (std::filesystem::exists(unfinished))
-    throw InputError(
-        "output", "", path,
-        fmt::format("has unfinished results beside it, {}; must be another file, or those ended first", unfinished));
+    throw InputError("output", "", path, fmt::format(words::files::unfinished_results_beside, unfinished));
   return place;
 }
 

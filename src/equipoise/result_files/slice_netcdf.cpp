@@ -13,17 +13,16 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/slice_file.hpp"
+#include "equipoise/words/files.hpp"
 #include "equipoise/result_files/slice_netcdf.hpp"
 
 namespace equipoise::io {
 
 namespace {
 
-constexpr const char* allowed_map = "must be a file that \"map -o\" wrote";
-
 const std::string& whole_map_file(const std::string& path) {
   if (const std::string damage = why_not_whole(path); !damage.empty())
-    throw InputError(path, "", "", fmt::format("{}; {}", damage, allowed_map));
+    throw InputError(path, "", "", fmt::format("{}; {}", damage, words::files::map_file));
   return path;
 }
 
@@ -89,16 +88,13 @@ void SliceWriter::define(const std::vector<OutcomeShare>& codes, const std::vect
   y_ = axis("y", y, header_.y);
   define_pixels(y, x, codes);
   code_ = file_.variable("code", NC_SHORT, {kind}, "1", "value of outcome");
-  name_ = file_.text_variable("name", kind, names_, "name of the outcome");
-  alias_ = file_.text_variable("alias", kind, aliases_, "name that Wright and Peng (2019) give it");
-  share_ = file_.variable("share", NC_DOUBLE, {kind}, "1", "share of the map's pixels");
+  name_ = file_.text_variable("name", kind, names_, words::files::name_of_outcome);
+  alias_ = file_.text_variable("alias", kind, aliases_, words::files::name_by_wright_and_peng);
+  share_ = file_.variable("share", NC_DOUBLE, {kind}, "1", words::files::share_of_pixels);
   if (!discoveries.empty()) {
     const int met = file_.dimension("discovery", discoveries.size());
     const int component = file_.dimension("component", discoveries.front().size());
-    discovery_ =
-        file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1",
-                       "state on a motion first met at a pixel: x, y, u, v, phi, phi_dot, and of driven rotors "
-                       "what turns them");
+    discovery_ = file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1", words::files::state_met_at_pixel);
   }
   define_attributes(complete);
   file_.leave_unfilled();
@@ -106,16 +102,14 @@ void SliceWriter::define(const std::vector<OutcomeShare>& codes, const std::vect
 }
 
 void SliceWriter::define_pixels(int y, int x, const std::vector<OutcomeShare>& codes) {
-  outcome_ = file_.variable("outcome", NC_SHORT, {y, x}, "1", "what the pixel's start comes to");
+  outcome_ = file_.variable("outcome", NC_SHORT, {y, x}, "1", words::files::outcome_of_pixel);
   file_.fill(outcome_, &not_computed_code);
   std::vector<short> values;
   for (const OutcomeShare& c : codes) values.push_back(static_cast<short>(c.id));
   file_.attribute(outcome_, "flag_values", values);
   file_.attribute(outcome_, "flag_meanings", slice_flag_meanings(codes));
   if (header_.block > 0) {
-    computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1",
-                               "1: followed; 0: filled in, its outcome is that of all edges of its block, it has no "
-                               "decision_time and r_max, and what balance is like is interpolated between corners");
+    computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1", words::files::computed_or_filled);
     file_.attribute(computed_, "flag_values", std::vector<signed char>{0, 1});
     file_.attribute(computed_, "flag_meanings", "filled_in computed");
   }
@@ -133,10 +127,10 @@ void SliceWriter::define_attributes(bool complete) {
   const auto say = [&](const char* name, const std::string& text) { file_.attribute(NC_GLOBAL, name, text); };
   const auto range = [](const SliceAxis& a) { return fmt::format("{} {}", a.low, a.high); };
   const auto axis = [](const SliceAxis& a) {
-    return fmt::format("{} from {} to {} in {} pixels", a.key, a.low, a.high, a.pixels);
+    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
   };
   say("Conventions", "CF-1.8");
-  say("title", "Where a rotor with an automatic ball balancer ends, over a plane");
+  say("title", words::files::over_a_plane);
   say("source", fmt::format("equipoise {}", version_string));
   say("identity", identity_of(header_));
   say("subject", subject_of(header_));
@@ -146,10 +140,8 @@ void SliceWriter::define_attributes(bool complete) {
   say("y_range", range(header_.y));
   say("axes", fmt::format("{}; {}", axis(header_.x), axis(header_.y)));
   say("links", links_text(header_.links));
-  say("refine", header_.block == 0 ? "no: every pixel was computed"
-                                   : fmt::format("blocks of {} pixels were computed first, and filled in where all of "
-                                                 "their edges agree",
-                                                 header_.block));
+  say("refine", header_.block == 0 ? words::files::every_pixel_computed
+                                   : fmt::format(words::files::computed_by_blocks, header_.block));
   say("study", header_.study);
   say("complete", complete ? "yes" : "no");
 }
@@ -196,7 +188,7 @@ SliceReader::SliceReader(const std::string& path) : file_(whole_map_file(path), 
       numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
     });
   } catch (const RunError&) {
-    throw InputError(path, "", "", fmt::format("holds no map; {}", allowed_map));
+    throw InputError(path, "", "", fmt::format(words::files::no_map, words::files::map_file));
   }
 }
 

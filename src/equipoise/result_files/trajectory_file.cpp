@@ -15,6 +15,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/replacement.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -63,7 +64,7 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
     ids.push_back(file.variable(c.name, NC_DOUBLE, c.by_ball ? std::vector{time, ball} : std::vector{time},
                                 c.cf_units(), c.long_name()));
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-  file.attribute(NC_GLOBAL, "title", "Trajectory of a rotor with an automatic ball balancer");
+  file.attribute(NC_GLOBAL, "title", words::files::trajectory);
   file.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
   file.attribute(NC_GLOBAL, "study", study);
   file.end_definitions();

@@ -51,7 +51,7 @@ struct CapacityResult {
   double from = 0.0, to = 0.0, precision = 0.0;
   double at_least = 0.95;
   std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name
-  std::uint64_t starts = 0;  ///< of each ensemble
+  std::uint64_t starts = 0;     ///< of each ensemble
   std::vector<SweepAxis> axes;
   std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep
   std::vector<std::optional<OpenCapacity>> open;   ///< for cells that were begun and not finished

@@ -11,6 +11,7 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/results.hpp"
 
 namespace equipoise {
 
@@ -52,7 +53,7 @@ struct BalancedMotion {
   /// Where statements about it hold: ", without gravity, in the state shown, one of a continuum"; empty: everywhere.
   std::string place(const model::BalancedStates& states) const {
     const bool one_of_many = states.kind == model::BalancedStates::Kind::continuum;
-    return (less.empty() ? "" : ", " + less) + (one_of_many ? ", in the state shown of a continuum" : "");
+    return (less.empty() ? "" : ", " + less) + (one_of_many ? words::results::one_of_a_continuum : "");
   }
   /// 1: more drag makes it die out sooner; -1: less drag does; 0: drag changes it by less than 1 % of its own change.
   int more_drag() const { return drag_sensitivity > 0.01 ? 1 : drag_sensitivity < -0.01 ? -1 : 0; }

@@ -13,6 +13,7 @@
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/study/machine_sheet.hpp"
 #include "equipoise/study/quantity_reader.hpp"
+#include "equipoise/words/machine.hpp"
 
 namespace equipoise::study {
 
@@ -28,7 +29,7 @@ class OilReader : public QuantityReader {
   explicit OilReader(const Document& document) : QuantityReader(document, "balancer.oil") {}
 
   OilSheet read() {
-    const std::string wanted = "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"";
+    const std::string wanted = words::machine::oil_grade;
     require("grade", wanted);
     grade_ = text("grade").value_or("");
     kelvin_ = quantity("at");
@@ -45,9 +46,8 @@ class OilReader : public QuantityReader {
 
   void check_temperature(double coldest, double hottest, const char* of) const {
     if (!(kelvin_ >= coldest && kelvin_ <= hottest))
-      fail("at", fmt::format("must be from {:.6g} to {:.6g} degC: the law of {} holds there; beyond it give "
-                             "balancer.oil_viscosity",
-                             coldest - model::celsius_zero, hottest - model::celsius_zero, of));
+      fail("at", fmt::format(words::machine::oil_temperature, coldest - model::celsius_zero,
+                             hottest - model::celsius_zero, of));
   }
 
   OilSheet silicone_oil(const std::string& viscosity) {
@@ -57,11 +57,8 @@ class OilReader : public QuantityReader {
     // Conversions round.
     if (!measured.problem.empty() || at_25 < model::thinnest_silicone * (1.0 - 1e-12) ||
         at_25 > model::thickest_silicone * (1.0 + 1e-12))
-      fail("grade",
-           fmt::format("must be \"silicone\" with its viscosity at 25 degC, from {:.0f} to {:.0f} cSt, such as "
-                       "\"silicone 1000 cSt\"; of others give balancer.oil_viscosity",
-                       model::thinnest_silicone, model::thickest_silicone));
-    if (has("viscosity_100")) fail("viscosity_100", "is of mineral oils; a silicone oil's law is known");
+      fail("grade", fmt::format(words::machine::silicone_grade, model::thinnest_silicone, model::thickest_silicone));
+    if (has("viscosity_100")) fail("viscosity_100", words::machine::viscosity_of_silicone_is_known);
     return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density};
   }
 
@@ -83,9 +80,8 @@ class OilReader : public QuantityReader {
       if (said > 0.0 && (nearest == 0.0 || std::abs(std::log(middle / said)) < std::abs(std::log(nearest / said))))
         nearest = middle;
     }
-    fail("grade", fmt::format("{}must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200, such as \"ISO VG 32\", or "
-                              "\"silicone\" with its viscosity at 25 degC, such as \"silicone 1000 cSt\"",
-                              nearest == 0.0 ? "" : fmt::format("did you mean \"ISO VG {:.0f}\"? ", nearest)));
+    fail("grade", fmt::format(words::machine::unknown_oil,
+                              nearest == 0.0 ? "" : fmt::format(words::machine::did_you_mean_grade, nearest)));
   }
 
   OilSheet mineral_oil() {
@@ -96,10 +92,9 @@ class OilReader : public QuantityReader {
       *at_100 /= square_mm;
     else
       at_100 = model::viscosity_at_100(at_40, model::usual_viscosity_index);
-    if (!at_100)
-      fail("grade", "is thinner than viscosity indices are defined for; give viscosity_100, such as \"1.1 cSt\"");
+    if (!at_100) fail("grade", words::machine::too_thin_for_index);
     const bool falls = *at_100<at_40&& * at_100> 0.5;
-    if (!falls) fail("viscosity_100", fmt::format("must be from 0.5 cSt to less than at 40 degC, {:.6g} cSt", at_40));
+    if (!falls) fail("viscosity_100", fmt::format(words::machine::viscosity_at_100, at_40));
     return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density};
   }
 
@@ -116,7 +111,7 @@ class BalancerReader {
     b_.radius = reader_.quantity("race_radius");
     diameter_ = reader_.one_or_each("ball_diameter", b_.balls, "ball");
     for (const double d : diameter_)
-      if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", "must be less than twice balancer.race_radius");
+      if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", words::machine::ball_fills_race);
     read_mass();
     read_drag();
     read_rolls();
@@ -129,13 +124,13 @@ class BalancerReader {
 
  private:
   void need_diameter(const char* key) {
-    if (diameter_.empty()) reader_.fail(key, "needs balancer.ball_diameter, such as \"8 mm\"");
+    if (diameter_.empty()) reader_.fail(key, words::machine::needs_diameter);
   }
 
   void read_mass() {
-    b_.mass_from = reader_.exactly_one({{"mass", "a mass greater than 0, such as \"5 g\""},
+    b_.mass_from = reader_.exactly_one({{"mass", words::machine::mass},
                                         {"ball_density", "with balancer.ball_diameter"},
-                                        {"ball_material", "such as \"steel\", with balancer.ball_diameter"}});
+                                        {"ball_material", words::machine::ball_material}});
     if (b_.mass_from == "mass") {
       b_.mass = reader_.one_or_each("mass", b_.balls, "ball");
       return;
@@ -154,16 +149,13 @@ class BalancerReader {
     if (const model::BallMaterial* material = model::find_ball_material(name)) return material->density;
     std::vector<std::string> names;
     for (const model::BallMaterial& known : model::ball_materials) names.emplace_back(known.name);
-    reader_.fail_among("ball_material", names,
-                       "is none whose density is known here (balancer.ball_density states any); ");
+    reader_.fail_among("ball_material", names, words::machine::unknown_material);
   }
 
   void read_drag() {
-    b_.drag_from = reader_.exactly_one({{"drag",
-                                         "a torque for a rate, such as \"1e-6 N m s\", or a force for a velocity, such "
-                                         "as \"0.01 N s/m\""},
+    b_.drag_from = reader_.exactly_one({{"drag", words::machine::drag},
                                         {"oil_viscosity", "with balancer.ball_diameter"},
-                                        {"oil", "such as { grade = \"ISO VG 32\", at = \"40 degC\" }"}});
+                                        {"oil", words::machine::oil}});
     if (b_.drag_from != "drag") {
       b_.drag_torque = drag_in_oil();
       return;
@@ -173,7 +165,7 @@ class BalancerReader {
     if (measured == Dimension::damping)
       for (double& d : b_.drag_torque) d *= b_.radius * b_.radius;
     for (const char* key : {"oil_density", "channel_diameter"})
-      if (reader_.has(key)) reader_.fail(key, "has a meaning only with balancer.oil_viscosity or balancer.oil");
+      if (reader_.has(key)) reader_.fail(key, words::machine::only_with_oil);
   }
 
   void read_oil() {
@@ -187,8 +179,7 @@ class BalancerReader {
     Dimension measured{};
     double viscosity = reader_.quantity("oil_viscosity", Dimension::kinematic_viscosity, &measured);
     if (measured == Dimension::kinematic_viscosity) {
-      if (!density)
-        reader_.fail("oil_viscosity", "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"");
+      if (!density) reader_.fail("oil_viscosity", words::machine::needs_oil_density);
       viscosity *= *density;
     }
     b_.details.oil_viscosity = viscosity;
@@ -203,9 +194,8 @@ class BalancerReader {
     for (const double d : diameter_) {
       if (channel && !(d <= model::widest_ball_in_channel * *channel))
         reader_.fail("channel_diameter",
-                     fmt::format("must be at least {:.6g} mm: the wall correction holds for balls up to {} of the "
-                                 "channel; in a closer fit measure the drag and state balancer.drag",
-                                 1000.0 * d / model::widest_ball_in_channel, model::widest_ball_in_channel));
+                     fmt::format(words::machine::channel_too_narrow, 1000.0 * d / model::widest_ball_in_channel,
+                                 model::widest_ball_in_channel));
       drag_torque.push_back(model::stokes_drag(*b_.details.oil_viscosity, d) *
                             (channel ? model::wall_correction(d / *channel) : 1.0) * b_.radius * b_.radius);
     }
@@ -216,7 +206,7 @@ class BalancerReader {
   void read_rolls() {
     b_.rolls = reader_.flag("rolls", !diameter_.empty());
     if (!b_.rolls) {
-      if (reader_.has("ball_radius")) reader_.fail("ball_radius", "has a meaning only with balancer.rolls = true");
+      if (reader_.has("ball_radius")) reader_.fail("ball_radius", words::machine::only_of_balls_that_roll);
       return;
     }
     b_.radius_of_balls = reader_.one_or_each("ball_radius", b_.balls, "ball");
@@ -225,10 +215,10 @@ class BalancerReader {
       need_diameter("rolls");
       for (const double d : diameter_) b_.radius_of_balls.push_back(0.5 * d);
     } else if (!diameter_.empty()) {
-      reader_.fail("ball_radius", "give either balancer.ball_radius or balancer.ball_diameter, not both");
+      reader_.fail("ball_radius", words::machine::radius_or_diameter);
     }
     for (const double r : b_.radius_of_balls)
-      if (r >= b_.radius) reader_.fail(b_.rolls_from, "must be less than balancer.race_radius");
+      if (r >= b_.radius) reader_.fail(b_.rolls_from, words::machine::ball_radius_too_large);
   }
 
   bool one_diameter() const {
@@ -238,8 +228,7 @@ class BalancerReader {
   // Balls of known size touch; different sizes are not supported yet.
   void read_contact() {
     if (reader_.has("contact_angle")) {
-      if (reader_.has("contact"))
-        reader_.fail("contact", "give either balancer.contact_angle or balancer.contact, not both");
+      if (reader_.has("contact")) reader_.fail("contact", words::machine::contact_angle_or_contact);
       b_.contact_angle = reader_.optional_quantity("contact_angle");
       b_.contact_from = "contact_angle";
       return;
@@ -247,13 +236,11 @@ class BalancerReader {
     const bool given = reader_.has("contact");
     if (!reader_.flag("contact", !diameter_.empty() && one_diameter())) return;
     need_diameter("contact");
-    if (!one_diameter()) reader_.fail("contact", "needs balls of one diameter");
+    if (!one_diameter()) reader_.fail("contact", words::machine::balls_of_one_diameter);
     if (b_.balls == 1) return;
     const double widest = 2.0 * b_.radius * std::sin(pi / b_.balls);
     if (diameter_.front() >= widest)
-      reader_.fail("ball_diameter",
-                   fmt::format("must be less than {:.6g} mm: {} balls that touch side by side fill the race then",
-                               1000.0 * widest, b_.balls));
+      reader_.fail("ball_diameter", fmt::format(words::machine::balls_fill_race, 1000.0 * widest, b_.balls));
     b_.contact_angle = 2.0 * std::asin(0.5 * diameter_.front() / b_.radius);
     b_.contact_from = given ? "contact" : "ball_diameter";
   }

@@ -11,6 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/drives/nameplate.hpp"
 #include "equipoise/study/quantity_reader.hpp"
+#include "equipoise/words/machine.hpp"
 
 namespace equipoise::study {
 
@@ -38,27 +39,24 @@ void put_run_up(Document& document) {
   if (!reader.has("run_up")) return;
   const StudyValue* profile = document.root.find_path("speed.profile");
   if (!profile || !profile->string() || *profile->string() != profile_name(Profile::ramp))
-    reader.fail("run_up", "give either speed.profile or speed.run_up, not both: run_up is a ramp to speed.final");
-  if (reader.has("duration")) reader.fail("run_up", "give either speed.run_up or speed.duration, not both");
+    reader.fail("run_up", words::machine::profile_or_run_up);
+  if (reader.has("duration")) reader.fail("run_up", words::machine::run_up_or_duration);
   put_for(document, "speed", "run_up", "duration", in_si(reader.quantity("run_up"), Dimension::time));
   document.root.find("speed")->erase("run_up");
 }
 
 double synchronous_speed(QuantityReader& reader, double rated) {
   if (const auto stated = reader.optional_quantity("synchronous_speed")) {
-    if (!(*stated > rated)) reader.fail("synchronous_speed", "must be greater than speed.torque.rated_speed");
+    if (!(*stated > rated)) reader.fail("synchronous_speed", words::machine::synchronous_above_rated);
     return *stated;
   }
   const std::vector<double> fitting = model::synchronous_speeds(rated);
   if (fitting.size() == 1) return fitting.front();
   std::vector<std::string> texts;
   for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
-  reader.fail("rated_speed",
-              texts.empty()
-                  ? "is less than a tenth below no synchronous speed at 50 or 60 Hz; give "
-                    "speed.torque.synchronous_speed too"
-                  : fmt::format("fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}",
-                                fmt::join(texts, ", ")));
+  reader.fail("rated_speed", texts.empty()
+                                 ? words::machine::no_synchronous_speed_fits
+                                 : fmt::format(words::machine::several_synchronous_speeds, fmt::join(texts, ", ")));
 }
 
 // The curve that a nameplate stands for.
@@ -69,12 +67,11 @@ void put_nameplate(Document& document) {
   const auto power = reader.optional_quantity("power"), stated = reader.optional_quantity("rated_torque");
   if (!power && !stated) {
     for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
-      if (reader.has(key)) reader.fail(key, "belongs to a nameplate, which needs speed.torque.power or rated_torque");
+      if (reader.has(key)) reader.fail(key, words::machine::belongs_to_nameplate);
     return;
   }
   for (const char* key : {"speeds", "values", "times", "stall", "no_load_speed", "constant", "slope", "gain", "target"})
-    if (reader.has(key))
-      reader.fail(key, "give either a nameplate (speed.torque.power) or the torque itself, not both");
+    if (reader.has(key)) reader.fail(key, words::machine::nameplate_or_torque);
   const auto plain = [&](const char* key) {
     return reader.optional_number(key, key_table("speed.torque").find(key, true)->range);
   };
@@ -84,17 +81,15 @@ void put_nameplate(Document& document) {
   motor.rated_torque = stated ? *stated : *power / motor.rated_speed;
   // Catalogues round: a tenth apart is another motor.
   if (power && stated && std::fabs(*stated * motor.rated_speed / *power - 1.0) > 0.1)
-    reader.fail("rated_torque", fmt::format("contradicts speed.torque.power, which is {:.4g} N m at the rated speed",
-                                            *power / motor.rated_speed));
+    reader.fail("rated_torque", fmt::format(words::machine::torque_contradicts_power, *power / motor.rated_speed));
   if (const auto ratio = plain("breakdown_ratio"))
     motor.breakdown_ratio = *ratio;
   else
-    reader.fail("breakdown_ratio", "missing; must be the breakdown torque over the rated torque, such as 2.5");
+    reader.fail("breakdown_ratio", words::machine::breakdown_ratio_missing);
   motor.locked_rotor_ratio = plain("locked_rotor_ratio");
   const double top = model::breakdown_slip(motor);
   if (motor.locked_rotor_ratio && top >= 1.0)
-    reader.fail("locked_rotor_ratio",
-                "cannot be had: at this rated speed and breakdown ratio the torque falls from rest on; leave it out");
+    reader.fail("locked_rotor_ratio", words::machine::no_such_locked_rotor_ratio);
   const model::CurvePoints curve = model::nameplate_curve(motor);
   StudyValue::Array speeds, values;
   for (std::size_t k = 0; k < curve.speeds.size(); ++k) {
@@ -146,7 +141,7 @@ DriveSheet put_drive_sheet(Document& document) {
   const double ratio = reader.optional_number("gear_ratio", range).value_or(1.0);
   const double inertia = reader.optional_quantity("motor_inertia").value_or(0.0);
   for (const char* key : {"gear_ratio", "motor_inertia"}) {
-    if (reader.has(key) && !speed->find("torque")) reader.fail(key, "belongs to a motor: needs speed.torque");
+    if (reader.has(key) && !speed->find("torque")) reader.fail(key, words::machine::belongs_to_motor);
     speed->erase(key);
   }
   return {ratio, ratio * ratio * inertia};

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/keys.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -33,8 +34,7 @@ struct KeyReading {
   }
   void operator()(std::optional<SamplingBox::Side>* v) const {
     const std::vector<double> bounds = two("[low, high]");
-    if (!(bounds[0] <= bounds[1]))
-      reader.fail(key.name, "bounds out of order; must be [low, high] with low at most high");
+    if (!(bounds[0] <= bounds[1])) reader.fail(key.name, words::study::bounds_out_of_order);
     *v = {bounds[0], bounds[1]};
   }
   template <std::integral T>
@@ -54,8 +54,7 @@ struct KeyReading {
 
   std::vector<double> two(const char* form) const {
     std::vector<double> entries = reader.numbers(key.name, key.range);
-    if (entries.size() != 2)
-      reader.fail(key.name, fmt::format("has {} entries; must be two finite numbers, {}", entries.size(), form));
+    if (entries.size() != 2) reader.fail(key.name, fmt::format(words::study::two_numbers, entries.size(), form));
     return entries;
   }
   template <std::size_t n>

@@ -2,7 +2,8 @@
 #include "equipoise/study/known_keys.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,7 @@
 #include "equipoise/base/nearest_name.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/printable.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -35,19 +37,56 @@ Names names_in(const Document& document, const KeyTable& table, bool physical) {
   return names_in(table.of(at == profile_names.end() ? all_variants : variant_of(said), physical));
 }
 
-// Common names for things that have another name here.
-constexpr std::string_view other_names =
-    "ball_count balls, number_of_balls balls, n_balls balls, count balls, ball_mass mass, ball_drag drag, "
-    "damping_coefficient drag, viscosity oil_viscosity, radius race_radius, diameter ball_diameter, "
-    "density ball_density, ball_size ball_diameter, friction rolling, critical_speed natural_frequency, "
-    "natural_frequency stiffness, critical_speed stiffness, sag static_sag, decrement logarithmic_decrement, "
-    "log_decrement logarithmic_decrement, q_factor quality_factor, grade balance_grade, gyration_radius "
-    "radius_of_gyration, gd gd2, material ball_material, places place, spring stiffness, k stiffness, m mass, c "
-    "damping, zeta damping_ratio, "
-    "zeta damping, damping_factor damping_ratio, damping_ratio damping, imbalance unbalance, "
-    "imbalance eccentricity, unbalance eccentricity, offset eccentricity, moment_of_inertia inertia, "
-    "speed final, final_speed final, final speed, start initial, time duration, free_speed no_load_speed, "
-    "stall_torque stall, balls balancer";
+// A common name for a thing that has another name here.
+struct OtherName {
+  std::string_view said, name;
+};
+constexpr auto other_names = std::to_array<OtherName>({{"ball_count", "balls"},
+                                                       {"number_of_balls", "balls"},
+                                                       {"n_balls", "balls"},
+                                                       {"count", "balls"},
+                                                       {"ball_mass", "mass"},
+                                                       {"ball_drag", "drag"},
+                                                       {"damping_coefficient", "drag"},
+                                                       {"viscosity", "oil_viscosity"},
+                                                       {"radius", "race_radius"},
+                                                       {"diameter", "ball_diameter"},
+                                                       {"density", "ball_density"},
+                                                       {"ball_size", "ball_diameter"},
+                                                       {"friction", "rolling"},
+                                                       {"critical_speed", "natural_frequency"},
+                                                       {"natural_frequency", "stiffness"},
+                                                       {"critical_speed", "stiffness"},
+                                                       {"sag", "static_sag"},
+                                                       {"decrement", "logarithmic_decrement"},
+                                                       {"log_decrement", "logarithmic_decrement"},
+                                                       {"q_factor", "quality_factor"},
+                                                       {"grade", "balance_grade"},
+                                                       {"gyration_radius", "radius_of_gyration"},
+                                                       {"gd", "gd2"},
+                                                       {"material", "ball_material"},
+                                                       {"places", "place"},
+                                                       {"spring", "stiffness"},
+                                                       {"k", "stiffness"},
+                                                       {"m", "mass"},
+                                                       {"c", "damping"},
+                                                       {"zeta", "damping_ratio"},
+                                                       {"zeta", "damping"},
+                                                       {"damping_factor", "damping_ratio"},
+                                                       {"damping_ratio", "damping"},
+                                                       {"imbalance", "unbalance"},
+                                                       {"imbalance", "eccentricity"},
+                                                       {"unbalance", "eccentricity"},
+                                                       {"offset", "eccentricity"},
+                                                       {"moment_of_inertia", "inertia"},
+                                                       {"speed", "final"},
+                                                       {"final_speed", "final"},
+                                                       {"final", "speed"},
+                                                       {"start", "initial"},
+                                                       {"time", "duration"},
+                                                       {"free_speed", "no_load_speed"},
+                                                       {"stall_torque", "stall"},
+                                                       {"balls", "balancer"}});
 
 bool holds(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -65,12 +104,17 @@ std::string meant(std::string_view key, const Names& known) {
     return edit_distance(key.substr(0, longest_shown), a) < edit_distance(key.substr(0, longest_shown), b);
   });
   if (nearest != known.end() && nearly_same(key, *nearest)) return *nearest;
-  std::istringstream others{std::string(other_names)};
-  for (std::string said, name; others >> said && std::getline(others >> std::ws, name, ',');)
-    if (key == said && holds(known, name)) return name;
+  for (const auto& [said, name] : other_names)
+    if (key == said && holds(known, name)) return std::string(name);
   for (const std::string& name : known)
     if (extends(key, name) || extends(name, key)) return name;
   return "";
+}
+
+// The known name that a key stands for, which may carry its table's name as --set writes it.
+std::string likely(std::string_view table, std::string_view key, const Names& known) {
+  if (!table.empty() && key.starts_with(fmt::format("{}.", table))) key.remove_prefix(table.size() + 1);
+  return holds(known, key) ? std::string(key) : meant(key, known);
 }
 
 }  // namespace
@@ -80,10 +124,8 @@ bool nearly_same(std::string_view a, std::string_view b) {
 }
 
 std::string unknown_key(std::string_view table, std::string_view key, const Names& known) {
-  // As --set writes it.
-  if (!table.empty() && key.starts_with(fmt::format("{}.", table))) key.remove_prefix(table.size() + 1);
-  const std::string other = holds(known, key) ? std::string(key) : meant(key, known);
-  return fmt::format("unknown key{} (allowed: {})", other.empty() ? "" : fmt::format("; did you mean \"{}\"?", other),
+  const std::string other = likely(table, key, known);
+  return fmt::format(words::study::unknown_key, other.empty() ? "" : fmt::format(words::study::did_you_mean, other),
                      fmt::join(known, ", "));
 }
 
@@ -104,12 +146,13 @@ void check_keys_of(const Document& document, bool physical, const KeyTable& list
   for (const auto& [name, value] : *table->table()) {
     if (list.find(name, physical)) continue;
     const std::string dotted = path + "." + name;
-    std::string problem = unknown_key(list.name, name, names_in(document, list, physical));
+    const Names known = names_in(document, list, physical);
+    std::string problem = unknown_key(list.name, name, known);
     const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
       return holds(names_in(document, other, physical), key);
     });
-    if (home != key_tables().end() && problem.find("did you mean") == std::string::npos)
-      problem += fmt::format("; [{}] has a key of this name", home->name);
+    if (home != key_tables().end() && likely(list.name, name, known).empty())
+      problem += fmt::format(words::study::key_of_other_table, home->name);
     throw InputError(document.where(dotted, &value), path + "." + printable(name), document.value_text(dotted, value),
                      problem);
   }

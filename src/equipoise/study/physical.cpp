@@ -10,6 +10,7 @@
 #include "equipoise/study/machine_sheet.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 #include "equipoise/study/uncertain_reader.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -119,9 +120,9 @@ std::string physical_key(const Document& document) {
 void require_mass(const Document& document) {
   const std::string key = physical_key(document);
   if (key == "rotor.mass") return;
-  throw InputError(document.where("rotor.mass", nullptr), "rotor.mass", "",
-                   fmt::format("missing; must be {}, for {} makes this a study in physical units",
-                               wanted_quantity({Dimension::mass}, positive), key));
+  throw InputError(
+      document.where("rotor.mass", nullptr), "rotor.mass", "",
+      fmt::format(words::study::mass_makes_it_physical, wanted_quantity({Dimension::mass}, positive), key));
 }
 
 void check_horizon(const Document& document, const model::Scales& s) {
@@ -130,9 +131,8 @@ void check_horizon(const Document& document, const model::Scales& s) {
   const double horizon = numerics.number("horizon", any_number);
   const Range horizon_range = key_table("numerics").find("horizon", false)->range;
   if (!horizon_range.contains(horizon))
-    numerics.fail("horizon", fmt::format("must be a time from {:.6g} s to {:.6g} s ({} to {} times 1/omega_c)",
-                                         horizon_range.low * s.time(), horizon_range.high * s.time(), horizon_range.low,
-                                         horizon_range.high));
+    numerics.fail("horizon", fmt::format(words::study::horizon, horizon_range.low * s.time(),
+                                         horizon_range.high * s.time(), horizon_range.low, horizon_range.high));
 }
 
 }  // namespace
@@ -152,10 +152,7 @@ BallDetails ball_details(const Document& document) {
 void make_dimensionless(Document& document) {
   if (!is_physical(document)) return;
   if (const StudyValue* units = document.root.find("units"))
-    throw InputError(
-        document.where("units", units), "units", "",
-        "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and "
-        "rotor.stiffness");
+    throw InputError(document.where("units", units), "units", "", words::study::units_of_dimensionless_study);
   require_mass(document);
   const DriveSheet drive = put_drive_sheet(document);
   const RotorSheet rotor = read_rotor_sheet(document);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/words/study.hpp"
+
 namespace equipoise::study {
 
 std::string wanted_quantity(const std::vector<Dimension>& dimensions, const Range& range) {
@@ -24,15 +26,14 @@ Measured measure_value(const StudyValue& value, const std::vector<Dimension>& di
     return {angle, Dimension::angle, ""};
   }
   if (!value.string())
-    reject(fmt::format("is {} and rotor.mass makes this a study in physical units; must be {}",
-                       value.is_number() ? "a plain number" : "no quantity", wanted_quantity(dimensions, range)));
+    reject(fmt::format(words::study::quantity_needed, value.is_number() ? "a plain number" : "no quantity",
+                       wanted_quantity(dimensions, range)));
   const Measured result = measure(*value.string(), dimensions);
   if (!result.problem.empty()) reject(result.problem);
   if (!range.contains(result.value)) reject("must be " + wanted_quantity({result.dimension}, range));
   const double size = std::abs(result.value);
   if (size > largest_si || (size < smallest_si && (size > 0.0 || range.low_open)))
-    reject(fmt::format("must be {}; in SI units from {} to {} in size", wanted_quantity({result.dimension}, range),
-                       smallest_si, largest_si));
+    reject(fmt::format(words::study::size_in_si, wanted_quantity({result.dimension}, range), smallest_si, largest_si));
   return result;
 }
 
@@ -47,7 +48,7 @@ const Key& QuantityReader::line(const std::string& key) const { return *key_tabl
 
 double QuantityReader::quantity(const std::string& key, std::optional<Dimension> other, Dimension* measured) {
   require(key, wanted_quantity({*line(key).dimension}, quantity_range(line(key))));
-  if (find(key)->array()) fail(key, "is an array; must be one quantity");
+  if (find(key)->array()) fail(key, words::study::one_quantity);
   return one_or_each(key, 1, "", other, measured).front();
 }
 
@@ -73,8 +74,8 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, int coun
     return std::vector<double>(static_cast<std::size_t>(count), one.value);
   }
   if (array->size() != static_cast<std::size_t>(count))
-    fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one a {}", array->size(),
-                          wanted_quantity(dimensions, range), count, each));
+    fail(key,
+         fmt::format(words::study::entries_for_each, array->size(), wanted_quantity(dimensions, range), count, each));
   std::vector<double> values;
   for (const StudyValue& entry : *array) {
     const std::vector<Dimension> allowed = values.empty() ? dimensions : std::vector<Dimension>{dimension};
@@ -109,7 +110,7 @@ std::string QuantityReader::at_most_one(const std::vector<Alternative>& alternat
       if (other.key != one.key)
         alternatives_[one.key] += fmt::format(", or give {}, {}", dotted(other.key), other.words);
     if (!has(one.key)) continue;
-    if (!given.empty()) fail(one.key, fmt::format("give either {} or {}, not both", dotted(given), dotted(one.key)));
+    if (!given.empty()) fail(one.key, fmt::format(words::study::either_or, dotted(given), dotted(one.key)));
     given = one.key;
   }
   return given;

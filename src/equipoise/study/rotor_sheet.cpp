@@ -11,6 +11,7 @@
 #include "equipoise/datasheet/vibration_data.hpp"
 #include "equipoise/study/machine_sheet.hpp"
 #include "equipoise/study/quantity_reader.hpp"
+#include "equipoise/words/machine.hpp"
 
 namespace equipoise::study {
 
@@ -21,7 +22,7 @@ const std::string each_direction = "direction (x, y)";
 // "G 6.3", or the velocity that it means, "6.3 mm/s"; in m/s.
 double grade_of(const QuantityReader& reader, const std::string& key, const StudyValue& value) {
   const std::string* text = value.string();
-  const std::string wanted = "must be a balance quality grade such as \"G 6.3\", or what it means, \"6.3 mm/s\"";
+  const std::string wanted = words::machine::must_be_grade;
   if (!text) reader.fail(key, wanted);
   double grade = 0.0;
   if (text->starts_with('G')) {
@@ -44,7 +45,7 @@ class GradeReader : public QuantityReader {
   explicit GradeReader(const Document& document) : QuantityReader(document, "rotor.balance_grade") {}
 
   double eccentricity() {
-    const double grade = grade_of(*this, "grade", require("grade", "a balance quality grade such as \"G 6.3\""));
+    const double grade = grade_of(*this, "grade", require("grade", words::machine::grade));
     const double at = quantity("at");
     finish();
     return model::eccentricity_of_grade(grade, at);
@@ -65,8 +66,7 @@ Places read_places(const Document& document) {
   const StudyValue::Array* array = value->array();
   const auto is_table = [](const StudyValue& entry) { return entry.table() != nullptr; };
   if (!array || array->empty() || !std::all_of(array->begin(), array->end(), is_table))
-    throw InputError(document.where("place", value), "place", "",
-                     "must be an array of tables, each begun by [[place]], with mass, radius and angle");
+    throw InputError(document.where("place", value), "place", "", words::machine::array_of_places);
   places.any = true;
   for (std::size_t i = 0; i < array->size(); ++i) {
     QuantityReader reader(document, fmt::format("place.{}", i + 1));
@@ -101,10 +101,9 @@ class RotorReader {
   }
 
   void read_stiffness() {
-    const std::string from =
-        reader_.exactly_one({{"stiffness", "a stiffness greater than 0, such as \"48 kN/m\""},
-                             {"natural_frequency", "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\""},
-                             {"static_sag", "under its own weight, such as \"3 mm\""}});
+    const std::string from = reader_.exactly_one({{"stiffness", words::machine::stiffness},
+                                                  {"natural_frequency", words::machine::natural_frequency},
+                                                  {"static_sag", words::machine::static_sag}});
     const auto gravity = reader_.optional_quantity("gravity");
     if (gravity) put("gravity", "gravity", {*gravity}, Dimension::acceleration);
     const double g = gravity.value_or(0.0) > 0.0 ? *gravity : standard_gravity;
@@ -113,8 +112,7 @@ class RotorReader {
       if (from == "natural_frequency") v = model::stiffness_of_frequency(r_.mass, v);
       if (from == "static_sag") v = model::stiffness_of_sag(r_.mass, g, v);
       if (!(v >= smallest_si && v <= largest_si))
-        reader_.fail(from, fmt::format("makes a stiffness of {:.3g} N/m; must make one from {} to {} N/m", v,
-                                       smallest_si, largest_si));
+        reader_.fail(from, fmt::format(words::machine::stiffness_out_of_range, v, smallest_si, largest_si));
     }
     r_.mean_stiffness = k[0] + 0.5 * (k[1] - k[0]);  // exact for equal stiffnesses
     kappa_ = k;
@@ -123,11 +121,10 @@ class RotorReader {
   }
 
   void read_damping() {
-    const std::string from =
-        reader_.exactly_one({{"damping", "a damping coefficient of 0 or more, such as \"200 N s/m\""},
-                             {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
-                             {"logarithmic_decrement", "a plain number, of free vibration a cycle, such as 0.3"},
-                             {"quality_factor", "a plain number, sqrt(k M)/c, such as 8"}});
+    const std::string from = reader_.exactly_one({{"damping", words::machine::damping},
+                                                  {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
+                                                  {"logarithmic_decrement", words::machine::logarithmic_decrement},
+                                                  {"quality_factor", words::machine::quality_factor}});
     if (from == "damping")
       return put("damping", from, reader_.one_or_each(from, 2, each_direction), Dimension::damping);
     const Range range = key_table("rotor").find(from, true)->range;
@@ -141,28 +138,24 @@ class RotorReader {
   }
 
   void read_unbalance() {
-    const std::vector<QuantityReader::Alternative> ways{
-        {"eccentricity", "a length of 0 or more, such as \"0.2 mm\""},
-        {"unbalance", "mass times eccentricity, such as \"300 g mm\""},
-        {"balance_grade", "a table such as { grade = \"G 6.3\", at = \"3000 rpm\" }"}};
+    const std::vector<QuantityReader::Alternative> ways{{"eccentricity", words::machine::eccentricity},
+                                                        {"unbalance", words::machine::unbalance},
+                                                        {"balance_grade", words::machine::balance_grade}};
     const Places places = read_places(document_);
     const std::string from = places.any ? reader_.at_most_one(ways) : reader_.exactly_one(ways);
     const bool graded = from == "balance_grade", product = from == "unbalance";
     const double own = from.empty() ? 0.0 : graded ? GradeReader(document_).eccentricity() : reader_.quantity(from);
     if (!places.any) return put("eccentricity", from, {own}, product ? Dimension::unbalance : Dimension::length);
-    if (!(places.mass < r_.mass))
-      reader_.fail("mass",
-                   fmt::format("must be greater than that of all places, {:.6g} kg: it includes them", places.mass));
+    if (!(places.mass < r_.mass)) reader_.fail("mass", fmt::format(words::machine::mass_includes_places, places.mass));
     const std::complex<double> resultant = (product ? own : own * r_.mass) + places.unbalance;
     r_.turn = std::arg(resultant);
     put("eccentricity", from.empty() ? "place" : from, {std::abs(resultant)}, Dimension::unbalance);
   }
 
   void read_inertia() {
-    const std::string from =
-        reader_.at_most_one({{"inertia", "a moment of inertia greater than 0, such as \"0.02 kg m2\""},
-                             {"radius_of_gyration", "sqrt(J/M), such as \"60 mm\""},
-                             {"gd2", "4 J, such as \"0.3 kgf m2\""}});
+    const std::string from = reader_.at_most_one({{"inertia", words::machine::inertia},
+                                                  {"radius_of_gyration", "sqrt(J/M), such as \"60 mm\""},
+                                                  {"gd2", "4 J, such as \"0.3 kgf m2\""}});
     if (from.empty()) return;
     Dimension measured = Dimension::inertia;
     double inertia =

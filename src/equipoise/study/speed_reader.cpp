@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/keys.hpp"
+#include "equipoise/words/machine.hpp"
 
 namespace equipoise::study {
 
@@ -20,25 +21,25 @@ void check_points(TableReader& reader, const char* key, const std::vector<double
   const bool times = key == std::string_view("times");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i] > points[i - 1]))
-      reader.fail(key, fmt::format("{} out of order: entry {} must be greater than {}", key, i + 1,
+      reader.fail(key, fmt::format(words::machine::out_of_order, key, i + 1,
                                    times ? reader.time_text(points[i - 1]) : reader.speed_text(points[i - 1])));
   if (points.size() != values.size())
-    reader.fail(values_key, fmt::format("has {} entries; must have one a {}, {}", values.size(),
-                                        times ? "time" : "speed", points.size()));
+    reader.fail(values_key,
+                fmt::format(words::machine::one_entry_each, values.size(), times ? "time" : "speed", points.size()));
 }
 
 void read_ramp(TableReader& reader, const char* table, Study& study) {
   const RampSetting& ramp = study.speed;
   const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
     if (!(time > earlier))
-      reader.fail(key, fmt::format("must be greater than {}, {}", before, reader.time_text(earlier)));
+      reader.fail(key, fmt::format(words::machine::must_be_greater_than, before, reader.time_text(earlier)));
   };
   read_keys(reader, table, variant_of(ramp.profile), study);
   if (ramp.profile == Profile::trapezoid) {
     check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
     check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
   } else if (ramp.profile == Profile::points) {
-    if (ramp.times.front() != 0.0) reader.fail("times", "the first time must be 0");
+    if (ramp.times.front() != 0.0) reader.fail("times", words::machine::first_time);
     check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
   }
 }
@@ -71,10 +72,10 @@ void read_torque(const Document& document, Study& study) {
     check_points(reader, "speeds", motor.speeds, "values", motor.values);
     const std::size_t points = motor.speeds.size();
     if (points < 2 || points > model::most_curve_points)
-      reader.fail("speeds", fmt::format("has {} entries; must have 2 to {}", points, model::most_curve_points));
+      reader.fail("speeds", fmt::format(words::machine::points_of_curve, points, model::most_curve_points));
   }
   if (motor.kind == Kind::control) {
-    if (!reader.has("target")) reader.fail("target", "missing; must be a table like { profile = \"ramp\", ... }");
+    if (!reader.has("target")) reader.fail("target", words::machine::target_missing);
     read_target(document, motor.target);
   }
   reader.finish();
@@ -85,7 +86,7 @@ void read_load(const Document& document, Study& study) {
   read_keys(reader, "speed.load", all_variants, study);
   const LoadSetting& taken = study.speed.load;
   if ((taken.linear != 0.0 || taken.quadratic != 0.0) && !reader.has("at"))
-    reader.fail("at", "missing; must be the speed at which linear and quadratic are so large");
+    reader.fail("at", words::machine::speed_of_load_missing);
   reader.finish();
 }
 
@@ -96,17 +97,14 @@ void read_speed(const Document& document, Study& study) {
   read_key(reader, *key_table("speed").find("profile", false), study);
   read_ramp(reader, "speed", study);
   if (study.speed.driven()) {
-    if (!reader.has("torque")) reader.fail("torque", "missing; must be a table, as { constant = 0.12, slope = -0.04 }");
+    if (!reader.has("torque")) reader.fail("torque", words::machine::torque_missing);
     read_torque(document, study);
     if (reader.has("load")) read_load(document, study);
-    if (study.speed.law != model::SpeedLaw::kinematic)
-      reader.fail("law", "must be \"kinematic\": the speed of a driven rotor follows from its motor");
+    if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_driven_rotor);
     if (!(study.parameters.inertia > 0.0)) {
       TableReader rotor(document, "rotor");
-      rotor.fail("inertia", fmt::format("must be {} for a driven rotor (profile \"torque\"){}",
-                                        document.scales ? "a moment of inertia greater than 0, such as \"0.02 kg m2\","
-                                                        : "a finite number greater than 0",
-                                        document.scales ? ", or give rotor.radius_of_gyration or rotor.gd2" : ""));
+      rotor.fail("inertia", document.scales ? words::machine::inertia_of_driven_rotor_in_units
+                                            : words::machine::inertia_of_driven_rotor);
     }
   }
   reader.finish();

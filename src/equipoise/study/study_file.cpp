@@ -12,6 +12,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise {
 
@@ -22,13 +23,12 @@ constexpr std::size_t longest_study = std::size_t{16} << 20;
 
 std::string read_study_text(const std::string& path) {
   const auto reject = [&](const std::string& why) {
-    throw InputError(display_text(path), "", "",
-                     fmt::format("cannot be read ({}); must be a readable study file (TOML)", why));
+    throw InputError(display_text(path), "", "", fmt::format(words::study::file_unreadable, why));
   };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) reject("a directory");
+  if (std::filesystem::is_directory(path, ignored)) reject(words::study::directory);
   std::ifstream file(path, std::ios::binary);
-  if (!file) reject(std::filesystem::exists(path, ignored) ? "not open to this user" : "no such file");
+  if (!file) reject(std::filesystem::exists(path, ignored) ? words::study::no_permission : words::study::no_file);
   std::string text;
   std::array<char, 65536> block;
   while (file.read(block.data(), block.size()), file.gcount() > 0) {

@@ -21,6 +21,8 @@
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/study/uncertain_reader.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/words/machine.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise {
 
@@ -41,12 +43,11 @@ void read_balancer(const Document& document, Study& study) {
     if (name == "stiction") p.stiction = p.rolling;
     if (name == "contact_angle") key.range.high /= p.balls;
     if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
-      reader.fail("ball_radius", "has a meaning only with balancer.rolls = true");
+      reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
     read_key(reader, key, study);
     for (int i = 0; name == "stiction" && i < p.balls; ++i)
       if (p.stiction[i] < p.rolling[i])
-        reader.fail("stiction",
-                    fmt::format("must be at least rolling, {}: a ball at rest resists no less", p.rolling[i]));
+        reader.fail("stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
   }
   reader.finish();
 }
@@ -54,8 +55,7 @@ void read_balancer(const Document& document, Study& study) {
 void read_release(const Document& document, Study& study) {
   read_table(document, "release", study);
   TableReader reader(document, "release");
-  if (study.release.speed && study.release.time)
-    reader.fail("time", "give either release.speed or release.time, not both");
+  if (study.release.speed && study.release.time) reader.fail("time", words::study::speed_or_time_of_release);
   const model::SpeedProfile profile = study.speed_profile();
   if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
     reader.fail("speed", model::never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
@@ -68,7 +68,7 @@ void read_initial(const Document& document, Study& study) {
   read_keys(reader, "initial", all_variants, study);
   if (study.release_time() > 0.0)
     for (double rate : study.initial.phi_dot)
-      if (rate != 0.0) reader.fail("phi_dot", "must be 0: the balls are clamped until their release");
+      if (rate != 0.0) reader.fail("phi_dot", words::study::clamped_balls_have_no_rate);
   reader.finish();
 }
 
@@ -78,10 +78,7 @@ void read_box(const Document& document, Study& study) {
   for (const Key& key : key_table("sampling.box").keys) {
     read_key(reader, key, study);
     if (release > 0.0 && reader.has(key.name))
-      reader.fail(key.name,
-                  fmt::format("needs balls that are free from t = 0, but their release is at t = {} (clamped balls "
-                              "share one spin-up); set release.time = 0 or leave [sampling.box] out",
-                              reader.time_text(release)));
+      reader.fail(key.name, fmt::format(words::study::box_needs_free_balls, reader.time_text(release)));
   }
   reader.finish();
 }
@@ -93,7 +90,7 @@ void read_sampling(const Document& document, Study& study) {
     read_key(reader, key, study);
     if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
         study.sampling.starts < 2)
-      reader.fail("starts", "must be 2 or more: a grid has two starts in every cell");
+      reader.fail("starts", words::study::grid_of_one);
   }
   reader.finish();
 }
@@ -115,7 +112,7 @@ void read_standards(const Document& document, Study& study) {
   };
   if (s.any() && !study.scales)
     for (const Key& key : key_table("standards").keys)
-      if (reader.has(key.name)) needs(key.name, false, "a study in physical units, or with [units]");
+      if (reader.has(key.name)) needs(key.name, false, words::study::standards_need_units);
   if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
   if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
 }
@@ -135,7 +132,7 @@ void rest_under_gravity(const Document& document, Study& study) {
   InitialState& s = study.initial;
   if (!any_number.contains(rest[0]) || !any_number.contains(rest[1])) {
     TableReader rotor(document, "rotor");
-    rotor.fail("gravity", fmt::format("pulls the rotor farther than {} race radii; must be less", unbounded));
+    rotor.fail("gravity", fmt::format(words::machine::pulled_too_far, unbounded));
   }
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
@@ -181,15 +178,14 @@ void read_grade(Document& document) {
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;
   TableReader reader(document, "limits");
-  if (!is_physical(document))
-    reader.fail("residual", "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`");
-  if (reader.has("grade")) reader.fail("residual", "is a grade too; give either limits.grade or this, not both");
+  if (!is_physical(document)) reader.fail("residual", words::study::grade_needs_units);
+  if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
   const char *begin = text->data() + std::min(text->find_first_not_of(' ', 1), text->size()),
              *end = text->data() + text->size();
   double grade = 0.0;
   const NumberRead read = read_number(begin, end, grade);
   if (read.error != std::errc() || read.end != end || !positive.contains(grade))
-    reader.fail("residual", "must be \"G\" and a number of mm/s greater than 0, such as \"G 6.3\", or an unbalance");
+    reader.fail("residual", words::study::grade_of_residual);
   StudyValue& limits = *document.root.find("limits");
   limits.set("grade", fmt::format("{} mm/s", grade));
   limits.erase("residual");
@@ -315,9 +311,7 @@ void check(const Study& study) {
   const std::string name = study.name.empty() ? "study" : study.name;
   const Study again = read(document_of(to_tree(study), name, {}));
   if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
-    throw InputError(name, "", "",
-                     "was changed after it was read, which its draws in physical units would not show; must be changed "
-                     "by overrides, or after with_medians()");
+    throw InputError(name, "", "", words::study::draws_of_changed_study);
 }
 
 }  // namespace equipoise

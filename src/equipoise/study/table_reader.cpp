@@ -19,6 +19,7 @@
 #include "equipoise/toml/text_guard.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -87,7 +88,7 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
     throw InputError(overrides_name, printable(key), printable(value), fault.problem);
   }
-  throw InputError(overrides_name, printable(key), printable(value), "must be a single TOML value");
+  throw InputError(overrides_name, printable(key), printable(value), words::study::one_toml_value);
 }
 
 // speed.final names the final speed whatever the profile.
@@ -106,11 +107,9 @@ void apply_override(Document& document, const std::string& text) {
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
   const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != key.npos;
   if (has_empty_part || value.empty())
-    throw InputError(std::string(overrides_name) + " " + printable(text), "", "",
-                     "must be key=value, for example rotor.eccentricity=0.02");
+    throw InputError(std::string(overrides_name) + " " + printable(text), "", "", words::study::key_equals_value);
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
-    throw InputError(overrides_name, printable(key), printable(value),
-                     "unknown key: more parts than any key of a study has");
+    throw InputError(overrides_name, printable(key), printable(value), words::study::more_parts_than_any_key);
 
   StudyValue parsed = parse_value(key, value);
   StudyValue* table = &document.root;
@@ -120,7 +119,7 @@ void apply_override(Document& document, const std::string& text) {
     StudyValue* entry = table->find(part);
     if (!entry)
       throw InputError(overrides_name, printable(key), printable(value),
-                       fmt::format("{} has entries {}.1 to {}.{}", name, name, name, table->array()->size()));
+                       fmt::format(words::study::entries_of_array, name, name, name, table->array()->size()));
     return entry;
   };
   for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
@@ -186,8 +185,7 @@ Document document_of(StudyValue tree, const std::string& name, const std::vector
   Document document;
   document.name = name;
   document.root = std::move(tree);
-  if (!document.root.table())
-    throw InputError(name, "", shown(document.root), "must be a table of tables, [rotor] and the others of a study");
+  if (!document.root.table()) throw InputError(name, "", shown(document.root), words::study::table_of_tables);
   for (const std::string& item : overrides) apply_override(document, item);
   return document;
 }
@@ -226,15 +224,15 @@ std::string TableReader::quantity_wanted(const std::string& key) const {
 const StudyValue& TableReader::require(const std::string& key, const std::string& number) {
   if (const StudyValue* value = find(key)) return *value;
   const std::string quantity = quantity_wanted(key);
-  const std::string wanted = quantity.empty()                 ? number
-                             : number.starts_with("an array") ? "an array, each entry " + quantity
-                                                              : quantity;
+  const std::string wanted = quantity.empty()                           ? number
+                             : number == words::study::array_of_numbers ? fmt::format(words::study::array_of, quantity)
+                                                                        : quantity;
   std::string hint;
   if (table_)
     for (const auto& [other, value] : *table_->table())
-      if (nearly_same(key, other)) hint = fmt::format(" (is \"{}\" meant for it?)", printable(other));
+      if (nearly_same(key, other)) hint = fmt::format(words::study::meant_for_it, printable(other));
   throw InputError(document_.where(dotted(key), nullptr), dotted(key), "",
-                   fmt::format("missing{}; must be {}", hint, wanted));
+                   fmt::format(words::study::missing, hint, wanted));
 }
 
 void TableReader::fail(const std::string& key, const std::string& problem) const {
@@ -273,14 +271,14 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   const std::optional<double> percent = value.string() ? percentage(*value.string()) : std::nullopt;
   if (!value.is_number() && !percent)
     reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
-                       looks_physical(value) && !states_units() ? " (a study in physical units states rotor.mass)"
+                       looks_physical(value) && !states_units() ? words::study::mass_states_physical
                        : value.table() && takes_distributions(prefix_)
-                           ? fmt::format(", or a distribution, {}", distribution_forms)
+                           ? fmt::format(words::study::or_a_distribution, words::study::distribution_forms)
                            : ""));
   const double number = percent.value_or(value.number());
   if (!range.contains(number)) {
     const bool too_large = std::isfinite(number) && std::abs(number) > unbounded;
-    reject("must be " + range.text() + (too_large ? fmt::format(", at most {} in size", unbounded) : ""));
+    reject("must be " + range.text() + (too_large ? fmt::format(words::study::at_most_in_size, unbounded) : ""));
   }
   return number;
 }
@@ -296,10 +294,10 @@ std::optional<double> TableReader::optional_number(const std::string& key, const
 }
 
 std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high) {
-  const std::string wanted = fmt::format("a whole number from {} to {}", low, high);
+  const std::string wanted = fmt::format(words::study::whole_number, low, high);
   const StudyValue& value = require(key, wanted);
-  if (value.real()) fail(key, fmt::format("must be {}, without point or exponent", wanted));
-  if (!value.integer()) fail(key, fmt::format("is {}; must be {}", kind(value), wanted));
+  if (value.real()) fail(key, fmt::format(words::study::no_point_or_exponent, wanted));
+  if (!value.integer()) fail(key, fmt::format(words::study::kind_of_value, kind(value), wanted));
   const std::int64_t number = *value.integer();
   if (number < low || number > high) fail(key, "must be " + wanted);
   return number;
@@ -327,20 +325,20 @@ void TableReader::fail_among(const std::string& key, const std::vector<std::stri
 std::optional<std::string> TableReader::text(const std::string& key) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
-  if (!value->string()) fail(key, fmt::format("is {}; must be a text in quotes", kind(*value)));
+  if (!value->string()) fail(key, fmt::format(words::study::must_be_text, kind(*value)));
   return *value->string();
 }
 
 bool TableReader::flag(const std::string& key, bool fallback) {
   const StudyValue* value = find(key);
   if (!value) return fallback;
-  if (!value->boolean()) fail(key, fmt::format("is {}; must be true or false", kind(*value)));
+  if (!value->boolean()) fail(key, fmt::format(words::study::must_be_flag, kind(*value)));
   return *value->boolean();
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, const Range& range) {
-  const StudyValue::Array* array = require(key, "an array of numbers").array();
-  if (!array || array->empty()) fail(key, fmt::format("must be an array, each entry {}", range.text()));
+  const StudyValue::Array* array = require(key, words::study::array_of_numbers).array();
+  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, range.text()));
   std::vector<double> result;
   for (const StudyValue& entry : *array) result.push_back(as_number(key, entry, range, result.size()));
   return result;
@@ -350,9 +348,9 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   std::vector<std::string> result;
   const StudyValue* value = find(key);
   if (!value) return result;
-  if (!value->array()) fail(key, fmt::format("is {}; must be an array of strings", kind(*value)));
+  if (!value->array()) fail(key, fmt::format(words::study::must_be_texts, kind(*value)));
   for (const StudyValue& entry : *value->array()) {
-    if (!entry.string()) fail(key, fmt::format("has an entry that is {}; must be an array of strings", kind(entry)));
+    if (!entry.string()) fail(key, fmt::format(words::study::entry_must_be_text, kind(entry)));
     result.push_back(*entry.string());
   }
   return result;
@@ -360,12 +358,11 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
 
 std::vector<double> TableReader::one_or_each(const std::string& key, const Range& range, int count,
                                              const std::string& each) {
-  const StudyValue& value = require(key, fmt::format("{}, or an array of {}, one a {}", range.text(), count, each));
+  const StudyValue& value = require(key, fmt::format(words::study::one_or_each, range.text(), count, each));
   if (!value.array()) return std::vector<double>(count, as_number(key, value, range));
   std::vector<double> result = numbers(key, range);
   if (static_cast<int>(result.size()) != count)
-    fail(key, fmt::format("has {} entries; must be {}, or an array of {}, one a {}", result.size(), range.text(), count,
-                          each));
+    fail(key, fmt::format(words::study::entries_for_each, result.size(), range.text(), count, each));
   return result;
 }
 

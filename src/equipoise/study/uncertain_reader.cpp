@@ -14,6 +14,7 @@
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/printable.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::study {
 
@@ -50,17 +51,19 @@ class DistributionReader {
     bool found = false;
     for (std::size_t k = 0; k < distribution_names.size(); ++k) {
       if (!table_.find(distribution_names[k])) continue;
-      if (std::exchange(found, true)) fail(fmt::format("has two distributions; must be one of {}", distribution_forms));
+      if (std::exchange(found, true))
+        fail(fmt::format(words::study::two_distributions, words::study::distribution_forms));
       value_.kind = static_cast<DistributionKind>(k);
     }
     for (const auto& [name, entry] : *table_.table())
       if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
-        fail(fmt::format("has an unknown entry \"{}\"; must be {}", printable(name), distribution_forms));
+        fail(fmt::format(words::study::unknown_entry_of_distribution, printable(name),
+                         words::study::distribution_forms));
   }
 
   std::vector<double> entries(const std::string& name) {
     const StudyValue::Array* array = table_.find(name)->array();
-    if (!array || array->empty()) fail(fmt::format("{} must be an array of numbers", name));
+    if (!array || array->empty()) fail(fmt::format(words::study::distribution_of_numbers, name));
     std::vector<double> numbers;
     for (const StudyValue& entry : *array) numbers.push_back(number(name, entry, numbers.size() + 1));
     return numbers;
@@ -72,19 +75,18 @@ class DistributionReader {
     std::string unit;
     if (const std::string* text = entry.string()) {
       const NumberAndUnit parts = split_quantity(*text);
-      if (parts.error != std::errc()) fail(fmt::format("{} entry {} does not begin with a number", name, place));
+      if (parts.error != std::errc()) fail(fmt::format(words::study::entry_without_number, name, place));
       result = parts.number;
       unit = parts.unit;
-      if (unit.empty())
-        fail(fmt::format("{} entry {} has no unit; must be a number, or a number with a unit", name, place));
+      if (unit.empty()) fail(fmt::format(words::study::entry_without_unit, name, place));
     } else if (!entry.is_number()) {
-      fail(fmt::format("{} entry {} is not a number; must be a finite number, or a quantity with its unit", name, place));
+      fail(fmt::format(words::study::entry_no_number, name, place));
     }
     if (!any_number.contains(result)) fail(fmt::format("{} entry {} must be {}", name, place, any_number.text()));
     if (!std::exchange(has_unit_, true))
       value_.unit = unit;
     else if (value_.unit != unit)
-      fail(fmt::format("{} entry {} has another unit than the entries before; all must have the same unit", name, place));
+      fail(fmt::format(words::study::entry_of_other_unit, name, place));
     return result;
   }
 
@@ -94,23 +96,21 @@ class DistributionReader {
     if (value_.kind == DistributionKind::values) return;
     const bool normal = value_.kind == DistributionKind::normal;
     if (n.size() != 2)
-      fail(fmt::format("{} has {} entries; must have two, {}", name, n.size(),
+      fail(fmt::format(words::study::two_entries, name, n.size(),
                        normal ? "[mean, standard deviation]" : "[low, high]"));
-    if (normal && n[1] < 0.0) fail("the standard deviation must be 0 or more");
-    if (!normal && n[0] > n[1])
-      fail(fmt::format("{} bounds out of order; must be [low, high] with low at most high", name));
-    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail("loguniform bounds must be greater than 0");
+    if (normal && n[1] < 0.0) fail(words::study::negative_deviation);
+    if (!normal && n[0] > n[1]) fail(fmt::format(words::study::distribution_out_of_order, name));
+    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail(words::study::loguniform_above_0);
   }
 
   void read_between() {
     if (!table_.find("between")) return;
-    if (value_.kind != DistributionKind::normal) fail("between goes with normal alone");
+    if (value_.kind != DistributionKind::normal) fail(words::study::between_of_normal);
     const std::vector<double> bounds = entries("between");
-    if (bounds.size() != 2 || !(bounds[0] < bounds[1]))
-      fail("between must be two numbers, [low, high] with low less than high");
+    if (bounds.size() != 2 || !(bounds[0] < bounds[1])) fail(words::study::between_two_numbers);
     const double mean = value_.numbers[0], reach = farthest * value_.numbers[1];
     if (!(bounds[1] > mean - reach) || !(bounds[0] < mean + reach))
-      fail(fmt::format("between must begin or end within {} standard deviations of the mean", farthest));
+      fail(fmt::format(words::study::between_far_from_mean, farthest));
     value_.between = {bounds[0], bounds[1]};
   }
 

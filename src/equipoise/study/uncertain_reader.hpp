@@ -10,9 +10,6 @@
 
 namespace equipoise::study {
 
-inline constexpr std::string_view distribution_forms =
-    "{ uniform = [low, high] }, { normal = [mean, standard deviation] }, { loguniform = [low, high] } or "
-    "{ values = [..] }, each entry equally likely";
 /// Whether numbers in the table with this dotted name may be distributions.
 bool takes_distributions(const std::string& dotted);
 

@@ -8,6 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "equipoise/words/units.hpp"
+
 namespace equipoise::study {
 
 /// Why a text cannot be read, and where; line and column (in bytes) count from 1.
@@ -35,8 +39,7 @@ class TextGuard {
       } else if (c == '"' || c == '\'') {
         skip_string(c);
       } else if (c == '.') {
-        if (++key_parts_ > most_key_parts)
-          fail("a key has more than " + std::to_string(most_key_parts) + " parts; no key of a study does");
+        if (++key_parts_ > most_key_parts) fail(fmt::format(words::units::too_many_key_parts, most_key_parts));
       } else if (std::string_view(",=\n[]{}").find(c) != std::string_view::npos) {
         key_parts_ = 1;
       } else {
@@ -48,8 +51,7 @@ class TextGuard {
 
  private:
   void check_ascii() {
-    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80)
-      fail("a character that is not ASCII, outside of comments and values in quotes; no study needs one");
+    if (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) fail(words::units::no_ascii);
   }
 
   // A quote elsewhere does not begin a string for the parser.

@@ -3,6 +3,7 @@
 
 #include "equipoise/units/unit_library.hpp"
 #include "equipoise/units/unit_table.hpp"
+#include "equipoise/words/units.hpp"
 
 namespace equipoise::study {
 
@@ -28,6 +29,6 @@ double Unit::worth_in(const Unit& other) const {
 
 bool Unit::counts_radians() const { return parts_->unit.radian == 1; }
 
-const char* Unit::reader() { return "the table of usual units"; }
+const char* Unit::reader() { return words::units::table_of_usual_units; }
 
 }  // namespace equipoise::study

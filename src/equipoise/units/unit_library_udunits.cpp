@@ -8,6 +8,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/units/unit_library.hpp"
+#include "equipoise/words/units.hpp"
 
 namespace equipoise::study {
 
@@ -23,7 +24,7 @@ std::mutex& library_mutex() {
 
 ut_system* unit_system() {
   static const std::unique_ptr<ut_system, decltype(&ut_free_system)> system(ut_read_xml(nullptr), &ut_free_system);
-  if (!system) throw RunError("the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)");
+  if (!system) throw RunError(words::units::no_udunits_database);
   return system.get();
 }
 

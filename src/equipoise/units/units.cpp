@@ -15,6 +15,7 @@
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/units/unit_library.hpp"
 #include "equipoise/units/unit_text.hpp"
+#include "equipoise/words/units.hpp"
 
 namespace equipoise::study {
 
@@ -31,7 +32,7 @@ constexpr std::array<DimensionWords, 21> all_words{{
     {"a stiffness", "N/m", "48 kN/m", "N/m"},
     {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
     {"a torque", "N m", "0.5 N m", "N m"},
-    {"a torque for a speed of rotation", "N m s", "0.01 N m s", "N m s"},
+    {words::units::torque_for_a_speed, "N m s", "0.01 N m s", "N m s"},
     {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
     {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
     {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3"},
@@ -41,7 +42,7 @@ constexpr std::array<DimensionWords, 21> all_words{{
     {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
     {"an angle", "rad", "30 degree", "rad", "rad"},
     {"a temperature", "K", "40 degC", "K"},
-    {"a weight times a diameter squared", "N m2", "0.3 kgf m2", "N m2"},
+    {words::units::weight_inertia, "N m2", "0.3 kgf m2", "N m2"},
 }};
 
 bool names_hertz(std::string_view unit) {
@@ -182,7 +183,7 @@ double scale_of(Dimension dimension, const model::Scales& s) {
     case Dimension::weight_inertia:
       break;
   }
-  throw std::logic_error("no dimensionless study has this dimension");
+  throw std::logic_error(words::units::dimension_without_numbers);
 }
 
 NumberAndUnit split_quantity(std::string_view text) {
@@ -211,15 +212,15 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const auto [number, unit_text, error] = split_quantity(text);
   result.value = number;
   if (error == std::errc::invalid_argument) {
-    result.problem = "does not begin with a number; " + must_be;
+    result.problem = fmt::format(words::units::no_number, must_be);
     return result;
   }
   if (error != std::errc() || !std::isfinite(result.value)) {
-    result.problem = "the number is out of range; " + must_be;
+    result.problem = fmt::format(words::units::number_out_of_range, must_be);
     return result;
   }
   if (unit_text.empty()) {
-    result.problem = "has no unit; " + must_be;
+    result.problem = fmt::format(words::units::no_unit, must_be);
     return result;
   }
   if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) != wanted.end())
@@ -232,7 +233,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   const UnitLibraryUse use;
   const UnitText checked(unit_text);
   if (!checked.is_product) {
-    result.problem = "is not a number with a unit; " + must_be;
+    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
     return result;
   }
   for (const std::string& name : checked.names) {
@@ -243,7 +244,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   }
   const Unit unit(checked.text);
   if (!unit.is_known()) {
-    result.problem = fmt::format("{} cannot read the unit \"{}\"; {}", Unit::reader(), unit_text, must_be);
+    result.problem = fmt::format(words::units::unknown_unit, Unit::reader(), unit_text, must_be);
     return result;
   }
   for (const Dimension dimension : wanted) {
@@ -253,8 +254,8 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.dimension = dimension;
     return result;
   }
-  result.problem = fmt::format("\"{}\" does not measure that; {}", unit_text, must_be);
-  if (wanted.front() == Dimension::speed) result.problem += "; in rpm, 1/min, rad/s or Hz (turns a second)";
+  result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
+  if (wanted.front() == Dimension::speed) result.problem += words::units::speed_units;
   return result;
 }
 
