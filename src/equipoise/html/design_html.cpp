@@ -28,7 +28,7 @@ class DesignDocument {
   Document make() {
     const DesignVerdict verdict = design_verdict(r_);
     document_ = page_with(r_.study, verdict.words + " " + verdict.because);
-    add(Paragraph{words::pages::margins_colon + verdict.margins});
+    add(Paragraph{std::string(words::pages::margins) + ": " + verdict.margins});
     if (r_.partial)
       add(Paragraph{fmt::format(words::pages::stopped_early, r_.chosen && r_.front[*r_.chosen].held_out
                                                                  ? words::reports::starts_not_seen

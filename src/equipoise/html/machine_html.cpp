@@ -193,7 +193,7 @@ class MachineDocument {
     table.header = {physical_ ? words::text::what_the_balls_do : "outcome", "share", "95 % interval"};
     if (open) table.header.push_back("bounds");
     table.header.insert(table.header.end(), {"starts", "displacement", "RMS velocity"});
-    if (graded) table.header.push_back(words::pages::balance_quality);
+    if (graded) table.header.push_back(words::text::balance_quality);
     table.spare = {open ? 4u : 3u, open ? 6u : 5u};
     for (const OutcomeShare& o : basin_.outcomes_met()) {
       const Share& s = o.share;
@@ -245,7 +245,7 @@ class MachineDocument {
         continue;
       }
       numbers += fmt::format(words::pages::start_is, numbers.empty() ? "" : ", ", run.index,
-                             run.of == RunOf::median ? words::pages::typical_one : words::pages::worst_in_hundred);
+                             run.of == RunOf::median ? words::pages::typical_one : words::text::worst_in_hundred);
       // Starts near the boundary of two basins may go another way if the last digit differs.
       constexpr double alike = 0.02;
       if (std::fabs(run.again - run.peak) > alike * run.peak)
@@ -260,7 +260,7 @@ class MachineDocument {
                                      [&](const TransientLimit& l) { return l.figure().on_page && limits.*l.limit; });
     const bool beside = tells_without_balls(basin_);
     DocumentTable table{{words::pages::all_starts_title, "median", "90 % below", "99 % below"}, {}, "", false, {2}};
-    if (beside) table.header.emplace_back(words::pages::no_balls);
+    if (beside) table.header.emplace_back(words::text::no_balls);
     if (limited) {
       table.header.insert(table.header.end(), {"limit", words::pages::exceeded_by});
       table.spare.push_back(beside ? 5 : 4);

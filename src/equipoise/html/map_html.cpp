@@ -16,6 +16,7 @@
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -78,7 +79,7 @@ class MapDocument {
     };
     row(words::pages::box_dimension, f.box_dimension);
     row(words::pages::uncertainty_exponent, f.uncertainty_exponent);
-    row(words::pages::basin_entropy, f.basin_entropy);
+    row(words::text::basin_entropy, f.basin_entropy);
     row(words::pages::boundary_entropy, f.boundary_basin_entropy);
     if (!table.rows.empty()) add(std::move(table));
   }

@@ -21,6 +21,7 @@
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -74,15 +75,15 @@ class Derived {
   explicit Derived(const Explanation& explanation) : e_(explanation), study_(e_.study), shown_(e_.study) {}
 
   std::vector<std::array<std::string, 2>> rows() const {
-    std::vector<std::array<std::string, 2>> rows{{words::pages::critical_speed, speeds()},
+    std::vector<std::array<std::string, 2>> rows{{words::text::critical_speed, speeds()},
                                                  {"unbalance", unbalance()},
-                                                 {words::pages::can_balance, verdict_text(e_)}};
+                                                 {words::text::can_balance, verdict_text(e_)}};
     if (e_.bare)
-      rows.push_back({words::pages::without_balls,
+      rows.push_back({words::text::without_balls,
                       fmt::format(words::pages::shakes_by, by_direction(e_.bare->displacement, Dimension::length),
                                   by_direction(e_.bare->force, Dimension::force))});
     if (e_.motion)
-      rows.push_back({words::pages::approach_to_balance,
+      rows.push_back({words::text::approach_to_balance,
                       (e_.motion->stable ? fmt::format(words::pages::stable_time_constant,
                                                        shown_.text(-1.0 / e_.motion->slowest_rate, Dimension::time))
                                          : words::pages::not_stable) +
@@ -98,7 +99,7 @@ class Derived {
   std::string speeds() const {
     std::string text = by_direction(e_.critical_alone, Dimension::speed);
     if (study_.parameters.balls > 0)
-      text += words::pages::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
+      text += words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
               words::pages::and_with_them;
     if (e_.speed)
       text += fmt::format(words::pages::final_speed, shown_.text(*e_.speed, Dimension::speed),
@@ -111,7 +112,7 @@ class Derived {
     if (study_.parameters.balls > 0)
       text += fmt::format(words::pages::balls_can_cancel,
                           shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
-                          e_.ball_width.empty() ? "" : words::pages::side_by_side);
+                          e_.ball_width.empty() ? "" : words::text::side_by_side);
     if (study_.scales && e_.speed)
       text += fmt::format(words::pages::grade_without_balls,
                           grade_text(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
@@ -137,7 +138,7 @@ DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, con
 
 Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict) {
   Document document;
-  document.title = words::pages::title + stem_of(study.name);
+  document.title = words::pages::page_title + stem_of(study.name);
   document.sheet = true;
   if (verdict) document.blocks.push_back(*verdict);
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
@@ -167,7 +168,7 @@ std::string model_words(const Study& study, const RunWords& run) {
   std::string text;
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
     text = fmt::format(words::pages::speed_law, name_of(study.speed.law));
-  text += fmt::format(words::pages::model, version_string, run.cpu_target);
+  text += fmt::format(words::pages::intervals_and_model, version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)
     text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,

@@ -9,6 +9,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/reports/design_report.hpp"
 #include "equipoise/words/plots.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -62,7 +63,7 @@ std::vector<Chart> front_charts(const DesignResult& r) {
     Chart chart{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
     ChartSeries front{words::plots::not_beaten, dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
     ChartSeries best{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
-    ChartSeries before{words::plots::as_it_is, "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
+    ChartSeries before{words::text::as_it_is, "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;

@@ -12,6 +12,7 @@
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/plots.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -42,14 +43,14 @@ double highest_of(const MachinePage& page) {
 
 // Whose run it is, in words.
 std::string run_name(const MachinePage& page, const ShownRun& run) {
-  if (run.of == RunOf::bare) return words::plots::without_balls;
+  if (run.of == RunOf::bare) return words::text::without_balls;
   constexpr std::uint64_t hundred = 100;
   if (run.of == RunOf::worst_in_hundred)
-    return page.starts_drawn >= hundred ? words::plots::worst_in_hundred
+    return page.starts_drawn >= hundred ? words::text::worst_in_hundred
                                         : fmt::format(words::plots::worst_of, page.starts_drawn);
   const bool all = std::none_of(page.runs.begin(), page.runs.end(),
                                 [](const ShownRun& r) { return r.of == RunOf::worst_in_hundred; });
-  return all ? words::plots::with_balls : words::plots::typical_half_lower;
+  return all ? words::text::with_balls : words::plots::typical_half_lower;
 }
 
 // Whether all runs turn alike, to what can be seen of it: a motor may feel what shakes.

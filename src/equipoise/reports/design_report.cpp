@@ -18,6 +18,7 @@
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -120,8 +121,7 @@ DocumentTable front_table(const DesignResult& r, KeyWords words) {
 DocumentTable figure_table(const DesignResult& r) {
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& now = best.best_known();
-  DocumentTable table{
-      {"figure", words::reports::as_it_is, "chosen", words::reports::must_be_title}, {}, "", false, {3}};
+  DocumentTable table{{"figure", words::text::as_it_is, "chosen", words::reports::must_be_title}, {}, "", false, {3}};
   const DesignSample* before = r.before ? &*r.before : nullptr;
   for (std::size_t k = 0; k < now.figures.size(); ++k) {
     table.rows.push_back(row_of(

@@ -18,6 +18,7 @@
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -101,9 +102,9 @@ class Text {
 
   void speeds() {
     const bool balls = e_.study.parameters.balls > 0;
-    item(words::reports::critical_speed,
+    item(words::text::critical_speed,
          by_direction(e_.critical_alone, Dimension::speed) +
-             (balls ? words::reports::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
+             (balls ? words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
                           words::reports::with_balls_in_race
                     : ""));
     if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
@@ -138,14 +139,14 @@ class Text {
   }
 
   void balance() {
-    item(words::reports::can_balance, verdict_text(e_));
+    item(words::text::can_balance, verdict_text(e_));
     if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
       item("",
            fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
                        both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
-                       e_.ball_width.empty() ? "" : words::reports::side_by_side));
+                       e_.ball_width.empty() ? "" : words::text::side_by_side));
     if (e_.unbalance != e_.study.parameters.eccentricity)
       item("",
            fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
@@ -153,8 +154,7 @@ class Text {
       item(words::reports::static_sag, fmt::format(words::reports::sags_under, both(e_.sag, Dimension::length),
                                                    both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
     if (e_.gravity_ratio) item("gravity", fmt::format(words::reports::gravity_ratio, *e_.gravity_ratio));
-    if (!e_.motion && e_.study.parameters.balls > 0)
-      item(words::reports::approach_to_balance, "unknown: " + e_.no_motion);
+    if (!e_.motion && e_.study.parameters.balls > 0) item(words::text::approach_to_balance, "unknown: " + e_.no_motion);
   }
 
   void motion(const BalancedMotion& m) {
@@ -171,7 +171,7 @@ class Text {
     const char* more_drag = m.more_drag() > 0   ? "shorter"
                             : m.more_drag() < 0 ? "longer"
                                                 : words::reports::hardly_changed;
-    item(words::reports::approach_to_balance,
+    item(words::text::approach_to_balance,
          m.stable ? fmt::format(words::reports::balance_stable, where, either(-1.0 / m.slowest_rate, Dimension::time),
                                 more_drag)
          : m.grows() ? fmt::format(words::reports::balance_unstable, where, m.slowest_rate)
@@ -219,7 +219,7 @@ class Text {
 
   void bare(const BareVibration& v) {
     const double w = std::abs(*e_.speed);
-    item(words::reports::without_balls,
+    item(words::text::without_balls,
          by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_final_speed);
     const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
     item("", by_direction(rms, Dimension::velocity) + words::reports::rms_velocity);
@@ -227,7 +227,7 @@ class Text {
     if (!scales_) return;
     const double grade =
         model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
-    item(words::reports::balance_quality, grade_text(grade) + words::reports::grade_is_a_figure);
+    item(words::text::balance_quality, grade_text(grade) + words::reports::grade_is_a_figure);
   }
 
   void rules() {

@@ -130,7 +130,7 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   text += table_text(table, style);
   const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
                               figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
-                              figure_text(words::reports::basin_entropy, f.basin_entropy) +
+                              figure_text(words::text::basin_entropy, f.basin_entropy) +
                               figure_text(words::reports::boundary_basin_entropy, f.boundary_basin_entropy) +
                               (f.balanced_radius ? fmt::format(words::reports::around_balanced,
                                                                words::reports::balanced_within, *f.balanced_radius)

@@ -148,15 +148,15 @@ std::string study_heading(const Study& study) {
   const Shown shown(study);
   const bool same = p.equal_balls();
   if (p.balls == 0)
-    text += words::text::no_balls;
+    text += words::text::no_balls_semicolon;
   else
-    text += fmt::format(words::text::balls, p.balls, p.balls == 1 ? "" : "s",
+    text += fmt::format(words::text::balls_are, p.balls, p.balls == 1 ? "" : "s",
                         shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
                         shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
-  text += fmt::format(words::text::rotor, shown(p.eccentricity, Dimension::length),
+  text += fmt::format(words::text::rotor_is, shown(p.eccentricity, Dimension::length),
                       shown(p.damping[0], Dimension::damping));
   if (study.scales)
-    text += fmt::format(words::text::critical_speed, shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+    text += fmt::format(words::text::critical_speed_is, shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
   const std::string held = held_text(study);
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }

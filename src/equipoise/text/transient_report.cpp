@@ -210,12 +210,11 @@ DocumentTable bare_table(const BasinResult& r) {
 DocumentTable without_balls_table(const BasinResult& r) {
   const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
                        &held = r.without_balls->held.figures;
-  DocumentTable table{
-      {"", words::text::no_balls_title, words::text::balls_held_title, words::text::with_balls_title, "90 % below"},
-      {},
-      "",
-      false,
-      {}};
+  DocumentTable table{{"", words::text::no_balls, words::text::balls_held_title, words::text::with_balls, "90 % below"},
+                      {},
+                      "",
+                      false,
+                      {}};
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
     if (!f.of_bare_rotor || !r.transients->asks(f, r.study.limits)) continue;

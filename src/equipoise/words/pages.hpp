@@ -13,27 +13,22 @@ inline constexpr char estimate_by_formula[] = "an estimate by a formula";
 inline constexpr char formulas_derived_in[] =
     "docs/explanation/rules-of-thumb.md derives these formulas and says how often each is right.";
 inline constexpr char rules_of_thumb[] = "Rules of thumb: ";
-inline constexpr char critical_speed[] = "critical speed";
-inline constexpr char can_balance[] = "can balance";
-inline constexpr char without_balls[] = "without balls";
 // Displacement, force.
 inline constexpr char shakes_by[] = "shakes by {} at the final speed, {} on the supports";
-inline constexpr char approach_to_balance[] = "approach to balance";
 inline constexpr char stable_time_constant[] = "stable, slowest time constant {}";
 inline constexpr char not_stable[] = "not stable by linear theory";
-inline constexpr char without_balls_comma[] = " without balls, ";
 inline constexpr char and_with_them[] = " with them";
 // Speed, times the critical one.
 inline constexpr char final_speed[] = "; final speed {}, {:.3g} times that";
+// Least to most, "side by side".
 inline constexpr char balls_can_cancel[] = "; the balls can cancel {}{}";
-inline constexpr char side_by_side[] = " side by side";
 inline constexpr char grade_without_balls[] = "; {} without balls";
 inline constexpr char study_physical[] = "The study in full, in physical units";
 inline constexpr char study_dimensionless[] = "The same without dimensions, as it was computed";
 inline constexpr char study_in_full[] = "The study in full";
 
 // How a result was computed.
-inline constexpr char title[] = "Ball balancer: ";
+inline constexpr char page_title[] = "Ball balancer: ";
 // Method, box, drawn keys, seed, keys not taken.
 inline constexpr char at_ball_angles[] = "at {} ball angles{}{}, seed {}{}";
 inline constexpr char and_in_the_box[] = " and in the box of initial states";
@@ -41,7 +36,7 @@ inline constexpr char with_drawn_anew[] = ", with {} drawn anew for each";
 inline constexpr char not_from_study[] = " (not from {} of the study)";
 inline constexpr char speed_law[] = " Speed law: {}.";
 // Version, target.
-inline constexpr char model[] =
+inline constexpr char intervals_and_model[] =
     " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/explanation/equations.md. equipoise {}, "
     "{}";
 
@@ -52,6 +47,7 @@ inline constexpr char csv_holds_all[] = "the CSV file holds all of them";
 inline constexpr char where_starts_end[] = "Where starts end";
 inline constexpr char balanced_share_of_cells[] =
     "Balanced share of the starts in every cell, in per cent where there is room.";
+// Cells done, all.
 inline constexpr char cells_missing[] = "{} of {} cells are done; the rest is missing.";
 // Rows, all of them, where the rest stands.
 inline constexpr char table_ends[] = "The table ends after {} of {} cells; {}.";
@@ -79,7 +75,6 @@ inline constexpr char starts_a_value[] = "{} starts a value {}, the same in all.
 inline constexpr char trials_from_file[] = "; {} trials from an earlier run's file";
 
 // Design.
-inline constexpr char margins_colon[] = "How far each may be off: ";
 inline constexpr char margins[] = "How far each may be off";
 // What it was judged on.
 inline constexpr char stopped_early[] = "Stopped early: what the search had found by then, judged on {}.";
@@ -129,7 +124,6 @@ inline constexpr char ends_caption[] =
 inline constexpr char limit_dashed[] = ", the limit dashed if it is within.";
 inline constexpr char rarer_not_drawn[] = " {} rarer not drawn.";
 inline constexpr char first_starts_only[] = " Peaks and runs are of the first {} starts.";
-inline constexpr char balance_quality[] = "balance quality";
 inline constexpr char ends_table_caption[] =
     "Displacement and velocity in the end, means over the starts of the outcome";
 inline constexpr char grade_to_compare[] =
@@ -155,13 +149,11 @@ inline constexpr char bare_rotor_is_typical[] = " Without balls: the rotor of th
 // Separator, number, typical or worst.
 inline constexpr char start_is[] = "{}start {} is the {}";
 inline constexpr char typical_one[] = "typical one";
-inline constexpr char worst_in_hundred[] = "worst in a hundred";
 // Peak.
 inline constexpr char followed_again[] = " (followed again with smaller steps, {} within what is shown)";
 // Caption, which starts are shown.
 inline constexpr char of_this_seed[] = "{} Of this seed, {}.";
 inline constexpr char all_starts_title[] = "all starts";
-inline constexpr char no_balls[] = "no balls";
 inline constexpr char exceeded_by[] = "exceeded by";
 inline constexpr char no_balls_one_run[] = "No balls: one run of the same rotor. ";
 inline constexpr char no_balls_median[] = "No balls: median of the first starts' rotors. ";
@@ -187,7 +179,6 @@ inline constexpr char points_on_grid[] = "Points lie on a grid; the interval is 
 inline constexpr char how_basins_lie[] = "how basins lie in each other";
 inline constexpr char box_dimension[] = "box dimension of the boundary (1: smooth, 2: it fills the plane)";
 inline constexpr char uncertainty_exponent[] = "uncertainty exponent (near 0: exact starts help little)";
-inline constexpr char basin_entropy[] = "basin entropy";
 inline constexpr char boundary_entropy[] = "boundary basin entropy (above 0.693: fractal)";
 // Points across, points up.
 inline constexpr char points_followed[] = "{} x {} points, a start each, followed until it is known where it ends.";
@@ -210,6 +201,7 @@ inline constexpr char with_intervals[] = "With 95 % intervals.";
 // Values, key.
 inline constexpr char more_not_drawn[] = " {} more values of {} are not drawn.";
 inline constexpr char bounds_hold[] = "Bounds: they hold whatever becomes of the undecided starts.";
+// In a cell.
 inline constexpr char least_to_most_starts[] = "{} to {} starts";
 // Cells, starts each, starts in all, how drawn.
 inline constexpr char cells_followed[] =

@@ -8,6 +8,7 @@ inline constexpr char partial_early[] = " (PARTIAL: stopped early)";
 inline constexpr char where_rotor_ends[] = "Where the rotor can end: ";
 // Key, percentage, what starts do, whether partial.
 inline constexpr char largest_at_which[] = "Largest {} at which {:.4g} % of starts {}{}";
+// Objectives, whether partial.
 inline constexpr char design_for[] = "Design for {}{}";
 inline constexpr char partial_cells[] = " (PARTIAL: cells are missing)";
 inline constexpr char angles_drawn[] = ", ball angles drawn at every point";
@@ -46,15 +47,11 @@ inline constexpr char balance_changes[] = "balance changes stability";
 inline constexpr char balanced_share[] = "balanced share";
 inline constexpr char must_hold[] = "must hold";
 inline constexpr char not_beaten[] = "not beaten by any";
-inline constexpr char as_it_is[] = "as it is";
 inline constexpr char balls_let_go[] = "balls let go";
 inline constexpr char best_so_far[] = "best so far";
 inline constexpr char most_stay_below[] = "90 % of starts stay below";
 inline constexpr char diverged_or_failed[] = "diverged or failed";
-inline constexpr char without_balls[] = "without balls";
-inline constexpr char worst_in_hundred[] = "worst in a hundred";
 inline constexpr char worst_of[] = "worst of {} starts";
-inline constexpr char with_balls[] = "with balls";
 inline constexpr char typical_half_lower[] = "typical start, half peak lower";
 inline constexpr char at_the_end[] = " at the end";
 

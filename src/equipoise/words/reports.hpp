@@ -4,6 +4,7 @@
 namespace equipoise::words::reports {
 
 // Attractors.
+
 // Starts, decided ones.
 inline constexpr char starts_searched[] = "{} starts searched, {} decided";
 inline constexpr char missed_with_probability[] =
@@ -19,6 +20,7 @@ inline constexpr char half_a_revolution[] = "half a revolution";
 inline constexpr char displacement_from_rest[] = "; r is measured from where the rotor would rest, Y = {:.5g}{}";
 inline constexpr char multipliers_over_the_period[] = "; multipliers are over the period, without one of 1.\n";
 inline constexpr char drift_of_the_balls[] = "drift of the balls";
+// Starts done, asked.
 inline constexpr char partial_search[] =
     "PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n";
 // Seed, how it was computed, version.
@@ -40,6 +42,7 @@ inline constexpr char no_contact[] =
 inline constexpr char contact[] = "Contact: balls touched in {} of all starts ({}) before the outcome was known.\n";
 
 // Basin: stopped runs.
+
 // Starts, " of" those asked.
 inline constexpr char partial_basin[] =
     "PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n";
@@ -70,8 +73,10 @@ inline constexpr char known_after[] = "known after";
 inline constexpr char as_good_as[] = "as good as";
 
 // Attractors along a parameter.
+
 // "at" or "from", range, which side.
 inline constexpr char seen_not_followed[] = "seen {}{}, not followed further{}";
+// Key, label, first value, last value, values.
 inline constexpr char along[] = "along {} ({}): {:.12g} to {:.12g}, {} values\n\n";
 // First value, last value, starts.
 inline constexpr char range_may_go_on[] =
@@ -85,6 +90,7 @@ inline constexpr char branches_made_with[] = "{:.1f} s on {} thread{} ({}); equi
 // Version, key, whether partial.
 inline constexpr char csv_branches[] = "# equipoise {}: attractors along {}{}\n";
 inline constexpr char csv_partial_early[] = ", PARTIAL: stopped early";
+// Branch, change, cause, between which values.
 inline constexpr char csv_event[] = "# event: id {}, {}, {}, between {} and {}\n";
 
 // Capacities.
@@ -115,6 +121,7 @@ inline constexpr char is_missing[] = "is missing";
 inline constexpr char must_be_finite[] = "must be a finite number";
 inline constexpr char must_be_numbers[] = "must be an array of {} numbers";
 inline constexpr char must_be_positive[] = "must be greater than 0";
+// Fewest, most balls.
 inline constexpr char must_be_whole[] = "must be a whole number from {} to {}";
 inline constexpr char not_json[] = "is not JSON; must be a file written by equipoise certify -o";
 inline constexpr char must_be_format[] = "must be \"{}\"";
@@ -171,6 +178,7 @@ inline constexpr char no_difference[] = "No difference in balanced starts is sho
 inline constexpr char interval_in_points[] = "95 % interval, points";
 // Starts, of, share, interval.
 inline constexpr char common_end_differently[] = "{} of {} common starts end differently: {} ({})\n";
+// Starts, outcomes.
 inline constexpr char from_one_to_other[] = "{:>10}  from {} to {}\n";
 inline constexpr char compared_as_independent[] = "Compared as independent samples: {}.\n";
 inline constexpr char partial_comparison[] =
@@ -195,7 +203,6 @@ inline constexpr char margins_mean[] =
     "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.";
 inline constexpr char until_objective_worse[] = "Until the first objective is surely worse.";
 inline constexpr char until_requirement_fails[] = "Until a requirement fails.";
-inline constexpr char as_it_is[] = "as it is";
 inline constexpr char must_be_title[] = "must be";
 inline constexpr char varied_alone[] = "varied alone";
 inline constexpr char may_go_from[] = "may go from";
@@ -209,6 +216,7 @@ inline constexpr char partial_design[] = "\nPARTIAL: stopped; what the search ha
 inline constexpr char starts_not_seen[] = "starts that it did not see";
 inline constexpr char own_starts[] = "its own starts";
 inline constexpr char checks_still_to_make[] = "Some of its checks were still to be made.\n";
+// Left, budget.
 inline constexpr char trajectories_left[] =
     "{} of {} trajectories were left, for more candidates and for checks of the best.\n";
 inline constexpr char design_proposed[] = "The study states no [design]; proposed [design]:\n";
@@ -219,11 +227,10 @@ inline constexpr char what_limits_it[] = "\nWhat limits it:\n";
 inline constexpr char ensembles_from_earlier[] = "\n{} ensembles from an earlier run. ";
 // Candidates, method, trajectories, budget, how it was computed, version.
 inline constexpr char design_made_with[] = "\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n";
+// Version, whether partial.
 inline constexpr char csv_front[] = "# equipoise {}: candidates that no other beats{}\n";
 
 // Explanations: speeds and run-up.
-inline constexpr char critical_speed[] = "critical speed";
-inline constexpr char without_balls_comma[] = " without balls, ";
 inline constexpr char with_balls_in_race[] = " with the balls in the race";
 inline constexpr char final_speed[] = "final speed";
 // Speed, times, "lower ", " with balls".
@@ -241,10 +248,9 @@ inline constexpr char stalls_in_resonance[] =
     "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}";
 
 // Explanations: balance.
-inline constexpr char can_balance[] = "can balance";
+
 // Unbalance, least, most, " side by side".
 inline constexpr char cancels[] = "unbalance {}; these balls cancel from {} to {}{}";
-inline constexpr char side_by_side[] = " side by side";
 inline constexpr char own_unbalance[] =
     "the rotor's own is {}; the race off the shaft makes that of it at the final speed";
 inline constexpr char static_sag[] = "static sag";
@@ -252,8 +258,8 @@ inline constexpr char static_sag[] = "static sag";
 inline constexpr char sags_under[] =
     "{} under the weight of {}; displacements are measured from there, bearing forces include it";
 inline constexpr char gravity_ratio[] = "{:.3g} of a ball's centrifugal force at the final speed";
-inline constexpr char approach_to_balance[] = "approach to balance";
 inline constexpr char balanced_angles[] = "balanced angles";
+// Angles, what else there is.
 inline constexpr char from_heavy_side[] = "{} degree from the heavy side{}";
 inline constexpr char one_of_continuum[] = " (one of a continuum)";
 inline constexpr char and_mirror_image[] = " (and their mirror image)";
@@ -276,11 +282,9 @@ inline constexpr char yes_by_mass[] = "yes by mass and room, but ";
 inline constexpr char yes_but_gravity[] = "yes, apart from what gravity adds";
 
 // Explanations: without balls, rules, cost.
-inline constexpr char without_balls[] = "without balls";
 inline constexpr char amplitude_at_final_speed[] = " amplitude at the final speed";
 inline constexpr char rms_velocity[] = " rms velocity";
 inline constexpr char amplitude_of_force[] = " amplitude of the force on the supports";
-inline constexpr char balance_quality[] = "balance quality";
 inline constexpr char grade_is_a_figure[] =
     "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification";
 inline constexpr char rules_of_thumb[] =
@@ -304,12 +308,14 @@ inline constexpr char takes_about[] =
 inline constexpr char of_version[] = ", of equipoise {}";
 
 // Maps.
+
 // Letter, key, lowest, highest, pixels, how far apart.
 inline constexpr char map_axis[] = "{}: {} from {:.10g} to {:.10g}, {} pixels{}\n";
 inline constexpr char pixels_apart[] = " ({} apart; all are in the output)";
 // Seed.
 inline constexpr char pixels_draw_angles[] =
     "Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n";
+// Angles, whether they are evenly spread.
 inline constexpr char pixels_start_with[] = "All pixels start with {}{}.\n";
 inline constexpr char evenly_spread[] = ", evenly spread";
 // Pixels, percentage, edge of a block in pixels.
@@ -321,8 +327,8 @@ inline constexpr char pixels_from_another_map[] = "{} pixels taken from another 
 inline constexpr char of_the_map[] = "of the map";
 inline constexpr char box_dimension[] = "box dimension";
 inline constexpr char uncertainty_exponent[] = "uncertainty exponent";
-inline constexpr char basin_entropy[] = "basin entropy";
 inline constexpr char boundary_basin_entropy[] = "boundary basin entropy";
+// Its name, radius.
 inline constexpr char around_balanced[] = "{:<25} {:.3f} rad around balanced angles\n";
 inline constexpr char balanced_within[] = "all balanced within";
 inline constexpr char figures_mean[] =
@@ -335,6 +341,7 @@ inline constexpr char partial_map[] =
 inline constexpr char map_made_with[] = "{} pixels; {}{}; equipoise {}\n";
 
 // Sweeps.
+
 // Separator, motion, its largest share, cells, plural.
 inline constexpr char another_motion[] = "{}{}, {} at most, in {} cell{}";
 inline constexpr char keep_all_limits[] = "keep all limits";

@@ -3,11 +3,26 @@
 
 namespace equipoise::words::text {
 
-// Used in several places.
+// Labels that reports, pages and plots share.
+inline constexpr char approach_to_balance[] = "approach to balance";
+inline constexpr char as_it_is[] = "as it is";
+inline constexpr char balance_quality[] = "balance quality";
+inline constexpr char basin_entropy[] = "basin entropy";
+inline constexpr char can_balance[] = "can balance";
+inline constexpr char critical_speed[] = "critical speed";
+inline constexpr char no_balls[] = "no balls";
+inline constexpr char side_by_side[] = " side by side";
 inline constexpr char what_the_balls_do[] = "what the balls do";
+inline constexpr char with_balls[] = "with balls";
+inline constexpr char without_balls[] = "without balls";
+inline constexpr char without_balls_comma[] = " without balls, ";
+inline constexpr char worst_in_hundred[] = "worst in a hundred";
 
 // Balance quality and unbalance left.
+
+// Balance quality, grade.
 inline constexpr char within_grade[] = "G {:.3g} (within grade G {})";
+// Balance quality, worst grade.
 inline constexpr char beyond_grade[] = "G {:.3g} (beyond grade G {})";
 // Attractor.
 inline constexpr char unbalance_left[] = "Unbalance left, {}: ";
@@ -15,6 +30,7 @@ inline constexpr char all_within[] = "all within";
 inline constexpr char rotors_own[] = "; the rotor's own is {}.\n";
 
 // Stability of a motion.
+
 // States drawn, least and largest rate, unit.
 inline constexpr char continuum_unstable[] =
     "UNSTABLE, all of {} states drawn from the continuum, growth rates {:.5f} to {:.5f}{}";
@@ -30,6 +46,7 @@ inline constexpr char slowest_rate[] = "{}, slowest rate {:.5f}{}";
 inline constexpr char largest_multiplier[] = "{}, largest multiplier {:.4f}";
 
 // Sampling.
+
 // Starts.
 inline constexpr char random_needs_few[] =
     "Sampling: random starts; at most {} are needed for this half-width, fewer than a pilot.\n";
@@ -90,6 +107,7 @@ inline constexpr char start_in_one_place[] =
     " are alike and start in one place, which equal numbers never leave and real balls do: set about 1e-9 rad apart";
 
 // The study: speed.
+
 // At rest, speed without torque.
 inline constexpr char torque_by_stall[] = "torque {} at rest, none at {}";
 // Points, largest torque.
@@ -105,6 +123,7 @@ inline constexpr char machine_takes[] = "; the machine takes ";
 // Speed, law.
 inline constexpr char driven_from[] = "driven from {}: {}";
 inline constexpr char constant_speed[] = "constant speed {}";
+// First speed, last speed, duration.
 inline constexpr char ramp[] = "ramp {} to {} in {}";
 // First speed, highest, by when, held to, last speed, by when.
 inline constexpr char trapezoid[] = "trapezoid {} to {} by {}, held to {}, to {} by {}";
@@ -118,15 +137,16 @@ inline constexpr char race_offset[] = "race offset ";
 inline constexpr char balls_roll[] = "balls roll, radius ";
 inline constexpr char balls_touch[] = "balls touch at {:.6g} rad, restitution {:.6g}";
 inline constexpr char rolling_resistance[] = "rolling resistance {:.6g}, stiction {:.6g}";
-inline constexpr char no_balls[] = "no balls; ";
+inline constexpr char no_balls_semicolon[] = "no balls; ";
 // How many, plural, mass, drag.
-inline constexpr char balls[] = "{} ball{}: mass {}, drag {}; ";
-inline constexpr char rotor[] = "rotor: eccentricity {}, damping {}\n";
-inline constexpr char critical_speed[] = "critical speed {}, 1/omega_c = {}\n";
+inline constexpr char balls_are[] = "{} ball{}: mass {}, drag {}; ";
+inline constexpr char rotor_is[] = "rotor: eccentricity {}, damping {}\n";
+inline constexpr char critical_speed_is[] = "critical speed {}, 1/omega_c = {}\n";
 
 // Figures of transients.
 inline constexpr char same_for_all[] = "{}, the same for all starts\n";
 inline constexpr char all_outcomes[] = "all outcomes";
+// Outcome, starts.
 inline constexpr char too_few_starts[] = "{}: too few starts ({}) for figures\n";
 inline constexpr char no_end_seen[] = "no end seen";
 // What it is called, starts, of.
@@ -137,6 +157,7 @@ inline constexpr char mean_is_of_others[] = "; the mean is of the others";
 inline constexpr char residual_unbalance[] =
     "  residual unbalance at the final speed: e omega = {:.3g} mm/s (as ISO 21940-11 grades it)\n";
 inline constexpr char forces_are_rms[] = " Forces at the end are RMS values.";
+// Share, interval.
 inline constexpr char of_starts[] = "{} of starts ({})";
 // Gap, unit, share on the way, in the end, width in the median, unit, at 90 %, unit, gap, unit.
 inline constexpr char housing_hit[] =
@@ -148,6 +169,7 @@ inline constexpr char below_99_title[] = "99 % of starts below";
 inline constexpr char settled_means[] = "Settled: displacement below {:.4g} {}.\n";
 // Window of undecided starts, or nothing.
 inline constexpr char at_the_end_means[] = "\n\"At the end\": in the steady motion that a start ends in{}.\n";
+// Length, unit.
 inline constexpr char window_of_undecided[] = "; of an undecided start in its last window of {:.4g} {}";
 inline constexpr char rms_velocity_means[] =
     "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
@@ -158,6 +180,7 @@ inline constexpr char measured_from_rest[] =
 inline constexpr char lost_left_out[] = "{} starts diverged or failed and are left out here.\n";
 
 // With and without balls.
+
 // Figure, median, 90 % quantile.
 inline constexpr char times_without_balls[] = "{}: {:.3g} times that without balls in the median, {:.3g} at 90 %";
 // Within or over, on the way.
@@ -169,6 +192,7 @@ inline constexpr char over_on_the_way[] = ", and is over one on the way";
 // Share, on the way.
 inline constexpr char bare_runs_end_within[] = "without balls {} of the runs end within all limits{}";
 inline constexpr char bare_runs_never_over[] = ", and {} never are over one on the way";
+// Runs with it, all.
 inline constexpr char in_runs[] = " in {} of {} runs";
 inline constexpr char e_omega[] = "e omega of that, mm/s";
 // Run or runs without balls, runs with balls held.
@@ -178,13 +202,12 @@ inline constexpr char median_of_runs[] = "median of {} runs";
 // Without balls or with balls held, in how many runs, speed.
 inline constexpr char motor_fails[] = "{} the motor does not bring the rotor up to speed{}{}";
 inline constexpr char it_ends_at[] = ": it ends at ";
+// As above, without the speed.
 inline constexpr char no_steady_motion[] =
     "{} the rotor comes to no steady motion{}: figures at the end are the last seen";
+// As above, without the speed.
 inline constexpr char motion_lost[] = "{} the rotor's motion is lost{}";
-inline constexpr char without_balls[] = "without balls";
 inline constexpr char with_balls_held[] = "with balls held";
-inline constexpr char no_balls_title[] = "no balls";
 inline constexpr char balls_held_title[] = "balls held";
-inline constexpr char with_balls_title[] = "with balls";
 
 }  // namespace equipoise::words::text
