@@ -25,6 +25,11 @@ TABLES = {
     "src/equipoise/results/trajectory.hpp": "a row a column",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
+    "src/equipoise/drawing/chart.cpp": "a gnuplot script",
+    "src/equipoise/drawing/plot_parts.cpp": "a gnuplot script",
+    "src/equipoise/plots/branch_plot.cpp": "a gnuplot script",
+    "src/equipoise/plots/map_plot.cpp": "a gnuplot script",
+    "src/equipoise/plots/sweep_plot.cpp": "a gnuplot script",
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'

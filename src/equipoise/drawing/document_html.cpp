@@ -12,6 +12,7 @@
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/html_text.hpp"
 #include "equipoise/drawing/page_files.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -25,7 +26,7 @@ const char* name_of(Tone tone) {
 std::string image_data(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file || bytes.empty()) throw RunError(path + ": the picture cannot be read");
+  if (!file || bytes.empty()) throw RunError(path + words::plots::picture_unreadable);
   return fmt::format("data:image/{};base64,{}", path.ends_with(".svg") ? "svg+xml" : "png", base64(bytes));
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/types/fate.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -36,21 +37,20 @@ std::string quoted(const std::string& text) {
 }
 
 std::string axis_label(const std::string& key) {
-  if (key == "speed.final" || key == "speed.speed") return "final rotor speed Ω / critical speed";
-  if (key == "rotor.eccentricity") return "eccentricity λ / race radius";
-  if (key == "rotor.damping") return "external damping ζ = c / √(k M)";
-  if (key == "rotor.stiffness") return "support stiffness κ";
-  if (key == "balancer.mass") return "mass of a ball μ / rotor mass";
-  if (key == "balancer.drag") return "drag of a ball β";
+  if (key == "speed.final" || key == "speed.speed") return words::plots::final_speed;
+  if (key == "rotor.eccentricity") return words::plots::eccentricity;
+  if (key == "rotor.damping") return words::plots::damping;
+  if (key == "rotor.stiffness") return words::plots::stiffness;
+  if (key == "balancer.mass") return words::plots::ball_mass;
+  if (key == "balancer.drag") return words::plots::ball_drag;
   constexpr std::string_view angle = "initial.phi_";
   if (key.starts_with(angle) && !key.starts_with("initial.phi_dot"))
-    return fmt::format("initial angle of ball {0}, φ{0} (rad)", key.substr(angle.size()));
+    return fmt::format(words::plots::initial_angle, key.substr(angle.size()));
   constexpr std::string_view rate = "initial.phi_dot_";
-  if (key.starts_with(rate))
-    return fmt::format("initial rate of ball {0}, φ{0}' / critical speed", key.substr(rate.size()));
+  if (key.starts_with(rate)) return fmt::format(words::plots::initial_rate, key.substr(rate.size()));
   for (const std::string name : {"x", "y"}) {
-    if (key == "initial." + name) return fmt::format("initial {} / race radius, rotating frame", name);
-    if (key == "initial." + name + "_dot") return fmt::format("initial {}' / (race radius x critical speed)", name);
+    if (key == "initial." + name) return fmt::format(words::plots::initial_place, name);
+    if (key == "initial." + name + "_dot") return fmt::format(words::plots::initial_velocity, name);
   }
   return key;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "equipoise/words/plots.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -71,7 +73,7 @@ std::string png_bytes(const Raster& r) {
   constexpr std::size_t most_colours = 256;
   const bool fits = !r.palette.empty() && r.palette.size() <= most_colours && r.width * r.height == r.squares.size() &&
                     !r.squares.empty() && *std::max_element(r.squares.begin(), r.squares.end()) < r.palette.size();
-  if (!fits) throw std::invalid_argument("a picture's squares, size and palette do not agree");
+  if (!fits) throw std::invalid_argument(words::plots::squares_disagree);
   const bool halves = r.palette.size() <= 16;
   std::string header, colours;
   add_big_endian(header, static_cast<std::uint32_t>(r.width));

@@ -15,6 +15,8 @@
 #include "equipoise/plots/map_words.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/pages.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -28,13 +30,11 @@ class MapDocument {
 
   Document make() {
     document_ = page_with(map_.study, answer_sentence(map_));
-    if (!map_.complete)
-      add(Paragraph{"Stopped before all points were done: white ones are missing, shares are of the others.",
-                    Tone::bad});
+    if (!map_.complete) add(Paragraph{words::pages::stopped_map, Tone::bad});
     picture();
     outcomes();
     figures();
-    add_machine(document_, machine_, "in the study; of what varies here its value plays no part");
+    add_machine(document_, machine_, words::pages::plays_no_part);
     origin();
     return std::move(document_);
   }
@@ -44,20 +44,19 @@ class MapDocument {
 
   void picture() {
     const BasinSlice drawn = thinned(map_, most_pixels_drawn);
-    add(Heading{2, "Where starts end", ""});
+    add(Heading{2, words::pages::where_starts_end, ""});
     DrawingRow row;
     row.wide = true;
     row.drawings.push_back({"", map_svg(drawn), "", ""});
-    row.caption = fmt::format("One start at every point: {}; {}{}.", slice_axis_words(map_.study, map_.x),
+    row.caption = fmt::format(words::pages::start_at_every_point, slice_axis_words(map_.study, map_.x),
                               slice_axis_words(map_.study, map_.y), fixed_angles_text(map_));
-    if (drawn.balance_margin.size() == drawn.code.size())
-      row.caption += " Lines: where balance ends to exist (dashed), where it changes stability.";
-    if (drawn.every > 1) row.caption += fmt::format(" One of {0} x {0} points is drawn.", drawn.every);
+    if (drawn.balance_margin.size() == drawn.code.size()) row.caption += words::pages::lines_mean;
+    if (drawn.every > 1) row.caption += fmt::format(words::pages::one_of_points, drawn.every);
     add(std::move(row));
   }
 
   void outcomes() {
-    DocumentTable table{{"outcome", "of the points", "95 % interval", "points"}, {}, "", false, {3}};
+    DocumentTable table{{"outcome", words::pages::of_the_points, "95 % interval", "points"}, {}, "", false, {3}};
     for (const OutcomeShare& c : map_.codes) {
       if (c.share.count == 0 && c.id < undecided_code) continue;
       table.rows.push_back({{reader_title(c, map_.study.scales.has_value())},
@@ -65,38 +64,35 @@ class MapDocument {
                             number_cell(interval(c.share)),
                             number_cell(fmt::format("{}", c.share.count))});
     }
-    table.caption = "Points lie on a grid; the interval is that of as many random ones.";
+    table.caption = words::pages::points_on_grid;
     add(std::move(table));
   }
 
   void figures() {
     const SliceFigures& f = map_.figures;
-    DocumentTable table{{"how basins lie in each other", "", "95 % interval"}, {}, "", false, {}};
+    DocumentTable table{{words::pages::how_basins_lie, "", "95 % interval"}, {}, "", false, {}};
     const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
       if (figure)
         table.rows.push_back({{name},
                               number_cell(fmt::format("{:.3f}", figure->value)),
                               number_cell(fmt::format("{:.3f} to {:.3f}", figure->low, figure->high))});
     };
-    row("box dimension of the boundary (1: smooth, 2: it fills the plane)", f.box_dimension);
-    row("uncertainty exponent (near 0: exact starts help little)", f.uncertainty_exponent);
-    row("basin entropy", f.basin_entropy);
-    row("boundary basin entropy (above 0.693: fractal)", f.boundary_basin_entropy);
+    row(words::pages::box_dimension, f.box_dimension);
+    row(words::pages::uncertainty_exponent, f.uncertainty_exponent);
+    row(words::text::basin_entropy, f.basin_entropy);
+    row(words::pages::boundary_entropy, f.boundary_basin_entropy);
     if (!table.rows.empty()) add(std::move(table));
   }
 
   void origin() {
-    add(Heading{2, "How it was computed", ""});
-    std::string text = fmt::format("{} x {} points, a start each, followed until it is known where it ends.",
-                                   map_.x.pixels * map_.every, map_.y.pixels * map_.every);
+    add(Heading{2, words::pages::how_computed, ""});
+    std::string text =
+        fmt::format(words::pages::points_followed, map_.x.pixels * map_.every, map_.y.pixels * map_.every);
     if (map_.block > 0)
-      text += fmt::format(
-          " {} of {} points were followed, the rest filled in: blocks of {} first, divided where their "
-          "edges have more than one outcome.",
-          map_.pixels_computed, map_.pixels, map_.block);
+      text += fmt::format(words::pages::points_filled_in, map_.pixels_computed, map_.pixels, map_.block);
     text += model_words(map_.study, {map_.cpu_target, map_.threads, map_.seconds, map_.cpu_seconds});
-    if (map_.pixels_kept > 0) text += fmt::format("; {} points from an earlier run's file", map_.pixels_kept);
-    if (map_.pixels_reused > 0) text += fmt::format("; {} points from another map", map_.pixels_reused);
+    if (map_.pixels_kept > 0) text += fmt::format(words::pages::points_from_file, map_.pixels_kept);
+    if (map_.pixels_reused > 0) text += fmt::format(words::pages::points_from_another_map, map_.pixels_reused);
     add(Paragraph{text + "."});
     add_study(document_, map_.study);
   }

@@ -16,6 +16,7 @@
 #include "equipoise/plots/sweep_drawings.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/pages.hpp"
 
 namespace equipoise {
 
@@ -39,13 +40,13 @@ class SweepDocument {
   Document make() {
     document_ = page_with(r_.study, answer_sentence(r_));
     add_missing_cells(document_, done_, r_.cells.size());
-    if (lost_ > 0) add(Paragraph{fmt::format("{} starts could not be followed to an end.", lost_), Tone::open});
+    if (lost_ > 0) add(Paragraph{fmt::format(words::pages::lost_starts, lost_), Tone::open});
     notes();
     if (done_ > 0) {
       pictures();
       table();
     }
-    add_machine(document_, machine_, "in the study, before anything is varied");
+    add_machine(document_, machine_, words::pages::before_varied);
     origin();
     return std::move(document_);
   }
@@ -67,21 +68,21 @@ class SweepDocument {
     constexpr std::size_t most = 4;
     for (std::size_t k = 0; k < told.size() && k < most; ++k)
       add(Paragraph{
-          fmt::format("Note of {} cell{}: {}.", told[k].second, told[k].second == 1 ? "" : "s", told[k].first),
+          fmt::format(words::pages::note_of_cells, told[k].second, told[k].second == 1 ? "" : "s", told[k].first),
           Tone::open});
-    if (told.size() > most) add(Paragraph{fmt::format("{} more notes of single cells.", told.size() - most)});
+    if (told.size() > most) add(Paragraph{fmt::format(words::pages::more_notes, told.size() - most)});
   }
 
   void pictures() {
-    add(Heading{2, "Where starts end", ""});
+    add(Heading{2, words::pages::where_starts_end, ""});
     DrawingRow row;
     row.wide = true;
     if (r_.axes.size() == 1) {
       row.drawings.push_back({"", stacked_svg(r_), "", ""});
-      row.caption = "Shares of starts, stacked; strokes: 95 % interval of the balanced share.";
+      row.caption = words::pages::stacked_caption;
     } else if (r_.axes.size() == 2) {
       row.drawings.push_back({"", heat_svg(r_, 0), "", ""});
-      row.caption = "Balanced share of the starts in every cell, in per cent where there is room.";
+      row.caption = words::pages::balanced_share_of_cells;
     } else {
       several_maps(row);
     }
@@ -89,9 +90,8 @@ class SweepDocument {
     if (const auto peaks = peak_chart(r_)) {
       DrawingRow below;
       below.wide = true;
-      below.drawings.push_back(
-          {"Peak displacement on the way", chart_svg(*peaks, "Peaks along the parameter"), "", ""});
-      below.caption = "With 95 % intervals.";
+      below.drawings.push_back({words::pages::peak_on_the_way, chart_svg(*peaks, words::pages::peaks_along), "", ""});
+      below.caption = words::pages::with_intervals;
       add(std::move(below));
     }
   }
@@ -105,10 +105,9 @@ class SweepDocument {
     for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
       row.drawings.push_back(
           {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
-    row.caption = "Balanced share of the starts in every cell, in per cent where there is room.";
+    row.caption = words::pages::balanced_share_of_cells;
     if (outer.values.size() > most)
-      row.caption +=
-          fmt::format(" {} more values of {} are not drawn.", outer.values.size() - most, key_words(outer.key));
+      row.caption += fmt::format(words::pages::more_not_drawn, outer.values.size() - most, key_words(outer.key));
   }
 
   void table() {
@@ -126,10 +125,10 @@ class SweepDocument {
       if (shows(l)) table.header.push_back("above " + shown.text(*(r_.study.limits.*l.limit), l.told_in()));
     table.spare.push_back(table.header.size());
     table.header.push_back("starts");
-    if (open_) table.caption = "Bounds: they hold whatever becomes of the undecided starts.";
+    if (open_) table.caption = words::pages::bounds_hold;
     for (std::size_t k = 0; k < r_.cells.size(); ++k)
       if (r_.cells[k]) table.rows.push_back(row_of(k));
-    add_cell_table(document_, std::move(table), "the CSV file holds all of them");
+    add_cell_table(document_, std::move(table), words::pages::csv_holds_all);
   }
 
   // Only limits on what happens on the way.
@@ -154,20 +153,17 @@ class SweepDocument {
   }
 
   void origin() {
-    add(Heading{2, "How it was computed", ""});
+    add(Heading{2, words::pages::how_computed, ""});
     const std::string each = least_starts_ == most_starts_
                                  ? fmt::format("{} starts", most_starts_)
-                                 : fmt::format("{} to {} starts", least_starts_, most_starts_);
+                                 : fmt::format(words::pages::least_to_most_starts, least_starts_, most_starts_);
     std::string text = fmt::format("Varied: {}. ", varied_words(r_.axes));
     if (done_ > 0)
-      text += fmt::format(
-          "{} cells with {} each ({} in all) {}, the same in every cell, each followed until it is "
-          "known where it ends.",
-          done_, each, starts_, starts_words(r_.study, drawn_keys(r_.study, keys_of(r_.axes))));
-    if (r_.half_width > 0.0)
-      text += fmt::format(" Sampled until every share was known to +- {:.3g} %.", 100.0 * r_.half_width);
+      text += fmt::format(words::pages::cells_followed, done_, each, starts_,
+                          starts_words(r_.study, drawn_keys(r_.study, keys_of(r_.axes))));
+    if (r_.half_width > 0.0) text += fmt::format(words::pages::sampled_until, 100.0 * r_.half_width);
     text += model_words(r_.study, {r_.cpu_target, r_.threads, r_.seconds, r_.cpu_seconds});
-    if (r_.resumed_cells > 0) text += fmt::format("; {} cells from an earlier run's file", r_.resumed_cells);
+    if (r_.resumed_cells > 0) text += fmt::format(words::pages::cells_from_file, r_.resumed_cells);
     add(Paragraph{text + "."});
     add_study(document_, r_.study);
   }

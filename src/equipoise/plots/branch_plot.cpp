@@ -8,6 +8,7 @@
 
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/results/outcome_share.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -43,7 +44,7 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
 }
 
 std::string subtitle(const BranchesResult& r) {
-  return parameters_text(r.study, {r.key}) + (r.partial ? " (PARTIAL: stopped early)" : "");
+  return parameters_text(r.study, {r.key}) + (r.partial ? words::plots::partial_early : "");
 }
 
 }  // namespace
@@ -81,13 +82,12 @@ std::string branch_plot_script(const BranchesResult& r, const std::string& path)
                           "linecolor rgb '{}' title {}",
                           colour, colour, quoted(title)));
   }
-  add(keys, "keyentry with lines linecolor rgb '#444444' linewidth 1.4 dashtype (12,8) title 'dashed: unstable'");
+  add(keys, "keyentry with lines linecolor rgb '#444444' linewidth 1.4 dashtype (12,8) title " +
+                quoted(words::plots::dashed_unstable));
   const double low = r.values.front(), high = r.values.back(), margin = high > low ? 0.0 : std::max(0.5 * r.step, 1e-9);
-  script += fmt::format("set title {} offset 0,0.3\n", quoted("Where the rotor can end: " + subtitle(r)));
-  script += fmt::format(
-      "set xlabel {}\nset ylabel 'rotor displacement r, smallest to largest (units of the race radius R)' offset "
-      "-0.6,0\n",
-      quoted(axis_label(r.key)));
+  script += fmt::format("set title {} offset 0,0.3\n", quoted(words::plots::where_rotor_ends + subtitle(r)));
+  script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(r.key)),
+                        quoted(words::plots::rotor_displacement));
   script += fmt::format("set xrange [{:.12g}:{:.12g}]\nset yrange [{:.6g}:{:.6g}]\n", low - margin, high + margin,
                         -0.012 * highest, 1.08 * std::max(highest, 1e-6));
   script += quiet_frame;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -30,8 +31,8 @@ ChartSeries boundary_series(const SweepParameter& x, const std::vector<const Cap
 }  // namespace
 
 std::string capacity_title(const CapacityResult& r) {
-  return fmt::format("Largest {} at which {:.4g} % of starts {}{}", r.key, 100.0 * r.at_least, r.asked(),
-                     r.complete() ? "" : " (PARTIAL: stopped early)");
+  return fmt::format(words::plots::largest_at_which, r.key, 100.0 * r.at_least, r.asked(),
+                     r.complete() ? "" : words::plots::partial_early);
 }
 
 std::vector<Chart> capacity_charts(const CapacityResult& r) {
@@ -41,7 +42,7 @@ std::vector<Chart> capacity_charts(const CapacityResult& r) {
   std::vector<Chart> charts;
   if (r.axes.empty()) {
     Chart chart{"", y_label, "balanced (%)", false, false, true, {}};
-    ChartSeries series{"balanced share", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    ChartSeries series{words::plots::balanced_share, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
     for (const CapacityTrial& t : r.cells.front() ? r.cells.front()->trials : std::vector<CapacityTrial>{}) {
       series.x.push_back(t.value);
       series.y.push_back(100.0 * t.balanced.share);

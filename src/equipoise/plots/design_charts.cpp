@@ -8,6 +8,8 @@
 
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/reports/design_report.hpp"
+#include "equipoise/words/plots.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -40,7 +42,7 @@ double leading_number(const StudyValue& value) {
 }
 
 ChartSeries limit_series(const DesignResult& r, std::size_t figure, const ChartSeries& along) {
-  ChartSeries s{"must hold", light_colour, ChartSeries::Style::dashed, {}, {}, {}, {}};
+  ChartSeries s{words::plots::must_hold, light_colour, ChartSeries::Style::dashed, {}, {}, {}, {}};
   for (const DesignLimit& limit : r.limits)
     if (limit.figure == figure && !along.x.empty()) {
       const double bound = shown_value(r.figures[figure], limit.below ? *limit.below : *limit.above);
@@ -59,9 +61,9 @@ std::vector<Chart> front_charts(const DesignResult& r) {
   for (std::size_t g = 1; g < r.objectives.size(); ++g) {
     const std::size_t k = r.objectives[g];
     Chart chart{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
-    ChartSeries front{"not beaten by any", dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
+    ChartSeries front{words::plots::not_beaten, dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
     ChartSeries best{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
-    ChartSeries before{"as it is", "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
+    ChartSeries before{words::text::as_it_is, "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;
@@ -98,7 +100,8 @@ std::vector<Chart> spin_up_charts(const DesignResult& r) {
     for (const DesignSetting& s : best->settings) {
       if (s.key != "release.time") continue;
       const double t = leading_number(s.value);
-      chart.series.push_back({"balls let go", light_colour, ChartSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
+      chart.series.push_back(
+          {words::plots::balls_let_go, light_colour, ChartSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
     }
     return {chart};
   }
@@ -141,7 +144,7 @@ std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
 
 std::vector<Chart> history_charts(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
-  ChartSeries series{"best so far", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  ChartSeries series{words::plots::best_so_far, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
   for (const DesignStep& step : r.history) {
     if (step.violation > 0.0 || !std::isfinite(step.value)) continue;
     if (!series.y.empty()) {  // as good until then
@@ -154,7 +157,7 @@ std::vector<Chart> history_charts(const DesignResult& r) {
   if (series.x.empty()) return {};
   series.x.push_back(static_cast<double>(r.trajectories));
   series.y.push_back(series.y.back());
-  return {{"", "trajectories followed", figure_label(first), false, true, false, {series}}};
+  return {{"", words::plots::trajectories_followed, figure_label(first), false, true, false, {series}}};
 }
 
 std::vector<Chart> design_charts(const DesignResult& r) {
@@ -173,7 +176,7 @@ std::string design_title(const DesignResult& r) {
   for (const std::size_t k : r.objectives)
     wanted += fmt::format("{}{} {}", wanted.empty() ? "" : ", ", r.figures[k].up ? "more" : "less",
                           r.figures[k].name.substr(r.figures[k].name.front() == '-' ? 1 : 0));
-  return fmt::format("Design for {}{}", wanted, r.partial ? " (PARTIAL: stopped early)" : "");
+  return fmt::format(words::plots::design_for, wanted, r.partial ? words::plots::partial_early : "");
 }
 
 }  // namespace equipoise

@@ -17,6 +17,7 @@
 #include "equipoise/plots/zero_line.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -57,7 +58,7 @@ void draw_border(Svg& svg, const SvgAxes& axes, const std::vector<std::array<Map
 
 std::string slice_axis_words(const Study& study, const SliceAxis& axis) {
   const AxisWords words = words_for(study, axis);
-  return fmt::format("{} from {:.4g} to {:.4g}", words.label, axis.low * words.factor, axis.high * words.factor);
+  return fmt::format(words::plots::axis_from_to, words.label, axis.low * words.factor, axis.high * words.factor);
 }
 
 std::string map_svg(const BasinSlice& map) {
@@ -68,7 +69,7 @@ std::string map_svg(const BasinSlice& map) {
   for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
       entries.emplace_back(colour_of(c.id), fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1)));
-  Svg svg(drawing_width, below + legend_height(entries), "Outcome of the start at every point of the plane");
+  Svg svg(drawing_width, below + legend_height(entries), words::plots::outcome_at_points);
   const SvgAxes axes(svg, top_left, bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));
   svg.image(top_left, frame, frame, png_bytes(raster_of(map)));  // over the grid

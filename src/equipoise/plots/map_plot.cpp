@@ -14,6 +14,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/map_words.hpp"
 #include "equipoise/plots/zero_line.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -109,9 +110,9 @@ std::string map_plot_script(const BasinSlice& whole, const std::string& title, c
     add(fmt::format("{} with lines linecolor rgb '#FFFFFF' linewidth 4.5 notitle", name));
     add(fmt::format("{} with lines linecolor rgb '#000000' linewidth 2 {} title {}", name, dash, quoted(meaning)));
   };
-  add_border("$exists", exists, "dashtype (10,7)", "balance ends to exist");
-  add_border("$stable", stable, "", "balance changes stability");
-  const std::string darker = shading == SliceShading::none ? "" : "; the darker, the later decided";
+  add_border("$exists", exists, "dashtype (10,7)", words::plots::balance_ends);
+  add_border("$stable", stable, "", words::plots::balance_changes);
+  const std::string darker = shading == SliceShading::none ? "" : words::plots::darker_is_later;
   const std::string details = parameters_text(map.study, {map.x.key, map.y.key}) + fixed_angles_text(map) + darker;
   script += fmt::format("set title {}.\"\\n\".{}.{} offset 0,0.3\n", quoted(title), quoted(details),
                         map_making_text(map).empty() ? "''" : "\"\\n\"." + quoted(map_making_text(map)));

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -28,7 +29,7 @@ std::string angle_text(double angle) {
 std::string fixed_angles_text(const BasinSlice& map) {
   const int balls = map.study.parameters.balls;
   const bool drawn = draws_starts(map);
-  std::string text = drawn ? ", ball angles drawn at every point" : "";
+  std::string text = drawn ? words::plots::angles_drawn : "";
   for (int i = 1; i <= balls; ++i) {
     const std::string key = fmt::format("initial.phi_{}", i);
     if (key == map.x.key || key == map.y.key) continue;
@@ -43,11 +44,11 @@ std::string fixed_angles_text(const BasinSlice& map) {
 
 std::string map_making_text(const BasinSlice& map) {
   std::vector<std::string> parts;
-  if (!map.complete) parts.emplace_back("PARTIAL: stopped early");
+  if (!map.complete) parts.emplace_back(words::plots::stopped_early);
   if (map.block > 0)
-    parts.push_back(fmt::format("{:.0f} % of the pixels computed, the others filled in",
+    parts.push_back(fmt::format(words::plots::others_filled_in,
                                 100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
-  if (map.every > 1) parts.push_back(fmt::format("one of {0} x {0} pixels drawn", map.every));
+  if (map.every > 1) parts.push_back(fmt::format(words::plots::one_of_pixels, map.every));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

@@ -8,6 +8,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/drawings.hpp"
 #include "equipoise/answers/quantities.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -106,7 +107,7 @@ void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
 }  // namespace
 
 std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
-  Svg svg(330.0, 170.0, motion.name + ": balls in the race and the way of the rotor's centre");
+  Svg svg(330.0, 170.0, motion.name + words::plots::balls_and_centre);
   draw_race(svg);
   draw_balls(svg, page, motion);
   draw_centre(svg, page, motion);

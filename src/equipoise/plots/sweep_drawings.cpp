@@ -13,6 +13,7 @@
 #include "equipoise/drawing/svg.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -106,14 +107,14 @@ std::string stacked_svg(const SweepResult& r) {
   const std::vector<std::size_t> cells = cells_along(r);
   std::vector<LegendEntry> entries;
   for (const SweepLayer& layer : layers) entries.emplace_back(layer.colour, layer.name);
-  Svg svg(drawing_width, drawing_height + legend_height(entries), "Shares of starts by outcome along the parameter");
+  Svg svg(drawing_width, drawing_height + legend_height(entries), words::plots::shares_along);
   const SweepParameter& p = r.axes.front().parameters.front();
   std::vector<double> x, sum(cells.size(), 0.0);
   for (const std::size_t k : cells) x.push_back(p.values[k]);
   const bool lone = x.size() == 1;
   const AxisExtent across = widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
   SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
-               {"share of starts, %"});
+               {words::plots::share_of_starts});
   for (const SweepLayer& layer : layers) {
     std::vector<double> next = sum;
     for (std::size_t i = 0; i < cells.size(); ++i) next[i] += 100.0 * layer.share[cells[i]];
@@ -139,7 +140,7 @@ std::string heat_svg(const SweepResult& r, std::size_t first) {
   const std::vector<std::size_t> columns = rising(x.values), rows = rising(y.values);
   HeatGrid grid{.columns = columns.size(), .rows = rows.size()};
   constexpr double scale_top = 282.0;
-  Svg svg(drawing_width, scale_top + 16.0, "Balanced share of the starts over two parameters");
+  Svg svg(drawing_width, scale_top + 16.0, words::plots::share_over_two);
   for (std::size_t j = 0; j < rows.size(); ++j)
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (const auto& cell = r.cells[first + rows[j] * columns.size() + columns[i]])
@@ -173,7 +174,7 @@ std::optional<Chart> peak_chart(const SweepResult& r) {
     chart.series.push_back(std::move(series));
   };
   add(0, "median", dark_colour);
-  add(1, "90 % of starts stay below", light_colour);
+  add(1, words::plots::most_stay_below, light_colour);
   if (const auto& limit = r.study.limits.displacement; limit && !cells.empty()) {
     const double at = *limit * words.factor;
     const std::vector<double> ends{p.values[cells.front()], p.values[cells.back()]};

@@ -9,6 +9,7 @@
 
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -16,7 +17,7 @@ namespace {
 
 std::string heading(const SweepResult& r, const std::string& title) {
   return fmt::format("{}{}{}", title.empty() ? "" : title + ": ", parameters_text(r.study, keys_of(r.axes)),
-                     r.complete() ? "" : " (PARTIAL: cells are missing)");
+                     r.complete() ? "" : words::plots::partial_cells);
 }
 
 std::string stacked_script(const SweepResult& r, const std::string& title, const std::string& path) {
@@ -36,10 +37,11 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
   const auto [low, high] = std::minmax_element(x.values.begin(), x.values.end());
   const double margin = *high > *low ? 0.0 : 0.5 * std::max(std::fabs(*low), 1e-3);
   script += fmt::format(
-      "set title {} offset 0,0.3\nset xlabel {}\nset ylabel 'share of starts (%)'\nset xrange [{:.9g}:{:.9g}]\n"
+      "set title {} offset 0,0.3\nset xlabel {}\nset ylabel {}\nset xrange [{:.9g}:{:.9g}]\n"
       "set yrange [0:100]\nset key outside right top vertical Left reverse samplen 2 spacing 1.3 width 1 invert\n"
       "set lmargin 9\nset grid front\n",
-      quoted(heading(r, title)), quoted(sweep_axis_label(x)), *low - margin, *high + margin);
+      quoted(heading(r, title)), quoted(sweep_axis_label(x)), quoted(words::plots::share_of_starts_percent),
+      *low - margin, *high + margin);
   // A single value becomes a column.
   const bool lone = r.axes.front().size() == 1;
   std::string items;
@@ -57,9 +59,8 @@ std::string stacked_script(const SweepResult& r, const std::string& title, const
     ++column;
   }
   items += ", \\\n  $shares using 1:4 with points pointtype 7 pointsize 0.5 linecolor rgb '#222222' notitle";
-  items +=
-      ", \\\n  $shares using 1:2:(0):($3-$2) with vectors nohead linewidth 1.3 linecolor rgb '#222222' title "
-      "'balanced: 95 % interval'";
+  items += ", \\\n  $shares using 1:2:(0):($3-$2) with vectors nohead linewidth 1.3 linecolor rgb '#222222' title " +
+           quoted(words::plots::balanced_interval);
   return script + "plot " + items + "\n";
 }
 

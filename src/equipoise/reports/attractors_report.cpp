@@ -17,6 +17,7 @@
 #include "equipoise/text/motion_words.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -56,13 +57,11 @@ const OutcomeShare& share_of(const AttractorsResult& r, int id) {
 // How rare an attractor may be and still be missed: only decided starts tell.
 std::string search_text(const AttractorsResult& r) {
   const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
-  std::string text = fmt::format("{} starts searched, {} decided", starts, decided);
-  if (decided > 0)
-    text += fmt::format(": an attractor with a share above {:.2g} of such starts is missed with probability below 1e-9",
-                        detection_limit(decided, least_miss));
+  std::string text = fmt::format(words::reports::starts_searched, starts, decided);
+  if (decided > 0) text += fmt::format(words::reports::missed_with_probability, detection_limit(decided, least_miss));
   text += ".\n";
   if (undecided > 0)
-    text += fmt::format("{} of all starts stayed undecided: attractors missing here may hold up to that share.\n",
+    text += fmt::format(words::reports::undecided_may_hide,
                         percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
   return text;
 }
@@ -88,7 +87,7 @@ std::string events_text(const Attractor& a, int balls) {
   if (!first.empty())
     text += fmt::format("{}{}{} {}", text.empty() ? "" : "; then ", text_of(first),
                         first.size() < m.events.size() ? ", ..." : "",
-                        periodic ? "in one period" : "and so on, never the same again");
+                        periodic ? words::reports::in_one_period : words::reports::never_the_same_again);
   return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
 }
 
@@ -98,13 +97,13 @@ std::string section_text(const Study& study, const TableUnits& units) {
   if (system.autonomous()) return "";
   const model::Parameters& p = study.parameters;
   std::string text =
-      fmt::format("A strobe is {} of the rotor", p.gravity != 0.0 ? "a revolution" : "half a revolution");
+      fmt::format(words::reports::a_strobe_is, p.gravity != 0.0 ? "a revolution" : words::reports::half_a_revolution);
   if (system.prescribed())
     text += fmt::format(", {:.5f}{}", system.section_period() * units.time, study.scales ? " s" : "");
   if (p.gravity != 0.0)
-    text += fmt::format("; r is measured from where the rotor would rest, Y = {:.5g}{}",
-                        model::static_sag(p) * units.length, study.scales ? " mm" : "");
-  return text + "; multipliers are over the period, without one of 1.\n";
+    text += fmt::format(words::reports::displacement_from_rest, model::static_sag(p) * units.length,
+                        study.scales ? " mm" : "");
+  return text + words::reports::multipliers_over_the_period;
 }
 
 }  // namespace
@@ -123,7 +122,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
                   "r min" + units.r,
                   "mean",
                   "max",
-                  "drift of the balls" + units.drift,
+                  words::reports::drift_of_the_balls + units.drift,
                   "stability"};
   const bool driven = r.basin.study.speed.driven();
   const auto put_motor = [&](std::vector<std::string>& row, const std::vector<std::string>& texts) {
@@ -160,12 +159,10 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
   for (const Attractor& a : r.attractors) notes += events_text(a, balls);
   notes += left_unbalance_text(r.basin.attractors, r.basin.study);
   if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", r.basin.note);
-  if (r.basin.partial)
-    notes += fmt::format("PARTIAL: stopped after {} of {} starts; the search had not ended: there may be others.\n",
-                         r.basin.starts, r.basin.asked);
+  if (r.basin.partial) notes += fmt::format(words::reports::partial_search, r.basin.starts, r.basin.asked);
   notes += search_text(r);
-  notes +=
-      fmt::format("seed {}; {}; equipoise {}\n", r.basin.study.sampling.seed, computed_text(r.basin), version_string);
+  notes += fmt::format(words::reports::attractors_made_with, r.basin.study.sampling.seed, computed_text(r.basin),
+                       version_string);
   return text + lines_filled(notes, style);
 }
 

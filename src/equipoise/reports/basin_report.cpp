@@ -21,6 +21,8 @@
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
+#include "equipoise/words/reports.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -39,7 +41,7 @@ std::string decided_text(const BasinResult& r) {
     if (counts[k] > 0)
       text += fmt::format("{}{} {:.2f} %", text.empty() ? "" : ", ", decided_by_names[k],
                           100.0 * static_cast<double>(counts[k]) / static_cast<double>(r.starts));
-  return text.empty() ? "" : fmt::format("Decided by: {} of all starts.\n", text);
+  return text.empty() ? "" : fmt::format(words::reports::decided_by, text);
 }
 
 // Shares of starts that passed the resonance, that did not, and for which this is unknown.
@@ -49,29 +51,27 @@ std::string passage_text(const BasinResult& r) {
   const bool from_above = std::fabs(r.study.speed.initial) >= above;
   const auto part = [](const Share& s) { return fmt::format("{} ({})", percent(s.share, digits_for(s)), interval(s)); };
   std::string text =
-      fmt::format("{}: {} of all starts ({}), turning faster than {} in their motion or when last seen",
-                  from_above ? "Above the resonance in the end" : "Came through the resonance",
+      fmt::format(words::reports::passed_resonance,
+                  from_above ? words::reports::above_the_resonance : words::reports::through_the_resonance,
                   percent(passed.share, digits_for(passed)), interval(passed), rotor_speed_text(r.study, above));
-  if (held.count > 0) text += fmt::format("; held below: {}", part(held));
+  if (held.count > 0) text += fmt::format(words::reports::held_below, part(held));
   const std::uint64_t open = passed.total - passed.count - held.count - r.lost();
   if (open > 0)
-    text += fmt::format("; not known yet: {}, undecided and slower when last seen",
+    text += fmt::format(words::reports::passage_not_known,
                         percent_text(static_cast<double>(open) / static_cast<double>(passed.total)));
-  if (open > 0 && (passed.least > 0.0 || passed.most < 1.0)) text += "; surely through: " + bounds_text(passed);
+  if (open > 0 && (passed.least > 0.0 || passed.most < 1.0))
+    text += words::reports::surely_through + bounds_text(passed);
   return text + ".\n";
 }
 
 // Whether collisions of balls mattered.
 std::string contact_text(const Share& met) {
-  if (met.count == 0)
-    return "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
-  return fmt::format("Contact: balls touched in {} of all starts ({}) before the outcome was known.\n",
-                     percent(met.share, digits_for(met)), interval(met));
+  if (met.count == 0) return words::reports::no_contact;
+  return fmt::format(words::reports::contact, percent(met.share, digits_for(met)), interval(met));
 }
 
 std::string stopped_basin_text(const BasinResult& r) {
-  return fmt::format("PARTIAL: stopped after {}{} starts; the shares and intervals above are of those.\n", r.starts,
-                     r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
+  return fmt::format(words::reports::partial_basin, r.starts, r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
 }
 
 std::string run_text(const BasinResult& r) {
@@ -83,7 +83,7 @@ std::string run_text(const BasinResult& r) {
 
 // The rotor alone.
 std::string bare_text(const BasinResult& r, const TextStyle& style) {
-  if (!r.without_balls) return "PARTIAL: stopped before anything was known.\n";
+  if (!r.without_balls) return words::reports::partial_nothing_known;
   std::string text = filled("", bare_words(r), style) + "\n" + table_text(bare_table(r), style);
   for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
   return text + "\n";
@@ -93,8 +93,8 @@ std::string bare_text(const BasinResult& r, const TextStyle& style) {
 
 std::string bare_words(const BasinResult& r) {
   const OneBodyRuns& bare = r.without_balls->bare;
-  if (bare.one) return "There are no balls: nothing is drawn, and one run tells all.";
-  return fmt::format("There are no balls: {} runs draw what else is uncertain.", bare.runs);
+  if (bare.one) return words::reports::one_run_tells_all;
+  return fmt::format(words::reports::runs_draw_the_rest, bare.runs);
 }
 
 namespace {
@@ -106,17 +106,18 @@ DocumentTable outcome_table(const BasinResult& r) {
   const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  DocumentTable table{{physical ? "what the balls do" : "outcome", "share, 95 % interval"}, {}, "", false, {}};
+  DocumentTable table{
+      {physical ? words::text::what_the_balls_do : "outcome", words::reports::share_and_interval}, {}, "", false, {}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
     table.header.push_back(title);
   };
   column(open, "bounds", false);
-  column(t, fmt::format("RMS at end, {}", velocity.name), false);
-  column(true, physical ? "known after, s" : "known after", true);
+  column(t, fmt::format(words::reports::rms_at_end, velocity.name), false);
+  column(true, physical ? words::reports::known_after_seconds : words::reports::known_after, true);
   column(true, "starts", true);
-  column(even, "as good as", true);
+  column(even, words::reports::as_good_as, true);
   const auto row = [&](const std::string& name, Tone tone, const OutcomeShare& o, bool timed) {
     std::vector<DocumentCell> cells{{name, tone, false, true}, number_cell(share_with_interval(o.share))};
     if (open) cells.push_back(number_cell(o.id == undecided_code ? "-" : bounds_text(o.share)));
@@ -136,7 +137,8 @@ DocumentTable outcome_table(const BasinResult& r) {
     if (a.share.count > 0 || a.id == balanced_id) row(reader_title(a, physical), Tone::plain, a, a.share.count > 0);
   for (const OutcomeShare& o : r.others())
     if (o.share.count > 0)
-      row(o.id == stalled_code ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed()) : o.name,
+      row(o.id == stalled_code ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
+                               : o.name,
           Tone::open, o, false);
   return table;
 }
@@ -147,37 +149,32 @@ std::string none_words(const BasinResult& r) {
   std::vector<std::string> names;
   const Share* none = nullptr;
   for (const OutcomeShare& a : r.attractors)
-    if (a.share.count == 0 && a.id != balanced_id) names.push_back("came to " + reader_title(a, physical));
+    if (a.share.count == 0 && a.id != balanced_id) names.push_back(words::reports::came_to + reader_title(a, physical));
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
     none = r.of(o.id);
-    names.push_back(o.id == stalled_code     ? "stalled below " + rotor_speed_text(r.study, r.study.stall_speed())
-                    : o.id == undecided_code ? "was undecided"
+    names.push_back(o.id == stalled_code
+                        ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
+                    : o.id == undecided_code ? words::reports::was_undecided
                                              : o.name);
   }
   if (!none) return "";
-  std::string text = "No start ";
+  std::string text = words::reports::no_start;
   for (std::size_t k = 0; k < names.size(); ++k)
     text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
   const std::string each = names.size() > 1 ? "each " : "";
   // The upper end of undecided starts is none's own: what they come to may be one of these.
   if (none->most > none->high)
-    return text + fmt::format(" ({}at most {}, whatever the undecided starts come to).", each,
-                              percent(none->most, digits_for(*none)));
+    return text + fmt::format(words::reports::at_most_whatever_undecided, each, percent(none->most, digits_for(*none)));
   return text + fmt::format(" ({}{}).", each, interval(*none));
 }
 
 std::string outcome_text(const BasinResult& r, const TextStyle& style) {
   std::string text = table_text(outcome_table(r), style) + "\n";
   if (const std::string none = none_words(r); !none.empty()) text += filled("", none, style);
-  if (r.undecided.count > 0)
-    text += filled("", "Bounds: 95 % limits that hold whatever becomes of the undecided starts.", style);
+  if (r.undecided.count > 0) text += filled("", words::reports::bounds_hold, style);
   return text +
-         filled("",
-                fmt::format("Known after: mean time until the outcome is certain, from when the drive no longer "
-                            "changes and the balls are free{}.",
-                            r.study.scales ? "" : ", in 1/omega_c"),
-                style) +
+         filled("", fmt::format(words::reports::known_after_means, r.study.scales ? "" : ", in 1/omega_c"), style) +
          "\n";
 }
 
@@ -188,8 +185,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (const auto verdict = verdict_of(r, tried)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
   if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r), style);
-  if (r.starts == 0)
-    return text + "PARTIAL: stopped before the first start was decided; there are no shares.\n" + run_text(r);
+  if (r.starts == 0) return text + words::reports::partial_no_shares + run_text(r);
   text += outcome_text(r, style);
   for (const std::vector<Block>& group : balancer_blocks(r)) text += blocks_text(group, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);

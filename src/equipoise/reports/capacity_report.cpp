@@ -20,6 +20,7 @@
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -51,11 +52,9 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
   DocumentTable table;
   table.header = parameter_titles(r.axes, words);
   table.header.insert(table.header.end(),
-                      {column_title(words(r.key), r.unit), "between", "undecided at most", "trials"});
+                      {column_title(words(r.key), r.unit), "between", words::reports::undecided_at_most, "trials"});
   table.spare = {table.header.size() - 1};
-  table.caption =
-      "Between: at the first value the share is large enough with 95 % confidence, whatever becomes of the undecided "
-      "starts; at the second it is too small with 95 % confidence.";
+  table.caption = words::reports::between_means;
   const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     const auto add_row = [&](const std::string& value, const auto& of, const std::string& undecided,
@@ -74,8 +73,7 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
       if (t.undecided.share >= open.share) open = t.undecided;
     add_row(capacity_value_text(r, *r.cells[index]), *r.cells[index], share_cell(open).text, trials.size());
   }
-  if (!r.complete())
-    table.caption += " Of an open one the capacity is not known between the two values; ?: no value tried says so.";
+  if (!r.complete()) table.caption += words::reports::open_means;
   return table;
 }
 
@@ -84,16 +82,13 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   set.push_back(r.key);
   std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
   text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += fmt::format("The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n", r.key, 100.0 * r.at_least,
-                      r.asked(), sought_text(r));
+  text += fmt::format(words::reports::largest_at_which, r.key, 100.0 * r.at_least, r.asked(), sought_text(r));
   text += table_text(capacity_table(r, key_itself), style);
-  std::string notes =
-      fmt::format("Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n",
-                  in_unit(r, four_digits(r.precision * (r.to - r.from))));
-  if (!r.complete()) notes += "PARTIAL: stopped before all cells were done.\n";
-  if (r.resumed_trials > 0) notes += fmt::format("{} trials from an earlier run. ", r.resumed_trials);
-  notes += fmt::format("{} starts a trial, seed {}, the same ones in all; {}; equipoise {}\n", r.starts,
-                       r.study.sampling.seed, computed_text(r), version_string);
+  std::string notes = fmt::format(words::reports::located_to, in_unit(r, four_digits(r.precision * (r.to - r.from))));
+  if (!r.complete()) notes += words::reports::partial_cells;
+  if (r.resumed_trials > 0) notes += fmt::format(words::reports::trials_from_earlier, r.resumed_trials);
+  notes += fmt::format(words::reports::capacity_made_with, r.starts, r.study.sampling.seed, computed_text(r),
+                       version_string);
   return text + lines_filled(notes, style);
 }
 
@@ -136,9 +131,8 @@ std::string capacity_json(const CapacityResult& r) {
 }
 
 std::string capacity_csv(const CapacityResult& r) {
-  std::string text = fmt::format(
-      "# equipoise {}: largest {} at which a share of {} of {} starts {}, searched from {}{}\n", version_string, r.key,
-      r.at_least, r.starts, r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
+  std::string text = fmt::format(words::reports::csv_capacity, version_string, r.key, r.at_least, r.starts,
+                                 r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

@@ -12,6 +12,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -111,7 +112,7 @@ class Reader {
  public:
   Reader(const Json& object, std::string where, std::string prefix)
       : object_(object), where_(std::move(where)), prefix_(std::move(prefix)) {
-    if (!object.is_object()) fail("", "must be an object");
+    if (!object.is_object()) fail("", words::reports::must_be_object);
   }
 
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
@@ -123,13 +124,13 @@ class Reader {
   bool flag(const std::string& key) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return false;
-    if (!found->is_boolean()) fail(key, "must be true or false");
+    if (!found->is_boolean()) fail(key, words::reports::must_be_true_or_false);
     return found->get<bool>();
   }
   std::vector<double> list(const std::string& key, std::size_t count) const { return as_list(member(key), key, count); }
   Eigen::MatrixXd matrix(const std::string& key, int size) const {
     const auto values = lists(key, static_cast<std::size_t>(size));
-    if (values.size() != static_cast<std::size_t>(size)) fail(key, fmt::format("must have {} rows", size));
+    if (values.size() != static_cast<std::size_t>(size)) fail(key, fmt::format(words::reports::must_have_rows, size));
     Eigen::MatrixXd result(size, size);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j) result(i, j) = values[i][j];
@@ -137,7 +138,7 @@ class Reader {
   }
   std::vector<std::vector<double>> lists(const std::string& key, std::size_t count) const {
     const Json& array = member(key);
-    if (!array.is_array()) fail(key, "must be an array of arrays of numbers");
+    if (!array.is_array()) fail(key, words::reports::must_be_lists_of_numbers);
     std::vector<std::vector<double>> result;
     for (const Json& row : array) result.push_back(as_list(row, key, count));
     return result;
@@ -146,15 +147,15 @@ class Reader {
  private:
   const Json& member(const std::string& key) const {
     const auto found = object_.find(key);
-    if (found == object_.end()) fail(key, "is missing");
+    if (found == object_.end()) fail(key, words::reports::is_missing);
     return *found;
   }
   double as_number(const Json& value, const std::string& key) const {
-    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "must be a finite number");
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, words::reports::must_be_finite);
     return value.get<double>();
   }
   std::vector<double> as_list(const Json& array, const std::string& key, std::size_t count) const {
-    if (!array.is_array() || array.size() != count) fail(key, fmt::format("must be an array of {} numbers", count));
+    if (!array.is_array() || array.size() != count) fail(key, fmt::format(words::reports::must_be_numbers, count));
     std::vector<double> result;
     for (const Json& value : array) result.push_back(as_number(value, key));
     return result;
@@ -172,7 +173,7 @@ void read_machine(const Reader& r, Certificate& c) {
   }
   if (!r.has("motor")) return;
   p.inertia = r.number("inertia");
-  if (!(p.inertia > 0.0)) r.fail("inertia", "must be greater than 0");
+  if (!(p.inertia > 0.0)) r.fail("inertia", words::reports::must_be_positive);
   if (p.rolls) {
     const std::vector<double> radius = r.list("ball_radius", static_cast<std::size_t>(p.balls));
     std::copy(radius.begin(), radius.end(), p.ball_radius.begin());
@@ -191,7 +192,7 @@ model::Parameters rotor_from(const Reader& r, int fewest, int most) {
   model::Parameters p;
   const double balls = r.number("balls");
   if (!(balls >= fewest && balls <= most && balls == std::floor(balls)))
-    r.fail("balls", fmt::format("must be a whole number from {} to {}", fewest, most));
+    r.fail("balls", fmt::format(words::reports::must_be_whole, fewest, most));
   p.balls = static_cast<int>(balls);
   const auto n = static_cast<std::size_t>(p.balls);
   p.eccentricity = r.number("eccentricity");
@@ -199,7 +200,7 @@ model::Parameters rotor_from(const Reader& r, int fewest, int most) {
   p.stiffness.fill(r.number("stiffness"));
   const std::vector<double> mass = r.list("mass", n), drag = r.list("drag", n);
   for (std::size_t i = 0; i < n; ++i) {
-    if (!(mass[i] > 0.0)) r.fail("mass", "must be greater than 0");
+    if (!(mass[i] > 0.0)) r.fail("mass", words::reports::must_be_positive);
     p.mass[i] = mass[i];
     p.drag[i] = drag[i];
   }
@@ -260,16 +261,15 @@ MemberCertificate member_from(const Reader& r) {
 // The file's object. It must hold at least one certificate of either kind.
 Json file_from(const std::string& text, const std::string& where) {
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded())
-    throw InputError(where, "", "", "is not JSON; must be a file written by equipoise certify -o");
+  if (json.is_discarded()) throw InputError(where, "", "", words::reports::not_json);
   if (!json.is_object() || json.value("format", Json()) != format_name)
-    throw InputError(where, "format", "", fmt::format("must be \"{}\"", format_name));
+    throw InputError(where, "format", "", fmt::format(words::reports::must_be_format, format_name));
   const auto count = [&](const char* key) {
     const auto list = json.find(key);
     return list != json.end() && list->is_array() ? list->size() : 0;
   };
   if (count("certificates") + count("members") == 0)
-    throw InputError(where, "certificates", "", "must be an array of at least one certificate");
+    throw InputError(where, "certificates", "", words::reports::must_hold_a_certificate);
   return json;
 }
 
@@ -279,7 +279,7 @@ auto entries(const Json& file, const char* key, const std::string& where, const 
   std::vector<decltype(read(std::declval<Reader>()))> result;
   const auto list = file.find(key);
   if (list == file.end()) return result;
-  if (!list->is_array()) throw InputError(where, key, "", "must be an array");
+  if (!list->is_array()) throw InputError(where, key, "", words::reports::must_be_array);
   for (const Json& entry : *list)
     result.push_back(read(Reader(entry, where, fmt::format("{}[{}]", key, result.size()))));
   return result;

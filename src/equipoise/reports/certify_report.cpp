@@ -10,6 +10,7 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -28,19 +29,17 @@ std::string state_text(const StateProof& s, const model::System& system) {
   const int balls = system.balls();
   std::string angles;
   for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
-  std::string text = fmt::format("balanced state {}", angles);
-  if (s.copies > 1) text += "; its exchange copy (equal balls) has the same proof";
+  std::string text = fmt::format(words::reports::balanced_state, angles);
+  if (s.copies > 1) text += words::reports::copy_has_same_proof;
   text += "\n";
-  if (c.level == 0.0) return text + fmt::format("  not proved: {}\n", s.check.reason);
-  text +=
-      fmt::format("  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n",
-                  c.level, 100.0 * c.level / s.critical);
-  text += "  reach of V <= c:";
+  if (c.level == 0.0) return text + fmt::format(words::reports::not_proved, s.check.reason);
+  text += fmt::format(words::reports::proved, c.level, 100.0 * c.level / s.critical);
+  text += words::reports::reach;
   const std::vector<std::string> names = variable_names(system);
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
-  text += fmt::format("  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n", c.boxes.size(), s.seconds,
-                      s.check_seconds, s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
+  text += fmt::format(words::reports::boxes_checked, c.boxes.size(), s.seconds, s.check_seconds,
+                      s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
   text += fmt::format("  P, variables {}:\n", fmt::join(names, ", "));
   for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
     for (Eigen::Index j = 0; j < c.form.cols(); ++j) text += fmt::format("{:>14.6g}", c.form(i, j));
@@ -57,11 +56,8 @@ std::string angles_text(const MemberCertificate& c) {
 std::string members_text(const CertifyResult& r) {
   if (r.members.empty()) return "";
   const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
-  std::string text = fmt::format(
-      "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that "
-      "comes "
-      "close, {} to be unstable, {} neither\n",
-      drawn, attracting, unstable, drawn - attracting - unstable);
+  std::string text =
+      fmt::format(words::reports::members_proved, drawn, attracting, unstable, drawn - attracting - unstable);
   const MemberProof *widest = nullptr, *fastest = nullptr;
   for (const MemberProof& m : r.members) {
     if (!m.check.proved) continue;
@@ -69,13 +65,10 @@ std::string members_text(const CertifyResult& r) {
     if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
   }
   if (widest)
-    text += fmt::format(
-        "  attracts: {}; balls within {:.3g} rad of that and V <= {:.3g} lead to balance (rate {:.4g})\n",
-        angles_text(widest->certificate), 0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
-  if (fastest)
-    text += fmt::format("  unstable: {}; leads away from the set (growth rate {:.4g})\n",
-                        angles_text(fastest->certificate), fastest->growth);
-  return text + "  nothing is proved of members that were not drawn\n";
+    text += fmt::format(words::reports::member_attracts, angles_text(widest->certificate),
+                        0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest) text += fmt::format(words::reports::member_unstable, angles_text(fastest->certificate), fastest->growth);
+  return text + words::reports::others_not_proved;
 }
 
 Json members_json(const CertifyResult& r) {
@@ -97,10 +90,10 @@ Json members_json(const CertifyResult& r) {
 
 std::string certify_text(const CertifyResult& r) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
-  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? "nothing proved: " : "", r.note);
+  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", r.note);
   for (const StateProof& s : r.states) text += state_text(s, r.study.system());
   text += members_text(r);
-  if (r.partial) text += "PARTIAL: stopped; what is not proved above was not tried to the end.\n";
+  if (r.partial) text += words::reports::partial_proofs;
   return text;
 }
 
@@ -149,13 +142,13 @@ std::string check_text(const CertificateFile& file) {
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
-    text += fmt::format("speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n", c.speed, c.motor ? " by a motor" : "",
-                        balls, balls == 1 ? "" : "s", c.level, c.boxes.size(),
+    text += fmt::format(words::reports::certificate_line, c.speed, c.motor ? words::reports::by_a_motor : "", balls,
+                        balls == 1 ? "" : "s", c.level, c.boxes.size(),
                         file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
   }
   for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
     const MemberCertificate& c = file.members[i];
-    text += fmt::format("speed {}, {} balls, member {}, {}: {}\n", c.speed, c.parameters.balls, angles_text(c),
+    text += fmt::format(words::reports::member_line, c.speed, c.parameters.balls, angles_text(c),
                         c.attracts ? "attracts" : "unstable",
                         file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
   }

@@ -11,6 +11,7 @@
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -24,7 +25,8 @@ std::string interval_text(const ShareDifference& d) { return fmt::format("{} to 
 
 // Means of transients, and how much more the second has.
 DocumentTable figures_table(const ComparisonResult& r) {
-  DocumentTable table{{"mean of starts", "first", "second", "second - first", "open"}, {}, "", false, {4}};
+  DocumentTable table{
+      {words::reports::mean_of_starts, "first", "second", "second - first", "open"}, {}, "", false, {4}};
   bool open = false;
   for (const ComparedFigure& f : r.figures) {
     const MeanDifference& m = f.mean;
@@ -36,11 +38,9 @@ DocumentTable figures_table(const ComparisonResult& r) {
                 fmt::format("{:+.3g} ± {}", m.difference, std::isfinite(half) ? fmt::format("{:.2g}", half) : "?"),
                 fmt::format("{}, {}", f.first_open, f.second_open)}));
   }
-  table.caption =
-      fmt::format("Means and 95 % intervals of {}.{}", r.common ? "differences start by start" : "independent samples",
-                  open ? " Open: starts of the first and of the second whose figure has no end; the means "
-                         "are of the others."
-                       : "");
+  table.caption = fmt::format(words::reports::means_of,
+                              r.common ? words::reports::differences_by_start : words::reports::independent_samples,
+                              open ? words::reports::open_figures : "");
   if (!open)
     for (auto& row : table.rows) row.pop_back();
   if (!open) table.header.pop_back();
@@ -51,16 +51,15 @@ DocumentTable figures_table(const ComparisonResult& r) {
 }  // namespace
 
 std::string verdict(const ComparisonResult& r) {
-  if (r.starts == 0) return "No start of both is done: there is nothing to compare (basin -o keeps what it has done).";
-  if (!r.balanced) return "No start of either ends balanced.";
+  if (r.starts == 0) return words::reports::nothing_to_compare;
+  if (!r.balanced) return words::reports::neither_balances;
   const ShareDifference& d = r.shares[*r.balanced].difference;
-  const std::string by = fmt::format("by {} points ({})", points(d.difference), interval_text(d));
-  if (r.surely_low > 0.0) return fmt::format("The second balances more often, {}.", by);
-  if (r.surely_high < 0.0) return fmt::format("The second balances less often, {}.", by);
+  const std::string by = fmt::format(words::reports::by_points, points(d.difference), interval_text(d));
+  if (r.surely_low > 0.0) return fmt::format(words::reports::second_more_often, by);
+  if (r.surely_high < 0.0) return fmt::format(words::reports::second_less_often, by);
   if (d.low > 0.0 || d.high < 0.0)
-    return fmt::format("Open: the difference is {}, but undecided starts could undo it ({} to {}).", by,
-                       points(r.surely_low), points(r.surely_high));
-  return fmt::format("No difference in balanced starts is shown: {} points.", interval_text(d));
+    return fmt::format(words::reports::difference_open, by, points(r.surely_low), points(r.surely_high));
+  return fmt::format(words::reports::no_difference, interval_text(d));
 }
 
 std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
@@ -68,7 +67,8 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
                                    study_heading(r.second) + uncertain_text(r.second)),
                        style);
-  DocumentTable table{{"outcome", "first", "second", "difference", "95 % interval, points"}, {}, "", false, {}};
+  DocumentTable table{
+      {"outcome", "first", "second", "difference", words::reports::interval_in_points}, {}, "", false, {}};
   for (const ComparedShare& s : r.shares) {
     if (s.first.count == 0 && s.second.count == 0) continue;
     table.rows.push_back(
@@ -79,13 +79,14 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
   std::string notes;
   if (r.changed && r.starts > 0) {
-    notes += fmt::format("{} of {} common starts end differently: {} ({})\n", r.changed->count, r.starts,
+    notes += fmt::format(words::reports::common_end_differently, r.changed->count, r.starts,
                          percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
-    for (const ChangedFate& c : r.changes) notes += fmt::format("{:>10}  from {} to {}\n", c.starts, c.from, c.to);
+    for (const ChangedFate& c : r.changes)
+      notes += fmt::format(words::reports::from_one_to_other, c.starts, c.from, c.to);
   } else if (!r.common) {
-    notes += fmt::format("Compared as independent samples: {}.\n", r.why_not_common);
+    notes += fmt::format(words::reports::compared_as_independent, r.why_not_common);
   }
-  if (r.partial) notes += "PARTIAL: stopped before all starts were done; what is said above is of those that were.\n";
+  if (r.partial) notes += words::reports::partial_comparison;
   return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
 }
 

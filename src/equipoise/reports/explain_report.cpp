@@ -17,6 +17,8 @@
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -52,15 +54,12 @@ class Text {
     balance();
     if (e_.motion) motion(*e_.motion);
     if (e_.bare) bare(*e_.bare);
-    if (e_.reynolds)
-      item("Reynolds number", fmt::format("{:.3g} of a ball that keeps the critical speed while the rotor runs at its "
-                                          "final one",
-                                          *e_.reynolds));
+    if (e_.reynolds) item(words::reports::reynolds_number, fmt::format(words::reports::reynolds_of, *e_.reynolds));
     rules();
     if (e_.cost) cost(*e_.cost);
     text_ += "\n";
     for (const std::string& w : e_.warnings) text_ += "warning: " + w + "\n";
-    if (e_.warnings.empty()) text_ += "no warnings\n";
+    if (e_.warnings.empty()) text_ += words::reports::no_warnings;
     return text_;
   }
 
@@ -103,16 +102,17 @@ class Text {
 
   void speeds() {
     const bool balls = e_.study.parameters.balls > 0;
-    item("critical speed", by_direction(e_.critical_alone, Dimension::speed) +
-                               (balls ? " without balls, " + by_direction(e_.critical_with_balls, Dimension::speed) +
-                                            " with the balls in the race"
-                                      : ""));
-    if (!e_.speed) return item("final speed", "none: " + e_.speed_words);
+    item(words::text::critical_speed,
+         by_direction(e_.critical_alone, Dimension::speed) +
+             (balls ? words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
+                          words::reports::with_balls_in_race
+                    : ""));
+    if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
-    item("final speed",
-         fmt::format("{}, {:.3g} times the {}critical speed{}", either(*e_.speed, Dimension::speed),
+    item(words::reports::final_speed,
+         fmt::format(words::reports::times_the_critical, either(*e_.speed, Dimension::speed),
                      std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower ",
-                     balls ? " with balls" : ""));
+                     balls ? words::reports::and_with_balls : ""));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
     if (e_.run_up) run_up(*e_.run_up);
   }
@@ -120,49 +120,41 @@ class Text {
   void cost(const BasinCost& c) {
     constexpr double microseconds = 1e6;
     if (!c.search_ended || c.measured == 0)
-      return item("basin takes", fmt::format("more than {:.2g} s of CPU: {} had not ended by then", c.total(),
-                                             c.search_ended ? "the first starts" : "the search for attractors"));
-    item("basin takes",
-         fmt::format("about {:.2g} s of CPU: {:.2g} s for the search for attractors, {:.2g} us for each of {} starts, "
-                     "by {} that were followed",
-                     c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
+      return item(words::reports::basin_takes,
+                  fmt::format(words::reports::takes_more_than, c.total(),
+                              c.search_ended ? words::reports::the_first_starts : words::reports::the_search));
+    item(words::reports::basin_takes,
+         fmt::format(words::reports::takes_about, c.total(), c.search, microseconds * c.a_start, c.starts, c.measured));
   }
 
   void run_up(const RunUp& r) {
     const std::string to = either(r.speed, Dimension::speed);
-    item("run-up", r.alone ? fmt::format("{} to {}, 95 % of that, without losses; rotor and balls have {}",
-                                         either(*r.alone, Dimension::time), to, either(r.inertia, Dimension::inertia))
-                           : fmt::format("the motor does not bring the rotor to {}, 95 % of that", to));
+    item("run-up", r.alone ? fmt::format(words::reports::run_up_without_losses, either(*r.alone, Dimension::time), to,
+                                         either(r.inertia, Dimension::inertia))
+                           : fmt::format(words::reports::motor_fails, to));
     if (!r.alone) return;
-    item("", r.shaken
-                 ? fmt::format("{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds{}",
-                               either(*r.shaken, Dimension::time),
-                               e_.study.parameters.balls > 0 ? "; what the balls add to that is left out" : "")
-                 : fmt::format(
-                       "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}",
-                       either(r.stalls_at, Dimension::speed)));
+    item("", r.shaken ? fmt::format(words::reports::run_up_shaken, either(*r.shaken, Dimension::time),
+                                    e_.study.parameters.balls > 0 ? words::reports::balls_left_out : "")
+                      : fmt::format(words::reports::stalls_in_resonance, either(r.stalls_at, Dimension::speed)));
   }
 
   void balance() {
-    item("can balance", verdict_text(e_));
+    item(words::text::can_balance, verdict_text(e_));
     if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
       item("",
-           fmt::format("unbalance {}; these balls cancel from {} to {}{}", both(e_.unbalance, Dimension::unbalance),
+           fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
                        both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
-                       e_.ball_width.empty() ? "" : " side by side"));
+                       e_.ball_width.empty() ? "" : words::text::side_by_side));
     if (e_.unbalance != e_.study.parameters.eccentricity)
-      item("", fmt::format("the rotor's own is {}; the race off the shaft makes that of it at the final speed",
-                           both(e_.study.parameters.eccentricity, Dimension::unbalance)));
+      item("",
+           fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
     if (e_.sag > 0.0)
-      item("static sag",
-           fmt::format("{} under the weight of {}; displacements are measured from there, bearing forces include it",
-                       both(e_.sag, Dimension::length),
-                       both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
-    if (e_.gravity_ratio)
-      item("gravity", fmt::format("{:.3g} of a ball's centrifugal force at the final speed", *e_.gravity_ratio));
-    if (!e_.motion && e_.study.parameters.balls > 0) item("approach to balance", "unknown: " + e_.no_motion);
+      item(words::reports::static_sag, fmt::format(words::reports::sags_under, both(e_.sag, Dimension::length),
+                                                   both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
+    if (e_.gravity_ratio) item("gravity", fmt::format(words::reports::gravity_ratio, *e_.gravity_ratio));
+    if (!e_.motion && e_.study.parameters.balls > 0) item(words::text::approach_to_balance, "unknown: " + e_.no_motion);
   }
 
   void motion(const BalancedMotion& m) {
@@ -170,22 +162,22 @@ class Text {
     for (int i = 0; i < e_.study.parameters.balls; ++i)
       angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
     const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
-    item("balanced angles", fmt::format("{} degree from the heavy side{}", angles,
-                                        family                          ? " (one of a continuum)"
-                                        : e_.balanced.angles.size() > 1 ? " (and their mirror image)"
-                                                                        : ""));
+    item(words::reports::balanced_angles, fmt::format(words::reports::from_heavy_side, angles,
+                                                      family                          ? words::reports::one_of_continuum
+                                                      : e_.balanced.angles.size() > 1 ? words::reports::and_mirror_image
+                                                                                      : ""));
     const std::string where =
-        (e_.study.speed.driven() ? " at constant speed" : "") + (m.less.empty() ? "" : ", " + m.less);
-    const char* more_drag = m.more_drag() > 0 ? "shorter" : m.more_drag() < 0 ? "longer" : "hardly changed";
-    item("approach to balance", m.stable ? fmt::format("stable{}; slowest time constant {}, {} with more drag", where,
-                                                    either(-1.0 / m.slowest_rate, Dimension::time), more_drag)
-                             : m.grows()
-                                 ? fmt::format("NOT stable{}: largest growth rate {:.3g}", where, m.slowest_rate)
-                                 : fmt::format("NOT stable{}: the largest rate is within 1e-9 of 0", where));
-    if (m.left)
-      item("", fmt::format("the balls rock as the rotor turns: the centre of the race keeps moving, by up to {}",
-                           both(*m.left, Dimension::length)));
-    if (m.slowest_if_sliding) item("", "if the balls slid instead of rolled: " + slowest(*m.slowest_if_sliding));
+        (e_.study.speed.driven() ? words::reports::at_constant_speed : "") + (m.less.empty() ? "" : ", " + m.less);
+    const char* more_drag = m.more_drag() > 0   ? "shorter"
+                            : m.more_drag() < 0 ? "longer"
+                                                : words::reports::hardly_changed;
+    item(words::text::approach_to_balance,
+         m.stable ? fmt::format(words::reports::balance_stable, where, either(-1.0 / m.slowest_rate, Dimension::time),
+                                more_drag)
+         : m.grows() ? fmt::format(words::reports::balance_unstable, where, m.slowest_rate)
+                     : fmt::format(words::reports::balance_marginal, where));
+    if (m.left) item("", fmt::format(words::reports::balls_rock, both(*m.left, Dimension::length)));
+    if (m.slowest_if_sliding) item("", words::reports::if_balls_slid + slowest(*m.slowest_if_sliding));
     eigenvalues(m);
   }
 
@@ -197,9 +189,9 @@ class Text {
       return std::abs(v.imag()) > 1e-7 * largest;  // the square root of a rounding
     };
     const auto swings = [&](const std::complex<double>& v) { return m.section_period == 0.0 && paired(v); };
-    std::vector<std::array<std::string, 3>> rows{{m.section_period > 0.0 ? "rate, by multipliers" : "eigenvalue",
-                                                  "time constant",
-                                                  scales_ && m.section_period == 0.0 ? "oscillation" : ""}};
+    std::vector<std::array<std::string, 3>> rows{
+        {m.section_period > 0.0 ? words::reports::rate_by_multipliers : "eigenvalue", words::reports::time_constant,
+         scales_ && m.section_period == 0.0 ? "oscillation" : ""}};
     for (const auto& v : m.eigenvalues) {
       if (paired(v) && v.imag() < 0.0) continue;  // the conjugate stands for both
       rows.push_back(
@@ -222,28 +214,25 @@ class Text {
   }
 
   std::string slowest(double rate) const {
-    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format("growth rate {:.3g}", rate);
+    return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format(words::reports::growth_rate, rate);
   }
 
   void bare(const BareVibration& v) {
     const double w = std::abs(*e_.speed);
-    item("without balls", by_direction(v.displacement, Dimension::length) + " amplitude at the final speed");
+    item(words::text::without_balls,
+         by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_final_speed);
     const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
-    item("", by_direction(rms, Dimension::velocity) + " rms velocity");
-    item("", by_direction(v.force, Dimension::force) + " amplitude of the force on the supports");
+    item("", by_direction(rms, Dimension::velocity) + words::reports::rms_velocity);
+    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_force);
     if (!scales_) return;
     const double grade =
         model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
-    item("balance quality",
-         grade_text(grade) + "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification");
+    item(words::text::balance_quality, grade_text(grade) + words::reports::grade_is_a_figure);
   }
 
   void rules() {
     if (e_.advice.empty()) return;
-    text_ +=
-        "\nRules of thumb: estimates by formulas; docs/explanation/rules-of-thumb.md derives them and says how often "
-        "each is "
-        "right\n";
+    text_ += words::reports::rules_of_thumb;
     for (const RuleOfThumb& rule : e_.advice) {
       const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
       item(rule.name, verdict + rule.words);
@@ -330,10 +319,9 @@ Json advice_json(const Explanation& e) {
 
 std::string verdict_text(const Explanation& e) {
   if (e.balanced.kind == model::BalancedStates::Kind::none) return "no: " + e.balanced.reason;
-  if (e.motion && !e.motion->stable)
-    return "yes, but balance is not stable at the final speed" + e.motion->place(e.balanced);
-  if (!e.motion) return "yes by mass and room, but " + e.no_motion;
-  return e.study.parameters.gravity > 0.0 ? "yes, apart from what gravity adds" : "yes";
+  if (e.motion && !e.motion->stable) return words::reports::yes_not_stable + e.motion->place(e.balanced);
+  if (!e.motion) return words::reports::yes_by_mass + e.no_motion;
+  return e.study.parameters.gravity > 0.0 ? words::reports::yes_but_gravity : "yes";
 }
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {

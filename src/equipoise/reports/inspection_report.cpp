@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/words/reports.hpp"
+
 namespace equipoise {
 
 std::string inspection_text(const Inspection& i) {
   std::string text = fmt::format("{}: {}, {} bytes", i.path, i.kind.empty() ? "results" : i.kind, i.bytes);
-  if (!i.version.empty()) text += fmt::format(", of equipoise {}", i.version);
+  if (!i.version.empty()) text += fmt::format(words::reports::of_version, i.version);
   if (i.complete) text += *i.complete ? ", complete" : ", NOT complete";
   text += "\n";
   if (!i.damage.empty()) text += fmt::format("DAMAGE: {}\n", i.damage);

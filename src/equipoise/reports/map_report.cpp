@@ -17,6 +17,8 @@
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -25,8 +27,8 @@ namespace {
 using MapJson = nlohmann::ordered_json;
 
 std::string axis_text(const char* letter, const SliceAxis& a, int every) {
-  return fmt::format("{}: {} from {:.10g} to {:.10g}, {} pixels{}\n", letter, a.key, a.low, a.high, a.pixels,
-                     every > 1 ? fmt::format(" ({} apart; all are in the output)", every) : "");
+  return fmt::format(words::reports::map_axis, letter, a.key, a.low, a.high, a.pixels,
+                     every > 1 ? fmt::format(words::reports::pixels_apart, every) : "");
 }
 
 std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
@@ -65,9 +67,7 @@ void add_number(std::string& text, Number number) {
 
 // Where balls start that neither an axis nor a link places.
 std::string starts_text(const BasinSlice& map) {
-  if (draws_starts(map))
-    return fmt::format("Every pixel draws its own ball angles (seed {}); state initial.phi to start them all alike.\n",
-                       map.study.sampling.seed);
+  if (draws_starts(map)) return fmt::format(words::reports::pixels_draw_angles, map.study.sampling.seed);
   std::string text;
   for (int i = 1; i <= map.study.parameters.balls; ++i) {
     const std::string key = fmt::format("initial.phi_{}", i);
@@ -78,7 +78,8 @@ std::string starts_text(const BasinSlice& map) {
                           map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
   }
   if (text.empty()) return text;
-  text = fmt::format("All pixels start with {}{}.\n", text, states_angles(map.study) ? "" : ", evenly spread");
+  text = fmt::format(words::reports::pixels_start_with, text,
+                     states_angles(map.study) ? "" : words::reports::evenly_spread);
   const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
   const std::string together = as_stated ? coincident_text(map.study) : "";
   return together.empty() ? text : text + "Note: " + together + ".\n";
@@ -100,13 +101,10 @@ std::string making_text(const BasinSlice& map) {
   std::string text;
   const double all = static_cast<double>(map.pixels);
   if (map.block > 0)
-    text += fmt::format(
-        "{} pixels ({:.1f} %) computed, the rest filled in: blocks of {} first, divided where their edges "
-        "have more than one outcome.\n",
-        map.pixels_computed, 100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
-  if (map.pixels_kept > 0)
-    text += fmt::format("{} pixels read from the output, where an earlier run left them.\n", map.pixels_kept);
-  if (map.pixels_reused > 0) text += fmt::format("{} pixels taken from another map.\n", map.pixels_reused);
+    text += fmt::format(words::reports::pixels_filled_in, map.pixels_computed,
+                        100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
+  if (map.pixels_kept > 0) text += fmt::format(words::reports::pixels_from_output, map.pixels_kept);
+  if (map.pixels_reused > 0) text += fmt::format(words::reports::pixels_from_another_map, map.pixels_reused);
   return text;
 }
 
@@ -120,30 +118,30 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   for (const AngleLink& link : map.links)
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
   text = answer + lines_filled(text + starts_text(map), style) + "\n";
-  DocumentTable table{{"code", physical ? "what the balls do" : "outcome", "pixels", "of the map"}, {}, "", false, {}};
+  DocumentTable table{
+      {"code", physical ? words::text::what_the_balls_do : "outcome", "pixels", words::reports::of_the_map},
+      {},
+      "",
+      false,
+      {}};
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
                                          fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
   text += table_text(table, style);
-  const std::string figures =
-      figure_text("box dimension", f.box_dimension) + figure_text("uncertainty exponent", f.uncertainty_exponent) +
-      figure_text("basin entropy", f.basin_entropy) + figure_text("boundary basin entropy", f.boundary_basin_entropy) +
-      (f.balanced_radius
-           ? fmt::format("{:<25} {:.3f} rad around balanced angles\n", "all balanced within", *f.balanced_radius)
-           : "");
+  const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
+                              figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
+                              figure_text(words::text::basin_entropy, f.basin_entropy) +
+                              figure_text(words::reports::boundary_basin_entropy, f.boundary_basin_entropy) +
+                              (f.balanced_radius ? fmt::format(words::reports::around_balanced,
+                                                               words::reports::balanced_within, *f.balanced_radius)
+                                                 : "");
   std::string notes = "\n";
-  if (!figures.empty())
-    notes +=
-        figures +
-        "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels. A boundary entropy "
-        "above log 2 = 0.693 indicates a fractal boundary.\n\n";
+  if (!figures.empty()) notes += figures + words::reports::figures_mean;
   notes += making_text(map);
-  if (!map.complete)
-    notes += fmt::format("PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n",
-                         open_pixels(map), map.pixels);
+  if (!map.complete) notes += fmt::format(words::reports::partial_map, open_pixels(map), map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
   notes +=
-      fmt::format("{} pixels; {}{}; equipoise {}\n", map.pixels, computed_text(map),
+      fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),
                   now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
   return text + lines_filled(notes, style);
 }

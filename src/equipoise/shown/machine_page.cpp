@@ -12,6 +12,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/shown/motion_path.hpp"
 #include "equipoise/shown/shown_runs.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -105,7 +106,7 @@ class PageMaker {
       return page_;
     }
     distributions();
-    tell("drawing the motions");
+    tell(words::plots::drawing_motions);
     motions();
     runs(median_and_worst(starts_));
     return page_;
@@ -118,7 +119,7 @@ class PageMaker {
   }
 
   void runs(const std::vector<std::uint64_t>& indices) {
-    tell("following the rotor without balls, the typical run and the worst in a hundred");
+    tell(words::plots::following_runs);
     page_.runs = shown_runs(page_.basin.study, starts_, indices, options_.stop);
     for (ShownRun& run : page_.runs) {
       if (run.of != RunOf::bare)

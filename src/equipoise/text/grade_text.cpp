@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -12,8 +13,8 @@ std::string grade_text(double grade_mm_s) {
   constexpr double nothing = 1e-3;  // mm/s: a micrometre per second, a four hundredth of the best grade
   if (grade_mm_s < nothing) return "G 0";
   const auto met = model::standard_grade_met(grade_mm_s);
-  return met ? fmt::format("G {:.3g} (within grade G {})", grade_mm_s, *met)
-             : fmt::format("G {:.3g} (beyond grade G {})", grade_mm_s, model::standard_balance_grades.back());
+  return met ? fmt::format(words::text::within_grade, grade_mm_s, *met)
+             : fmt::format(words::text::beyond_grade, grade_mm_s, model::standard_balance_grades.back());
 }
 
 nlohmann::ordered_json grade_json(double grade_mm_s) {

@@ -8,6 +8,7 @@
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -27,14 +28,14 @@ std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, con
   std::string text;
   for (const OutcomeShare& a : attractors) {
     if (a.unbalance.empty()) continue;
-    text += fmt::format("Unbalance left, {}: ", a.name);
+    text += fmt::format(words::text::unbalance_left, a.name);
     for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
       const double share = unbalance_quantiles[k];
       text += fmt::format("{}{} {}", k ? ", " : "",
-                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : "all within",
+                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : words::text::all_within,
                           amount_text(a.unbalance[k], study));
     }
-    text += fmt::format("; the rotor's own is {}.\n", amount_text(study.parameters.eccentricity, study));
+    text += fmt::format(words::text::rotors_own, amount_text(study.parameters.eccentricity, study));
   }
   return text;
 }
