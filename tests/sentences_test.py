@@ -15,6 +15,9 @@ LEAST = 4  # words
 
 # Files that hold sentences in rows of a table, named by the row; or code for another program, which reads like prose.
 TABLES = {
+    "src/equipoise/explain/quantity_table.cpp": "a row a quantity, by symbol and name",
+    "src/equipoise/mechanics/capability.hpp": "a row a result, by name and command",
+    "src/equipoise/model/state_layout.cpp": "a row a coordinate of the state",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
 }

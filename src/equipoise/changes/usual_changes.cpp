@@ -103,7 +103,7 @@ class Changes {
     s.release.speed = speed;
     s.initial.phi_dot.fill(0.0);
     s.sampling.box = {};
-    add(words::decision::latch_until + rotor_speed_text(study_, std::fabs(speed)), std::move(s));
+    add(fmt::format(words::decision::latch_until, rotor_speed_text(study_, std::fabs(speed))), std::move(s));
   }
 
   void faster() {

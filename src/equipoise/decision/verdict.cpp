@@ -74,10 +74,10 @@ class Judge {
       if (bare_keeps)
         say(Decision::not_needed, words::decision::not_needed);
       else if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
-        say(Decision::caution, words::decision::fit_if_it_may_shake + more + ".");
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
-        say(Decision::fit,
-            fmt::format(words::decision::fit, asked) + (more.empty() ? "" : words::decision::on_the_way + more + "."));
+        say(Decision::fit, fmt::format(words::decision::fit, asked) +
+                               (more.empty() ? "" : fmt::format(words::decision::on_the_way, more)));
     } else if (kept.most < needed) {
       if (bare_keeps)
         say(Decision::do_not_fit, words::decision::do_not_fit);
@@ -111,7 +111,7 @@ class Judge {
                     low == high ? "" : fmt::format(words::decision::interval, low, high), number(without));
     if (most.high <= quieter_end * without) {
       if (const std::string more = larger_peaks(); !more.empty())
-        say(Decision::caution, words::decision::fit_if_it_may_shake + more + ".");
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
         say(Decision::fit, words::decision::fit_half_the_vibration);
     } else if (half.low >= without) {

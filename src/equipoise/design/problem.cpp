@@ -248,6 +248,7 @@ void DesignProblem::check_one(const std::vector<DesignSetting>& settings, const 
   }
 }
 
+// Not prose: searches continue files with the same.
 std::string DesignProblem::identity() const {
   BasinFileHeader header = basin_file_header(study_, false, transients());
   header.study = to_toml(tree_);
@@ -257,8 +258,8 @@ std::string DesignProblem::identity() const {
                         v.whole ? " whole" : "");
     for (const StudyValue& choice : v.choices) text += " " + text_of(choice);
     if (const auto& s = v.spin_up)
-      text += fmt::format(" {} points until {} {} slope {} from {} to {}", s->points, s->until, s->time_unit,
-                          s->slope.value_or(0.0), s->initial, s->final);
+      text += fmt::format(" {} points until {} {}", s->points, s->until, s->time_unit) +
+              fmt::format(" slope {} from {} to {}", s->slope.value_or(0.0), s->initial, s->final);
     text += "\n";
   }
   for (const std::size_t k : objectives_) text += fmt::format("objective.{} = {}\n", k, figures_[k].figure.name);
@@ -266,8 +267,8 @@ std::string DesignProblem::identity() const {
     text +=
         fmt::format("require.{} = {} {}\n", figures_[l.figure].figure.name,
                     l.below ? fmt::format("below {}", *l.below) : "", l.above ? fmt::format("above {}", *l.above) : "");
-  return text + fmt::format("method = {}\ntrajectories = {}\nstarts = {}\nseed = {}\n",
-                            design_method_names[static_cast<std::size_t>(method_)], trajectories_, first_look_, seed_);
+  text += fmt::format("method = {}\n", design_method_names[static_cast<std::size_t>(method_)]);
+  return text + fmt::format("trajectories = {}\nstarts = {}\nseed = {}\n", trajectories_, first_look_, seed_);
 }
 
 }  // namespace equipoise

@@ -2,11 +2,9 @@
 #include "equipoise/design_words/design_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,38 +18,12 @@ namespace {
 
 constexpr std::string_view all_kept = words::design::all_kept;
 
-struct Thing {
-  const char* key;
-  const char* name;    // "ball diameter"
-  const char* before;  // its value follows: "balls let go at "
-};
-constexpr std::array<Thing, 12> things{{{"balancer.balls", "number of balls", ""},
-                                        {"balancer.ball_diameter", "ball diameter", ""},
-                                        {"balancer.mass", "mass of a ball", ""},
-                                        {"balancer.oil.grade", "oil", ""},
-                                        {"balancer.oil_viscosity", "oil's viscosity", "oil of "},
-                                        {"balancer.drag", "drag", "drag "},
-                                        {"balancer.race_radius", "race radius", "race radius "},
-                                        {"rotor.damping_ratio", "damping ratio", "damping ratio "},
-                                        {"rotor.stiffness", "stiffness", "stiffness "},
-                                        {"release.speed", "speed of release", "balls let go at "},
-                                        {"release.time", "time of release", "balls let go after "},
-                                        {"speed", "run-up", "run-up "}}};
-
-// Shares and times of the starts; quantiles are named by transient_figures.
-constexpr std::array<std::pair<const char*, const char*>, 7> figures_in_words{{
-    {"balanced", "starts that balance"},
-    {"passed", "starts that pass resonance"},
-    {"limits_kept", "starts within all limits"},
-    {"limits_kept_at_end", "starts within all limits at the end"},
-    {"limits_kept_on_the_way", "starts never over a limit on the way"},
-    {"undecided", "undecided starts"},
-    {"time_to_balance", "time to balance"},
-}};
+using words::design::Thing;
 
 const Thing* known_thing(const std::string& key) {
-  const auto at = std::find_if(things.begin(), things.end(), [&](const Thing& t) { return key == t.key; });
-  return at == things.end() ? nullptr : &*at;
+  const auto at = std::find_if(words::design::things.begin(), words::design::things.end(),
+                               [&](const Thing& t) { return key == t.key; });
+  return at == words::design::things.end() ? nullptr : &*at;
 }
 
 // "12 mm" of balls whose size the study states.
@@ -133,7 +105,7 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
   const std::size_t dot = figure.name.find('.');
   const std::string column = figure.name.substr(0, dot);
   std::string words;
-  for (const auto& [name, meaning] : figures_in_words)
+  for (const auto& [name, meaning] : words::design::figures)
     if (column == name) words = meaning;
   for (const TransientFigure& f : transient_figures)
     if (column == f.name) words = f.title;

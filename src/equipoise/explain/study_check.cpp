@@ -289,6 +289,8 @@ class Assumptions {
 
 }  // namespace
 
+const char* const medians_assumed = words::study_check::values_at_medians;
+
 std::string StudyCheck::text() const {
   return fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }

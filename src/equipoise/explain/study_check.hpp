@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/words/study_check.hpp"
-
 namespace equipoise {
 
 struct StudyCheck {
@@ -19,7 +17,7 @@ struct StudyCheck {
 };
 
 /// Among what is assumed of a study with uncertain values: what follows without simulation takes them so.
-inline constexpr const char* medians_assumed = words::study_check::values_at_medians;
+extern const char* const medians_assumed;
 
 /// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians.
 StudyCheck check_study(const std::string& toml_text, const std::string& name,

@@ -141,7 +141,7 @@ BalancedStates balanced_states(const System& system, double coasting) {
   const std::optional<double> speed = system.coasts() ? std::optional(coasting) : balanced_speed(system);
   BalancedStates none;
   if (!speed)
-    none.reason = no_speed_is_held;
+    none.reason = words::mechanics::no_speed_is_held;
   else if (*speed == 0.0 && !(system.prescribed() && system.parameters().race_is_centred()))
     none.reason = words::mechanics::comes_to_rest;
   else if (system.coasts() && !system.parameters().race_is_centred())

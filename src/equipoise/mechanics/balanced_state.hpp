@@ -10,12 +10,8 @@
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/words/mechanics.hpp"
 
 namespace equipoise::model {
-
-/// The reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
-inline constexpr const char* no_speed_is_held = words::mechanics::no_speed_is_held;
 
 /// Solutions of lambda + sum mu_i e^{i phi_i} = 0, x = y = 0, all at rest in the rotating frame.
 struct BalancedStates {

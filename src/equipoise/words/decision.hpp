@@ -1,15 +1,18 @@
 // Whether to fit the balancer and why, what to change, and what standards say of it.
 #pragma once
 
+#include <array>
+#include <utility>
+
 namespace equipoise::words::decision {
 
 // Verdicts where the study has limits. {}: the share that must keep them.
 inline constexpr char not_needed[] = "Not needed: the rotor keeps every limit without a balancer too.";
-// What grows follows.
-inline constexpr char fit_if_it_may_shake[] = "Fit it only if it may shake more on the way: ";
+// {}: what grows.
+inline constexpr char fit_if_it_may_shake[] = "Fit it only if it may shake more on the way: {}.";
 inline constexpr char fit[] = "Fit it: at least {} of starts keep every limit.";
-// What grows follows.
-inline constexpr char on_the_way[] = " On the way ";
+// {}: what grows.
+inline constexpr char on_the_way[] = " On the way {}.";
 inline constexpr char do_not_fit[] = "Do not fit it: without balls the rotor keeps every limit.";
 inline constexpr char do_not_fit_as_it_is[] =
     "Do not fit it as it is: too few starts keep the limits ({} are asked), and half of them end shaking more than "
@@ -60,6 +63,21 @@ inline constexpr char no_change_keeps_limits[] =
 inline constexpr char no_change_is_enough[] =
     "None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.";
 
+// Motions (attractors/motion_name.cpp), by how their names begin; longer beginnings first.
+inline constexpr std::array<std::pair<const char*, const char*>, 11> plain_words{{
+    {"co-drifting", "balls circulate together"},
+    {"drifting apart", "balls circulate apart"},
+    {"drifting at different rates", "balls circulate at different rates"},
+    {"drifting", "ball circulates"},
+    {"pair drift", "balls circulate as a pair"},
+    {"one captured", "one ball stays, one circulates"},
+    {"both captured", "balls stay, off balance"},
+    {"all captured", "balls stay, off balance"},
+    {"captured", "ball stays, off balance"},
+    {"locked", "balls stay, off balance"},
+    {"hanging", "balls stay below the shaft"},
+}};
+
 // The table of changes. Caption: "Of " or nothing, changes, starts of each, how to read the figures.
 inline constexpr char as_it_is[] = "as it is";
 inline constexpr char keep_limits[] = "keep every limit";
@@ -77,7 +95,7 @@ inline constexpr char balls[] = "{} balls";
 inline constexpr char larger_balls[] = "larger balls, a quarter more in diameter";
 inline constexpr char smaller_balls[] = "smaller balls, a fifth less in diameter";
 inline constexpr char balls_of[] = "balls of {:.0f} mm";
-inline constexpr char latch_until[] = "a latch that holds the balls until ";
+inline constexpr char latch_until[] = "a latch that holds the balls until {}";
 inline constexpr char half_the_run_up[] = "a run-up in half the time";
 
 // Hand-arm vibration.

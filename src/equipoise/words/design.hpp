@@ -1,6 +1,9 @@
 // Designs: what was chosen, how far it may be off, what is missing.
 #pragma once
 
+#include <array>
+#include <utility>
+
 namespace equipoise::words::design {
 
 // The answer. Objectives with their values follow.
@@ -43,6 +46,36 @@ inline constexpr char only[] = "{}{} only";
 inline constexpr char or_more[] = "{}{} or more";
 inline constexpr char or_less[] = "{}{} or less";
 inline constexpr char from_to[] = "{} to {}{}";
+
+// Things that are chosen, and their values after them.
+struct Thing {
+  const char* key;
+  const char* name;    // "ball diameter"
+  const char* before;  // its value follows: "balls let go at "
+};
+inline constexpr std::array<Thing, 12> things{{{"balancer.balls", "number of balls", ""},
+                                               {"balancer.ball_diameter", "ball diameter", ""},
+                                               {"balancer.mass", "mass of a ball", ""},
+                                               {"balancer.oil.grade", "oil", ""},
+                                               {"balancer.oil_viscosity", "oil's viscosity", "oil of "},
+                                               {"balancer.drag", "drag", "drag "},
+                                               {"balancer.race_radius", "race radius", "race radius "},
+                                               {"rotor.damping_ratio", "damping ratio", "damping ratio "},
+                                               {"rotor.stiffness", "stiffness", "stiffness "},
+                                               {"release.speed", "speed of release", "balls let go at "},
+                                               {"release.time", "time of release", "balls let go after "},
+                                               {"speed", "run-up", "run-up "}}};
+
+// Shares and times of the starts; quantiles are named by transient_figures.
+inline constexpr std::array<std::pair<const char*, const char*>, 7> figures{{
+    {"balanced", "starts that balance"},
+    {"passed", "starts that pass resonance"},
+    {"limits_kept", "starts within all limits"},
+    {"limits_kept_at_end", "starts within all limits at the end"},
+    {"limits_kept_on_the_way", "starts never over a limit on the way"},
+    {"undecided", "undecided starts"},
+    {"time_to_balance", "time to balance"},
+}};
 
 // Things without a name of their own.
 inline constexpr char as_mass[] = " (mass)";
