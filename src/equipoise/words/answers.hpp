@@ -29,7 +29,7 @@ inline constexpr char some_starts[] = "{} starts";
 inline constexpr char drawn_anew[] = "With {}{}{} drawn anew for every start, {}";
 inline constexpr char and_last[] = " and ";
 
-// Many cells. Where: "At X" or "In each of N cells", what happens, its share.
+// Many cells. Cell or number of cells, what happens, its share.
 inline constexpr char at[] = "at ";
 inline constexpr char in_cells[] = "in {} of {} cells, such as {}";
 inline constexpr char every_limit_kept[] = "every limit is kept";
@@ -44,8 +44,7 @@ inline constexpr char rotor_balanced_first[] = "The rotor ends balanced";
 inline constexpr char from_to[] = "{:.3g} to {:.3g} %";
 inline constexpr char undecided_up_to[] = "; up to {} stay undecided, at {}";
 
-// Capacity: the largest value of a quantity at which enough starts keep what is asked. Quantity, value, starts, what is
-// asked.
+// Capacity, the largest value of a quantity. Quantity, value, starts, what is asked of them.
 inline constexpr char surely_between[] = "{} (surely between {:.4g} and {:.4g})";
 inline constexpr char nowhere[] = "Nowhere from {} {} on do {} {}: there it is fewer already";
 inline constexpr char up_to_the_end[] = "Up to {} {}, the end of the range, {} {}";

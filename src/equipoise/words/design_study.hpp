@@ -39,7 +39,7 @@ inline constexpr char must_be_a_figure[] =
 inline constexpr char figures_of_a_motor[] = ", passed";
 inline constexpr char figures_of_a_spin_up[] = ", spin_up_time, acceleration";
 
-// What may be varied: the key,
+// What may be varied: keys and their entries. Tables of a machine; an unknown entry, `forms`; entry, what it must be.
 inline constexpr char set_by_another[] = "cannot be varied beside {}, which sets it too";
 inline constexpr char too_many_numbers[] =
     "has {} numbers to choose; must be 1 to {} (a spin-up has two a point and one)";
@@ -59,7 +59,7 @@ inline constexpr char a_whole_number[] = "a whole number";
 inline constexpr char a_time[] = "a time";
 inline constexpr char a_slope[] = "a change of speed in a time";
 
-// its range,
+// Ranges.
 inline constexpr char must_be_whole[] = "must have whole numbers at both ends";
 inline constexpr char must_be_numbers[] = "must have numbers, or quantities with their units, at both ends";
 inline constexpr char mixes_units[] = "mixes the units \"{}\" and \"{}\"; must be one";
@@ -67,13 +67,13 @@ inline constexpr char reversed[] = "is reversed or empty; the first end must be 
 inline constexpr char must_be_log_or_linear[] = "scale must be \"log\" or \"linear\"";
 inline constexpr char must_begin_above_zero[] = "must begin above 0 where the scale is \"log\"";
 
-// its choices,
+// Choices.
 inline constexpr char must_be_choices[] = "choices must be an array of two or more values";
 inline constexpr char wrong_choice[] = "choices must be numbers, quantities or words";
 inline constexpr char has_twice[] = "has {} twice";
 inline constexpr char too_few_values[] = "leaves fewer than two values to choose from; must have a wider range";
 
-// its rounding,
+// Rounding.
 inline constexpr char step_out_of_range[] = "step must be greater than 0 and leave {:.0f} values at most";
 inline constexpr char must_be_few_digits[] = "digits must be 1, 2 or 3";
 inline constexpr char must_begin_at_zero[] = "must begin at 0 or above where digits are given";
@@ -82,7 +82,7 @@ inline constexpr char step_or_digits[] = "must give either step or digits";
 inline constexpr char whole_anyway[] = "is of whole numbers anyway; step and digits are of others";
 inline constexpr char step_in_another_unit[] = "step must have the unit of the range, \"{}\"";
 
-// stock sizes,
+// Stock sizes. Smallest and largest in mm.
 inline constexpr char must_be_two_lengths[] = "stock must have two lengths, such as [\"6 mm\", \"12 mm\"]";
 inline constexpr char must_be_two_classes[] =
     "stock must have two classes of ISO 3448, such as [\"ISO VG 10\", \"ISO VG 220\"]";
@@ -93,11 +93,11 @@ inline constexpr char oil_of_one_grade[] = "needs a study without balancer.oil.v
 inline constexpr char too_few_sizes[] =
     "leaves fewer than two stock sizes, which are from {} to {} mm; others go into choices";
 
-// units,
+// Units. A dimension, an example.
 inline constexpr char unit_without_units[] = "has the unit \"{}\"; must be plain numbers: this study has no units";
 inline constexpr char must_be_quantity[] = "must be {}, such as \"{}\"";
 
-// and the spin-up.
+// Spin-ups. First and last speed; least time.
 inline constexpr char must_be_slope[] = "slope must be a speed of rotation a time, such as \"200 rpm/s\"";
 inline constexpr char speed_not_prescribed[] =
     "needs a prescribed speed; this rotor is driven by a motor (speed.profile)";

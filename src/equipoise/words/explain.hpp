@@ -1,4 +1,4 @@
-// What linear theory and rules of thumb say of a study; warnings and their reasons.
+// What rules of thumb and linear theory say of a study, and why they say nothing.
 #pragma once
 
 namespace equipoise::words::explain {

@@ -3,7 +3,7 @@
 
 namespace equipoise::words::study_check {
 
-// The lines.
+// The lines, and what stands in them.
 inline constexpr char lines[] = "Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n";
 // Mass or "supports of", then the stiffness.
 inline constexpr char mass_on[] = "{} on ";
@@ -25,7 +25,7 @@ inline constexpr char up_to[] = "up to";
 inline constexpr char at_most[] = "at most";
 inline constexpr char balance_impossible_too[] = ": balance is impossible";
 
-// What matters most: what is changed by a fifth,
+// What matters most: what is changed by a fifth.
 inline constexpr char the_unbalance[] = "the unbalance";
 inline constexpr char the_stiffness[] = "the stiffness of the supports";
 inline constexpr char the_damping[] = "the damping of the supports";
@@ -33,7 +33,7 @@ inline constexpr char the_drag[] = "the drag of the balls";
 inline constexpr char of_a_formula[] = ", here of a formula";
 inline constexpr char the_ball_mass[] = "the mass of the balls";
 
-// and what that does.
+// What such a change does.
 // What, how that is known, "less" or "more", the effect.
 inline constexpr char fifth_changes[] = "{}{}: 20 % {} of it {}";
 inline constexpr char makes_balance_possible[] = "makes balance possible";
