@@ -9,6 +9,7 @@
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/types/fate.hpp"
+#include "equipoise/words/answers.hpp"
 
 namespace equipoise {
 
@@ -47,7 +48,7 @@ std::string where(const CellShares& shares, const std::vector<std::size_t>& cell
   const auto alike = std::count_if(cells.begin(), cells.end(),
                                    [&](std::size_t cell) { return shares(cell).share == shares(one).share; });
   const std::string title = cell_words(shares.result.axes, one);
-  return alike == 1 ? "at " + title : fmt::format("in {} of {} cells, such as {}", alike, cells.size(), title);
+  return alike == 1 ? words::answers::at + title : fmt::format(words::answers::in_cells, alike, cells.size(), title);
 }
 
 std::string shares_over(const SweepResult& r, const std::vector<std::size_t>& cells) {
@@ -57,14 +58,14 @@ std::string shares_over(const SweepResult& r, const std::vector<std::size_t>& ce
   const std::size_t best = *std::max_element(cells.begin(), cells.end(), less);
   const std::string most = share_words(shares(best)), least = share_words(shares(worst));
   if (cells.size() == 1)
-    return fmt::format("At {} {} in {} of starts (95 % confidence)", cell_words(r.axes, best),
-                       shares.limits ? "every limit is kept" : "the rotor ends balanced", most);
+    return fmt::format(words::answers::one_cell, cell_words(r.axes, best),
+                       shares.limits ? words::answers::every_limit_kept : words::answers::rotor_balanced, most);
   if (!less(worst, best))
-    return fmt::format("In each of {} cells {} in {} of starts (95 % confidence)", cells.size(),
-                       shares.limits ? "every limit is kept" : "the rotor ends balanced", most);
-  return fmt::format("{} most often {}: in {} of starts; least often {}: in {} (95 % confidence in each cell)",
-                     shares.limits ? "Every limit is kept" : "The rotor ends balanced", where(shares, cells, best),
-                     most, where(shares, cells, worst), least);
+    return fmt::format(words::answers::cells_alike, cells.size(),
+                       shares.limits ? words::answers::every_limit_kept : words::answers::rotor_balanced, most);
+  return fmt::format(words::answers::most_and_least_often,
+                     shares.limits ? words::answers::every_limit_kept_first : words::answers::rotor_balanced_first,
+                     where(shares, cells, best), most, where(shares, cells, worst), least);
 }
 
 // How often a limit is exceeded, from the best cell to the worst.
@@ -78,9 +79,9 @@ std::string limits_over(const SweepResult& r, const std::vector<std::size_t>& ce
       least = std::min(least, transients->exceeded[limit.place]->share);
       most = std::max(most, transients->exceeded[limit.place]->share);
     }
-    const std::string share = least < most ? fmt::format("{:.3g} to {:.3g} %", 100.0 * least, 100.0 * most)
+    const std::string share = least < most ? fmt::format(words::answers::from_to, 100.0 * least, 100.0 * most)
                                            : fmt::format("{:.3g} %", 100.0 * most);
-    text += fmt::format("; {} in {}", limit.words, share);
+    text += fmt::format(words::answers::limit_in, limit.words, share);
   }
   return text;
 }
@@ -92,9 +93,9 @@ std::string sought_value(const CapacityResult& r, double value) {
 
 // "213 g mm (surely between 201 and 220)".
 std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
-  if (cell.never) return "less than " + sought_value(r, r.from);
-  if (cell.always) return "more than " + sought_value(r, r.to);
-  return fmt::format("{} (surely between {:.4g} and {:.4g})", sought_value(r, *cell.value), cell.low, cell.high);
+  if (cell.never) return words::answers::less_than + sought_value(r, r.from);
+  if (cell.always) return words::answers::more_than + sought_value(r, r.to);
+  return fmt::format(words::answers::surely_between, sought_value(r, *cell.value), cell.low, cell.high);
 }
 
 // Also orders capacities beyond the range.
@@ -105,13 +106,9 @@ double rank(const CapacityResult& r, const CapacityCell& cell) {
 
 std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
   const std::string what = key_words(r.key);
-  if (cell.never)
-    return fmt::format("Nowhere from {} {} on do {} {}: there it is fewer already", what, sought_value(r, r.from),
-                       starts, r.asked());
-  if (cell.always)
-    return fmt::format("Up to {} {}, the end of the range, {} {}", what, sought_value(r, r.to), starts, r.asked());
-  return fmt::format("Up to {} {}, {} {}: surely up to {:.4g}, surely fewer from {:.4g} on", what,
-                     sought_value(r, *cell.value), starts, r.asked(), cell.low, cell.high);
+  if (cell.never) return fmt::format(words::answers::nowhere, what, sought_value(r, r.from), starts, r.asked());
+  if (cell.always) return fmt::format(words::answers::up_to_the_end, what, sought_value(r, r.to), starts, r.asked());
+  return fmt::format(words::answers::up_to, what, sought_value(r, *cell.value), starts, r.asked(), cell.low, cell.high);
 }
 
 }  // namespace
@@ -124,14 +121,14 @@ const Share* kept_share(const SweepCell& cell) {
 
 std::string answer_sentence(const SweepResult& r) {
   const std::vector<std::size_t> cells = done_cells(r);
-  if (cells.empty()) return "Nothing is known: no cell is done.";
+  if (cells.empty()) return words::answers::no_cell_done;
   const std::vector<std::string> keys = drawn_keys(r.study, keys_of(r.axes));
   std::string text = shares_over(r, cells) + limits_over(r, cells);
   const auto open = std::max_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
     return r.cells[a]->undecided.share < r.cells[b]->undecided.share;
   });
   if (const Share& undecided = r.cells[*open]->undecided; undecided.count > 0)
-    text += fmt::format("; up to {} stay undecided, at {}", percent(undecided.share, digits_for(undecided)),
+    text += fmt::format(words::answers::undecided_up_to, percent(undecided.share, digits_for(undecided)),
                         cell_words(r.axes, *open));
   return after_what_is_drawn(keys, text + ".");
 }
@@ -140,27 +137,25 @@ std::string answer_sentence(const CapacityResult& r) {
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < r.cells.size(); ++k)
     if (r.cells[k]) cells.push_back(k);
-  if (cells.empty()) return "Nothing is known: no cell is done.";
+  if (cells.empty()) return words::answers::no_cell_done;
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   const std::vector<std::string> keys = drawn_keys(r.study, set);
-  const std::string starts = fmt::format("{:.4g} % of starts", 100.0 * r.at_least);
+  const std::string starts = fmt::format(words::answers::share_of_starts, 100.0 * r.at_least);
   const auto title = [&](std::size_t cell) { return cell_words(r.axes, cell); };
   if (cells.size() == 1) {
-    std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + " (95 % confidence)";
-    if (!r.axes.empty()) text += ", at " + title(cells.front());
+    std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + words::answers::confidence;
+    if (!r.axes.empty()) text += words::answers::at_cell + title(cells.front());
     return after_what_is_drawn(keys, text + ".");
   }
   const auto less = [&](std::size_t a, std::size_t b) { return rank(r, *r.cells[a]) < rank(r, *r.cells[b]); };
   const auto [worst, best] = std::minmax_element(cells.begin(), cells.end(), less);
   if (!less(*worst, *best))
-    return after_what_is_drawn(
-        keys, fmt::format("The largest {} at which {} {} is {} in each of {} cells (95 % confidence).",
-                          key_words(r.key), starts, r.asked(), capacity_words(r, *r.cells[*best]), cells.size()));
-  return after_what_is_drawn(
-      keys, fmt::format("The largest {} at which {} {} is {} at {}; it is least at {}: {} (95 % confidence).",
-                        key_words(r.key), starts, r.asked(), capacity_words(r, *r.cells[*best]), title(*best),
-                        title(*worst), capacity_words(r, *r.cells[*worst])));
+    return after_what_is_drawn(keys, fmt::format(words::answers::largest_in_all_cells, key_words(r.key), starts,
+                                                 r.asked(), capacity_words(r, *r.cells[*best]), cells.size()));
+  return after_what_is_drawn(keys, fmt::format(words::answers::largest_at, key_words(r.key), starts, r.asked(),
+                                               capacity_words(r, *r.cells[*best]), title(*best), title(*worst),
+                                               capacity_words(r, *r.cells[*worst])));
 }
 
 std::string answer_sentence(const BasinSlice& map) {
@@ -169,20 +164,21 @@ std::string answer_sentence(const BasinSlice& map) {
   };
   const auto of_all =
       std::find_if(map.codes.begin(), map.codes.end(), [](const OutcomeShare& c) { return c.share.total > 0; });
-  if (of_all == map.codes.end()) return "Nothing is known: stopped before any pixel was done.";
+  if (of_all == map.codes.end()) return words::answers::no_pixel_done;
   const std::uint64_t points = of_all->share.total;
-  const std::string plane = fmt::format("{} points over {} and {}", points, key_words(map.x.key), key_words(map.y.key));
+  const std::string plane =
+      fmt::format(words::answers::points_of_plane, points, key_words(map.x.key), key_words(map.y.key));
   const auto balanced = with(balanced_id);
-  std::string text = fmt::format("Not one of {} ends balanced", plane);
+  std::string text = fmt::format(words::answers::none_of_points, plane);
   if (balanced != map.codes.end() && balanced->share.count > 0) {
     const bool plain = balanced->name == "balanced";  // otherwise held by friction
-    text = fmt::format("Of {}, {} end {} (95 % confidence, as of random ones)", plane, share_words(balanced->share),
+    text = fmt::format(words::answers::of_points, plane, share_words(balanced->share),
                        plain ? balanced->name : "\"" + balanced->name + "\"");
   }
   if (map.figures.balanced_radius && *map.figures.balanced_radius > 0.0)
-    text += fmt::format("; all within {:.3g} rad of balanced angles do", *map.figures.balanced_radius);
+    text += fmt::format(words::answers::radius_of_balance, *map.figures.balanced_radius);
   if (const auto open = with(undecided_code); open != map.codes.end() && open->share.count > 0)
-    text += fmt::format("; {} stay undecided", percent(open->share.share, digits_for(open->share)));
+    text += fmt::format(words::answers::stay_undecided, percent(open->share.share, digits_for(open->share)));
   return text + ".";
 }
 

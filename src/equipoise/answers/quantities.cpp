@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/text/engineering.hpp"
+#include "equipoise/words/answers.hpp"
 
 namespace equipoise {
 
@@ -53,8 +54,8 @@ std::string key_words(const std::string& key) {
   for (const auto& [name, words] : known)
     if (key == name) return words;
   constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";
-  if (key.starts_with(rate)) return "initial rate of ball " + key.substr(rate.size());
-  if (key.starts_with(angle)) return "initial angle of ball " + key.substr(angle.size());
+  if (key.starts_with(rate)) return words::answers::initial_rate + key.substr(rate.size());
+  if (key.starts_with(angle)) return words::answers::initial_angle + key.substr(angle.size());
   std::string words = key;
   std::replace_if(
       words.begin(), words.end(), [](char c) { return c == '.' || c == '_'; }, ' ');

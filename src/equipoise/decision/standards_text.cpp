@@ -15,6 +15,7 @@
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
+#include "equipoise/words/decision.hpp"
 
 namespace equipoise {
 
@@ -46,24 +47,26 @@ std::optional<HandArm> hand_arm(const BasinResult& r) {
 
 std::string hours_text(double acceleration, double value) {
   const double hours = standards::hours_to_exposure(acceleration, value);
-  return !(hours < 24.0) ? "over 24 h"
+  return !(hours < 24.0) ? words::decision::over_a_day
          : hours >= 1.0  ? fmt::format("{:.2g} h", hours)
-                         : fmt::format("{:.2g} min", 60.0 * hours);
+                         : fmt::format(words::decision::minutes, 60.0 * hours);
 }
 
 DocumentTable hand_arm_table(const HandArm& a) {
-  DocumentTable table{{"hand-arm vibration", "median", "90 % below", "no balls"}, {}, "", false, {}};
+  DocumentTable table{
+      {words::decision::hand_arm_vibration, "median", words::decision::ninety_below, words::decision::no_balls},
+      {},
+      "",
+      false,
+      {}};
   const auto row = [&](const std::string& name, auto&& text) {
     table.rows.push_back(row_of("lnnn", {name, text(a.median), text(a.ninety), text(a.bare)}));
   };
   row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
-  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, "action value"},
-                                    std::pair{standards::exposure_limit_value, "limit value"}})
-    row(fmt::format("work until A(8) is {} m/s2, the {}", value, name),
-        [&, of = value](double v) { return hours_text(v, of); });
-  table.caption =
-      "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate: the handles as the race's "
-      "centre, all of it at the speed of rotation; no declared value.";
+  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, words::decision::action_value},
+                                    std::pair{standards::exposure_limit_value, words::decision::limit_value}})
+    row(fmt::format(words::decision::work_until, value, name), [&, of = value](double v) { return hours_text(v, of); });
+  table.caption = words::decision::hand_arm_caption;
   return table;
 }
 
@@ -82,19 +85,21 @@ Block severity(const BasinResult& r) {
   const TransientGroup& all = r.transients->groups.front();
   if (!all.beyond[0])
     return Paragraph{
-        fmt::format("Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} Hz.",
-                    turns_a_second(r, all), standards::lowest_severity_frequency)};
+        fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, all), standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
-  DocumentTable table{{"severity zone", "ends there", "RMS velocity"}, {}, "", false, {}};
-  constexpr const char* names[] = {"A, as new", "A or B, for long operation", "A to C, not D, damage"};
+  DocumentTable table{{words::decision::severity_zone, words::decision::share_ends_there, words::decision::velocity},
+                      {},
+                      "",
+                      false,
+                      {}};
+  constexpr const char* names[] = {words::decision::zone_a, words::decision::zones_a_and_b,
+                                   words::decision::zones_a_to_c};
   for (std::size_t k = 0; k < zones; ++k)
     table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*all.beyond[k])),
-                                        fmt::format("to {} mm/s", machine.boundaries[k])}));
+                                        fmt::format(words::decision::up_to, machine.boundaries[k])}));
   table.caption = fmt::format(
-      "Without balls: zone {}. Zones of ISO 10816-1:1995, class {} ({}), of {}. ISO 20816-1:2016 took its place; ISO "
-      "20816-3 begins at 15 kW.",
-      bare_zone(r), machine.name, machine.machines,
-      share_of_one_direction(r.study) < 1.0 ? "one direction" : "both directions together, which is more than one has");
+      words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
+      share_of_one_direction(r.study) < 1.0 ? words::decision::one_direction : words::decision::both_directions);
   return table;
 }
 
@@ -103,11 +108,9 @@ std::string sliding_text(const BasinResult& r) {
   const Share& slides = *all.beyond[sliding];
   const double level = *sliding_level(r.study), force = r.study.scales->force();
   const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
-  return fmt::format(
-      "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports: so it is in {} of "
-      "starts; without balls the peak is {:.4g} N{}. It may twist on its feet at less [PP].",
-      *r.study.standards.standing_mass * r.study.scales->mass, *r.study.standards.friction, level * force,
-      share_with_interval(slides), without * force, without > level ? ", enough too" : "");
+  return fmt::format(words::decision::may_slide, *r.study.standards.standing_mass * r.study.scales->mass,
+                     *r.study.standards.friction, level * force, share_with_interval(slides), without * force,
+                     without > level ? words::decision::enough_too : "");
 }
 
 bool told(const BasinResult& r) {
@@ -122,9 +125,7 @@ std::vector<Block> standards_blocks(const BasinResult& r) {
   std::vector<Block> blocks;
   const auto with = left_grade(all, r.study), without = left_grade(bare, r.study);
   if (with && without)
-    blocks.push_back(
-        Paragraph{fmt::format("Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.",
-                              grade_text(*with), grade_text(*without))});
+    blocks.push_back(Paragraph{fmt::format(words::decision::balance_quality, grade_text(*with), grade_text(*without))});
   if (r.study.standards.severity_class) blocks.push_back(severity(r));
   if (const auto arms = hand_arm(r)) blocks.push_back(hand_arm_table(*arms));
   if (all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r)});
@@ -160,7 +161,7 @@ nlohmann::ordered_json standards_json(const BasinResult& r) {
                         {"at_most_in_90_percent", times(arms->ninety)},
                         {"without_balls", times(arms->bare)},
                         {"unit", "m/s2"},
-                        {"source", "ISO 5349-1:2001, Directive 2002/44/EC"}};
+                        {"source", words::decision::hand_arm_source}};
   }
   if (all.beyond[sliding])
     json["slides"] = {{"force", *sliding_level(r.study) * r.study.scales->force()},

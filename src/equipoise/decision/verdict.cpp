@@ -12,6 +12,7 @@
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
+#include "equipoise/words/decision.hpp"
 
 namespace equipoise {
 
@@ -38,11 +39,11 @@ class Judge {
       by_limits(*kept);
     else
       by_comparison();
-    verdict_.change = verdict_.decision == Decision::fit          ? "Nothing has to change."
-                      : verdict_.decision == Decision::not_needed ? "Leave the balancer out."
+    verdict_.change = verdict_.decision == Decision::fit          ? words::decision::nothing_to_change
+                      : verdict_.decision == Decision::not_needed ? words::decision::leave_it_out
                       : verdict_.decision == Decision::open       ? more_starts()
                       : !tried.empty()                            ? best_words(tried)
-                                       : "\"equipoise design\" searches for a better balancer.";
+                                                                  : words::decision::search_for_better;
     return std::move(verdict_);
   }
 
@@ -63,32 +64,29 @@ class Judge {
     const double needed = required();
     const auto& bare = kept_of(none_);
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
-    verdict_.because = fmt::format("{} of starts keep every limit", share_words(kept));
+    verdict_.because = fmt::format(words::decision::share_keeps_limits, share_words(kept));
     if (with_.within[0] && with_.within[1] && kept.share < needed)
-      verdict_.because += fmt::format(", {} on the way and {} at the end", percent_text(with_.within[1]->share),
-                                      percent_text(with_.within[0]->share));
+      verdict_.because += fmt::format(words::decision::share_on_the_way_and_at_end,
+                                      percent_text(with_.within[1]->share), percent_text(with_.within[0]->share));
     verdict_.because += bare_words(bare) + ".";
     const std::string asked = percent_text(needed);
     if (kept.least >= needed) {
       if (bare_keeps)
-        say(Decision::not_needed, "Not needed: the rotor keeps every limit without a balancer too.");
+        say(Decision::not_needed, words::decision::not_needed);
       else if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
-        say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
-        say(Decision::fit, fmt::format("Fit it: at least {} of starts keep every limit.", asked) +
-                               (more.empty() ? "" : " On the way " + more + "."));
+        say(Decision::fit, fmt::format(words::decision::fit, asked) +
+                               (more.empty() ? "" : fmt::format(words::decision::on_the_way, more)));
     } else if (kept.most < needed) {
       if (bare_keeps)
-        say(Decision::do_not_fit, "Do not fit it: without balls the rotor keeps every limit.");
+        say(Decision::do_not_fit, words::decision::do_not_fit);
       else if (worse_at_end())
-        say(Decision::do_not_fit,
-            fmt::format("Do not fit it as it is: too few starts keep the limits ({} are asked), and "
-                        "half of them end shaking more than without balls.",
-                        asked));
+        say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_as_it_is, asked));
       else
-        say(Decision::change, fmt::format("Change it: too few starts keep every limit; {} are asked.", asked));
+        say(Decision::change, fmt::format(words::decision::change_it, asked));
     } else {
-      say(Decision::open, fmt::format("Not decided yet: whether {} of starts keep every limit.", asked));
+      say(Decision::open, fmt::format(words::decision::not_decided, asked));
     }
   }
 
@@ -97,8 +95,8 @@ class Judge {
 
   std::string bare_words(const std::optional<Share>& bare) const {
     if (!bare || bare->total == 0) return "";
-    if (!bare_.one) return fmt::format("; without balls {}", share_words(*bare));
-    return bare->count > 0 ? "; so does the rotor without balls" : "; the rotor without balls does not";
+    if (!bare_.one) return fmt::format(words::decision::share_without_balls, share_words(*bare));
+    return bare->count > 0 ? words::decision::rotor_alone_too : words::decision::rotor_alone_not;
   }
 
   void by_comparison() {
@@ -109,19 +107,19 @@ class Judge {
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
     const std::string low = number(most.low), high = number(most.high);
     verdict_.because =
-        fmt::format("RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}.", number(most.value),
-                    unit.name, low == high ? "" : fmt::format(" ({} to {})", low, high), number(without));
+        fmt::format(words::decision::velocity_at_end, number(most.value), unit.name,
+                    low == high ? "" : fmt::format(words::decision::interval, low, high), number(without));
     if (most.high <= quieter_end * without) {
       if (const std::string more = larger_peaks(); !more.empty())
-        say(Decision::caution, "Fit it only if it may shake more on the way: " + more + ".");
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
-        say(Decision::fit, "Fit it: in 90 % of starts it ends with at most half the vibration.");
+        say(Decision::fit, words::decision::fit_half_the_vibration);
     } else if (half.low >= without) {
-      say(Decision::do_not_fit, "Do not fit it as it is: half of the starts end shaking more than without balls.");
+      say(Decision::do_not_fit, words::decision::do_not_fit_more_vibration);
     } else if (most.low > quieter_end * without) {
-      say(Decision::change, "Change it: too many starts end with more than half of the vibration without balls.");
+      say(Decision::change, words::decision::change_too_much_vibration);
     } else {
-      say(Decision::open, "Not decided yet: whether 90 % of starts end with at most half the vibration.");
+      say(Decision::open, words::decision::not_decided_vibration);
     }
   }
 
@@ -137,8 +135,8 @@ class Judge {
     const double bare = none_.figure(&TransientRow::peak_radial).quantiles[median].value;
     if (!(peak.low > larger_peak * bare)) return "";
     const study::ShownUnit unit = study::shown_unit(study::Dimension::length, r_.study.scales);
-    return fmt::format("the peak reaches {:.3g} {} in one start of ten, {:.3g} {} without balls",
-                       peak.value * unit.size, unit.name, bare * unit.size, unit.name);
+    return fmt::format(words::decision::peak_and_without_balls, peak.value * unit.size, unit.name, bare * unit.size,
+                       unit.name);
   }
 
   // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
@@ -148,36 +146,29 @@ class Judge {
       if (serves_better(t, *best)) best = &t;
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
     const std::string figure =
-        best->kept ? fmt::format("{} of {} starts keep every limit", share_words(*best->kept), best->starts)
-                   : fmt::format("at the end at most {:.3g} {} in 90 % of {} starts",
-                                 best->end_velocity.value * unit.size, unit.name, best->starts);
+        best->kept ? fmt::format(words::decision::starts_keep_limits, share_words(*best->kept), best->starts)
+                   : fmt::format(words::decision::velocity_in_most_starts, best->end_velocity.value * unit.size,
+                                 unit.name, best->starts);
     const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
     const std::string peak =
-        fmt::format("the peak reaches {:.3g} {} in one start of ten", best->peak.value * length.size, length.name);
+        fmt::format(words::decision::peak_in_few_starts, best->peak.value * length.size, length.name);
     if (best->decision == Decision::fit)
-      return fmt::format("With {}: {}{}.", best->words, figure,
+      return fmt::format(words::decision::with_change, best->words, figure,
                          verdict_.decision == Decision::caution ? "; " + peak : "");
     if (best->decision == Decision::caution) {
       const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
-      if (best->peak.high < now) return fmt::format("With {}: {} ({} starts).", best->words, peak, best->starts);
-      return fmt::format("None of {} changes tried lowers the peak surely. \"equipoise design\" searches further.",
-                         tried.size());
+      if (best->peak.high < now)
+        return fmt::format(words::decision::with_change_lower_peak, best->words, peak, best->starts);
+      return fmt::format(words::decision::no_change_lowers_peak, tried.size());
     }
-    if (best->kept && best->kept->count == 0)
-      return fmt::format(
-          "With none of {} changes tried does a start keep every limit. \"equipoise design\" searches "
-          "further.",
-          tried.size());
-    return fmt::format("None of {} changes tried is enough; best is {}: {}. \"equipoise design\" searches further.",
-                       tried.size(), best->words, figure);
+    if (best->kept && best->kept->count == 0) return fmt::format(words::decision::no_change_keeps_limits, tried.size());
+    return fmt::format(words::decision::no_change_is_enough, tried.size(), best->words, figure);
   }
 
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
-    if (undecided.count > 0)
-      return fmt::format("{} of starts are undecided: a longer numerics.horizon may tell.",
-                         percent_text(undecided.share));
-    return fmt::format("More starts decide: --starts {}.", 4 * std::max<std::uint64_t>(r_.starts, 250));
+    if (undecided.count > 0) return fmt::format(words::decision::longer_horizon, percent_text(undecided.share));
+    return fmt::format(words::decision::more_starts, 4 * std::max<std::uint64_t>(r_.starts, 250));
   }
 
   const BasinResult& r_;
@@ -229,7 +220,7 @@ Tone tone_of(Decision decision) {
 }
 
 DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> tried, std::size_t most) {
-  const auto as_it_is = tried_change("as it is", r);
+  const auto as_it_is = tried_change(words::decision::as_it_is, r);
   if (tried.empty() || !as_it_is) return {};
   const bool limited = as_it_is->kept.has_value();
   std::vector<TriedChange> order(tried.begin(), tried.end());
@@ -239,8 +230,8 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
                          length = study::shown_unit(study::Dimension::length, r.study.scales);
   DocumentTable table{
-      {"change", limited ? "keep every limit" : fmt::format("RMS velocity at the end, {}", velocity.name),
-       fmt::format("peak displacement, {}", length.name)},
+      {"change", limited ? words::decision::keep_limits : fmt::format(words::decision::velocity_column, velocity.name),
+       fmt::format(words::decision::peak_column, length.name)},
       {},
       "",
       false,
@@ -255,10 +246,9 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
          limited ? number_cell(t.kept ? share_with_interval(*t.kept) : "-") : number(t.end_velocity, velocity),
          number(t.peak, length)});
   }
-  table.caption = fmt::format("{}{} changes tried, each on {} starts, best first. {}.",
-                              tried.size() > most ? "Of " : "", tried.size(), tried.front().starts,
-                              limited ? "Shares with their 95 % intervals; peak: 90 % of starts below"
-                                      : "Velocity and peak: 90 % of starts below");
+  table.caption = fmt::format(words::decision::changes_tried, tried.size() > most ? words::decision::of : "",
+                              tried.size(), tried.front().starts,
+                              limited ? words::decision::shares_and_peak : words::decision::velocity_and_peak);
   return table;
 }
 

@@ -12,6 +12,7 @@
 #include "equipoise/design/search.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/running/parallel.hpp"
+#include "equipoise/words/design.hpp"
 
 namespace equipoise {
 
@@ -102,7 +103,7 @@ CellRecord DesignEnsembles::known(std::size_t number) const {
 
 void DesignEnsembles::deliver(std::size_t number, const CellRecord& made) {
   auto kept = io::sample_from(made);
-  if (!kept) throw RunError("a message between processes holds no ensemble");
+  if (!kept) throw RunError(words::design::no_ensemble_in_message);
   const std::lock_guard guard(taking_);
   const std::size_t k = number - asked_;
   if (k >= batch_.size() || answers_[k]) return;

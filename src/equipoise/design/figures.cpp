@@ -13,6 +13,8 @@
 #include "equipoise/design/settings.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/statistics/quantile.hpp"
+#include "equipoise/words/design.hpp"
+#include "equipoise/words/design_study.hpp"
 
 namespace equipoise {
 
@@ -33,12 +35,9 @@ std::string column_names() {
 std::string lack_of_energy(const Study& study, const std::vector<DesignVariable>& variables) {
   const bool spins_up =
       std::any_of(variables.begin(), variables.end(), [](const DesignVariable& v) { return v.spin_up; });
-  if (!study.speed.driven() && !study.system().smooth())
-    return "must be another figure: at a prescribed speed the work that collisions and dry friction take is not known "
-           "(of "
-           "a motor, profile \"torque\", it is)";
+  if (!study.speed.driven() && !study.system().smooth()) return words::design_study::work_unknown;
   if (!knows_energy(study) || (spins_up && !(study.parameters.inertia > 0.0)))
-    return "needs rotor.inertia, which a change of speed has to work against; must be stated in the study";
+    return words::design_study::needs_inertia;
   return "";
 }
 
@@ -64,11 +63,11 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
   const auto read = std::from_chars(q.data(), q.data() + q.size(), source.quantile);
   if (q.empty() || read.ec != std::errc() || read.ptr != q.data() + q.size() ||
       !(source.quantile > 0.0 && source.quantile < 1.0))
-    problem = fmt::format("must end in a quantile between 0 and 1: \"{0}.0.5\", the median, or \"{0}.0.95\"", column);
+    problem = fmt::format(words::design_study::must_end_in_quantile, column);
   else if (column == "settling_time" && !study.limits.settled)
-    problem = "needs limits.settled; must be stated in the study";
+    problem = words::design_study::needs_settled;
   else if (column == "time_above" && !study.limits.displacement)
-    problem = "needs limits.displacement; must be stated in the study";
+    problem = words::design_study::needs_displacement;
   else if (column == "energy")
     problem = lack_of_energy(study, variables);
   if (!problem.empty()) return std::nullopt;
@@ -93,9 +92,8 @@ std::optional<FigureSource> limits_source(const std::string& name, const Study& 
     return study.limits.*l.limit && (source.within != Within::on_the_way || !l.at_end);
   });
   if (some || (source.within != Within::on_the_way && study.limits.settled)) return source;
-  problem = source.within == Within::on_the_way
-                ? "needs limits.displacement, force or clearance; must be stated in the study"
-                : "needs [limits]; must be stated in the study";
+  problem = source.within == Within::on_the_way ? words::design_study::needs_limits_on_the_way
+                                                : words::design_study::needs_limits;
   return std::nullopt;
 }
 
@@ -223,10 +221,9 @@ std::optional<FigureSource> figure_source(const std::string& name, const Study& 
   if (!source) {
     if (problem.empty())
       problem = fmt::format(
-          "must be balanced{}, limits_kept, ball_mass, a quantile over starts such as \"peak_radial.0.95\" (of {}), or "
-          "a key of "
-          "[design.vary], with - before it if less is better",
-          study.speed.driven() ? ", passed" : ", spin_up_time, acceleration", column_names());
+          words::design_study::must_be_a_figure,
+          study.speed.driven() ? words::design_study::figures_of_a_motor : words::design_study::figures_of_a_spin_up,
+          column_names());
     return std::nullopt;
   }
   source->figure.name = name;
@@ -268,7 +265,7 @@ DesignSample sample_without_balance(const std::vector<FigureSource>& sources, st
                                     const Study& candidate, const std::vector<DesignSetting>& settings) {
   DesignSample sample;
   sample.starts = starts;
-  sample.note = "no balanced state attracts";
+  sample.note = words::design::no_balance_attracts;
   for (const FigureSource& source : sources) {
     const bool endless = source.kind == FigureKind::transient || source.kind == FigureKind::time_to_balance;
     sample.figures.push_back(certain(source.figure.share ? 0.0

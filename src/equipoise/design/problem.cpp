@@ -21,6 +21,7 @@
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/units/unit_library.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/design_study.hpp"
 
 namespace equipoise {
 
@@ -36,7 +37,7 @@ const StudyValue::Table& table_of(const Document& document, const std::string& n
   const StudyValue* table = document.root.find_path(name);
   if (!table) return none;
   if (!table->table())
-    throw InputError(document.where(name, table), name, "", fmt::format("must be a table, [{}]", name));
+    throw InputError(document.where(name, table), name, "", fmt::format(words::design_study::must_be_a_table, name));
   return *table->table();
 }
 
@@ -67,11 +68,11 @@ FigureSource read_figure(const Document& document, const std::string& where, con
 // A plain number in the figure's unit, or a quantity of the same dimension.
 double read_bound(const DesignEntry& entry, const StudyValue& written, const FigureSource& source, const Study& study) {
   const auto number = entry.number(written);
-  if (!number) entry.fail("must be { below = NUMBER } or { above = NUMBER }");
+  if (!number) entry.fail(words::design_study::must_be_a_bound);
   if (number->unit == source.figure.unit) return number->value;
   if (number->unit.empty() || !source.dimension || !study.scales)
-    entry.fail(source.figure.unit.empty() ? "must be a plain number"
-                                          : fmt::format("must be in {}, or a unit like it", source.figure.unit));
+    entry.fail(source.figure.unit.empty() ? words::design_study::must_be_plain
+                                          : fmt::format(words::design_study::must_be_in_unit, source.figure.unit));
   const study::Measured si = study::measure(*written.string(), {*source.dimension});
   if (!si.problem.empty()) entry.fail(si.problem);
   return si.value / study::scale_of(*source.dimension, *study.scales) / unit_in_study(study, source.dimension);
@@ -79,29 +80,24 @@ double read_bound(const DesignEntry& entry, const StudyValue& written, const Fig
 
 DesignLimit read_limit(const DesignEntry& entry, const FigureSource& source, const Study& study) {
   DesignLimit limit;
-  if (!entry.value().table()) entry.fail("must be { below = NUMBER } or { above = NUMBER }");
+  if (!entry.value().table()) entry.fail(words::design_study::must_be_a_bound);
   entry.allow_only({"below", "above"});
   if (const StudyValue* below = entry.value().find("below")) limit.below = read_bound(entry, *below, source, study);
   if (const StudyValue* above = entry.value().find("above")) limit.above = read_bound(entry, *above, source, study);
-  if (!limit.below && !limit.above) entry.fail("must be { below = NUMBER } or { above = NUMBER }");
-  if (limit.below && limit.above && !(*limit.above < *limit.below))
-    entry.fail("is met by nothing; above must be less than below");
+  if (!limit.below && !limit.above) entry.fail(words::design_study::must_be_a_bound);
+  if (limit.below && limit.above && !(*limit.above < *limit.below)) entry.fail(words::design_study::met_by_nothing);
   if (source.figure.share && ((limit.above && *limit.above >= 1.0) || (limit.below && *limit.below <= 0.0)))
-    entry.fail("is met by no share; must be between 0 and 1");
+    entry.fail(words::design_study::met_by_no_share);
   return limit;
 }
 
 DesignMethod chosen_method(TableReader& table, std::size_t objectives) {
   DesignMethod method = table.choice("method", design_method_names, std::optional(DesignMethod::automatic));
   if (method == DesignMethod::automatic) method = objectives > 1 ? DesignMethod::nsga2 : DesignMethod::cmaes;
-  if (method == DesignMethod::cmaes && objectives > 1)
-    table.fail("method", "has one objective; must be nsga2 for several");
-  if (method == DesignMethod::nsga2 && objectives == 1)
-    table.fail("method", "wants several objectives; must be cmaes for one");
+  if (method == DesignMethod::cmaes && objectives > 1) table.fail("method", words::design_study::method_for_one);
+  if (method == DesignMethod::nsga2 && objectives == 1) table.fail("method", words::design_study::method_for_several);
   const bool of_pagmo = method == DesignMethod::cmaes || method == DesignMethod::nsga2;
-  if (of_pagmo && !optimisers_built_in())
-    table.fail("method",
-               "needs pagmo2 (libpagmo-dev), without which this program was built; must be random, latin or grid");
+  if (of_pagmo && !optimisers_built_in()) table.fail("method", words::design_study::needs_pagmo);
   return method;
 }
 
@@ -147,7 +143,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
     const DesignEntry entry(document, "design.vary", key, value);
     for (const DesignVariable& v : variables_)
       if (takes_the_place(v.key, key) || takes_the_place(key, v.key))
-        entry.fail(fmt::format("cannot be varied beside {}, which sets it too", v.key));
+        entry.fail(fmt::format(words::design_study::set_by_another, v.key));
     variables_.push_back(read_variable(entry, study_));
   }
   for (const DesignVariable& v : variables_) dimensions_ += coordinates_of(v);
@@ -155,18 +151,16 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   table.has("vary");
   table.has("require");
   if (variables_.empty() || dimensions_ > most_design_variables)
-    table.fail("vary", fmt::format("has {} numbers to choose; must be 1 to {} (a spin-up has two a point and one)",
-                                   dimensions_, most_design_variables));
+    table.fail("vary", fmt::format(words::design_study::too_many_numbers, dimensions_, most_design_variables));
   for (const std::string& name : table.texts("objective")) {
     figures_.push_back(read_figure(document, "design.objective", document.root.find_path("design.objective"), name,
                                    study_, variables_));
     objectives_.push_back(figures_.size() - 1);
     for (std::size_t k = 0; k + 1 < figures_.size(); ++k)
-      if (figures_[k].figure.name == name) table.fail("objective", fmt::format("names {} twice", name));
+      if (figures_[k].figure.name == name) table.fail("objective", fmt::format(words::design_study::names_twice, name));
   }
   if (objectives_.empty() || objectives_.size() > most_design_objectives)
-    table.fail("objective",
-               fmt::format("must be an array of 1 to {} figures, such as [\"balanced\"]", most_design_objectives));
+    table.fail("objective", fmt::format(words::design_study::must_be_figures, most_design_objectives));
   for (const auto& [key, value] : table_of(document, "design.require")) {
     const DesignEntry entry(document, "design.require", key, value);
     const auto known =
@@ -183,9 +177,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   first_look_ = static_cast<std::uint64_t>(table.integer("starts", 50, 1'000'000, usual_first_look));
   seed_ = static_cast<std::uint64_t>(table.integer("seed", 0, 1'000'000'000, 1));
   if (trajectories_ < 20 * first_look_)
-    table.fail("trajectories",
-               fmt::format("is too small a budget; must be at least {}, twenty first looks at {} starts",
-                           20 * first_look_, first_look_));
+    table.fail("trajectories", fmt::format(words::design_study::budget_too_small, 20 * first_look_, first_look_));
   table.finish();
   tree_ = document.root;
   tree_.erase("design");
@@ -256,6 +248,7 @@ void DesignProblem::check_one(const std::vector<DesignSetting>& settings, const 
   }
 }
 
+// Not prose: searches continue files with the same.
 std::string DesignProblem::identity() const {
   BasinFileHeader header = basin_file_header(study_, false, transients());
   header.study = to_toml(tree_);
@@ -265,8 +258,8 @@ std::string DesignProblem::identity() const {
                         v.whole ? " whole" : "");
     for (const StudyValue& choice : v.choices) text += " " + text_of(choice);
     if (const auto& s = v.spin_up)
-      text += fmt::format(" {} points until {} {} slope {} from {} to {}", s->points, s->until, s->time_unit,
-                          s->slope.value_or(0.0), s->initial, s->final);
+      text += fmt::format(" {} points until {} {}", s->points, s->until, s->time_unit) +
+              fmt::format(" slope {} from {} to {}", s->slope.value_or(0.0), s->initial, s->final);
     text += "\n";
   }
   for (const std::size_t k : objectives_) text += fmt::format("objective.{} = {}\n", k, figures_[k].figure.name);
@@ -274,8 +267,8 @@ std::string DesignProblem::identity() const {
     text +=
         fmt::format("require.{} = {} {}\n", figures_[l.figure].figure.name,
                     l.below ? fmt::format("below {}", *l.below) : "", l.above ? fmt::format("above {}", *l.above) : "");
-  return text + fmt::format("method = {}\ntrajectories = {}\nstarts = {}\nseed = {}\n",
-                            design_method_names[static_cast<std::size_t>(method_)], trajectories_, first_look_, seed_);
+  text += fmt::format("method = {}\n", design_method_names[static_cast<std::size_t>(method_)]);
+  return text + fmt::format("trajectories = {}\nstarts = {}\nseed = {}\n", trajectories_, first_look_, seed_);
 }
 
 }  // namespace equipoise

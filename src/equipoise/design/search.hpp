@@ -9,12 +9,13 @@
 
 #include "equipoise/base/random.hpp"
 #include "equipoise/results/design_result.hpp"
+#include "equipoise/words/design.hpp"
 
 namespace equipoise {
 
 /// Thrown by a judge that wants no more points.
 struct SearchOver final : std::exception {
-  const char* what() const noexcept override { return "the search is over"; }
+  const char* what() const noexcept override { return words::design::search_is_over; }
 };
 
 /// A point of the cube, each coordinate from 0 to 1, and its worth: one number per objective, less is better.

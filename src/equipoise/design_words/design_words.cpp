@@ -2,55 +2,28 @@
 #include "equipoise/design_words/design_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/design.hpp"
 
 namespace equipoise {
 
 namespace {
 
-constexpr std::string_view all_kept = "All requirements are kept: ";
+constexpr std::string_view all_kept = words::design::all_kept;
 
-struct Thing {
-  const char* key;
-  const char* name;    // "ball diameter"
-  const char* before;  // its value follows: "balls let go at "
-};
-constexpr std::array<Thing, 12> things{{{"balancer.balls", "number of balls", ""},
-                                        {"balancer.ball_diameter", "ball diameter", ""},
-                                        {"balancer.mass", "mass of a ball", ""},
-                                        {"balancer.oil.grade", "oil", ""},
-                                        {"balancer.oil_viscosity", "oil's viscosity", "oil of "},
-                                        {"balancer.drag", "drag", "drag "},
-                                        {"balancer.race_radius", "race radius", "race radius "},
-                                        {"rotor.damping_ratio", "damping ratio", "damping ratio "},
-                                        {"rotor.stiffness", "stiffness", "stiffness "},
-                                        {"release.speed", "speed of release", "balls let go at "},
-                                        {"release.time", "time of release", "balls let go after "},
-                                        {"speed", "run-up", "run-up "}}};
-
-// Shares and times of the starts; quantiles are named by transient_figures.
-constexpr std::array<std::pair<const char*, const char*>, 7> figures_in_words{{
-    {"balanced", "starts that balance"},
-    {"passed", "starts that pass resonance"},
-    {"limits_kept", "starts within all limits"},
-    {"limits_kept_at_end", "starts within all limits at the end"},
-    {"limits_kept_on_the_way", "starts never over a limit on the way"},
-    {"undecided", "undecided starts"},
-    {"time_to_balance", "time to balance"},
-}};
+using words::design::Thing;
 
 const Thing* known_thing(const std::string& key) {
-  const auto at = std::find_if(things.begin(), things.end(), [&](const Thing& t) { return key == t.key; });
-  return at == things.end() ? nullptr : &*at;
+  const auto at = std::find_if(words::design::things.begin(), words::design::things.end(),
+                               [&](const Thing& t) { return key == t.key; });
+  return at == words::design::things.end() ? nullptr : &*at;
 }
 
 // "12 mm" of balls whose size the study states.
@@ -70,9 +43,11 @@ std::string balls_chosen(const Study& study, const std::vector<DesignSetting>& s
   std::string number = of("balancer.balls"), size = of("balancer.ball_diameter");
   if (number.empty() && size.empty() && of("balancer.mass").empty()) return "";
   if (number.empty()) number = fmt::format("{}", study.parameters.balls);
-  if (size.empty() && !of("balancer.mass").empty()) size = of("balancer.mass") + (study.scales ? "" : " (mass)");
+  if (size.empty() && !of("balancer.mass").empty())
+    size = of("balancer.mass") + (study.scales ? "" : words::design::as_mass);
   if (size.empty()) size = own_size(study);
-  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : " of ", size);
+  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : words::design::of_size,
+                     size);
 }
 
 std::string shown(const DesignMargin& m, double value) { return fmt::format("{}{:.4g}", m.prefix, value); }
@@ -89,16 +64,16 @@ std::string margins_words(const DesignResult& r) {
   for (const DesignMargin& m : r.margins) {
     if (!has_ends(m) || (m.fails_below.empty() && m.fails_above.empty())) continue;
     const std::string unit = m.unit.empty() ? "" : " " + m.unit;
-    if (told++ == most_told) return words + "; and others below";
+    if (told++ == most_told) return words + words::design::others_below;
     words += fmt::format("{}{} ", words.empty() ? "" : "; ", thing_of(m.key));
     if (m.keeps_from == m.keeps_to && !m.fails_below.empty() && !m.fails_above.empty())
-      words += fmt::format("{}{} only", shown(m, m.value), unit);
+      words += fmt::format(words::design::only, shown(m, m.value), unit);
     else if (m.fails_above.empty())
-      words += fmt::format("{}{} or more", shown(m, m.keeps_from), unit);
+      words += fmt::format(words::design::or_more, shown(m, m.keeps_from), unit);
     else if (m.fails_below.empty())
-      words += fmt::format("{}{} or less", shown(m, m.keeps_to), unit);
+      words += fmt::format(words::design::or_less, shown(m, m.keeps_to), unit);
     else
-      words += fmt::format("{} to {}{}", shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
+      words += fmt::format(words::design::from_to, shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
   }
   return words;
 }
@@ -130,26 +105,27 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
   const std::size_t dot = figure.name.find('.');
   const std::string column = figure.name.substr(0, dot);
   std::string words;
-  for (const auto& [name, meaning] : figures_in_words)
+  for (const auto& [name, meaning] : words::design::figures)
     if (column == name) words = meaning;
   for (const TransientFigure& f : transient_figures)
     if (column == f.name) words = f.title;
   if (words.empty()) return figure.name;
   if (dot == std::string::npos) return words;
   const double percents = 100.0 * std::strtod(figure.name.c_str() + dot + 1, nullptr);
-  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : " of starts below");
+  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : words::design::of_starts_below);
 }
 
 std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
   std::string text;
-  if (limit.below) text = "below " + estimate_text(figure, *limit.below);
-  if (limit.above) text += (text.empty() ? "above " : " and above ") + estimate_text(figure, *limit.above);
+  if (limit.below) text = words::design::below + estimate_text(figure, *limit.below);
+  if (limit.above)
+    text += (text.empty() ? words::design::above : words::design::and_above) + estimate_text(figure, *limit.above);
   return text;
 }
 
 std::string estimate_text(const DesignFigure& figure, double value) {
-  if (std::isnan(value)) return "not stated";
-  if (!std::isfinite(value)) return "no end";
+  if (std::isnan(value)) return words::design::not_stated;
+  if (!std::isfinite(value)) return words::design::no_end;
   if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
   return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
 }
@@ -164,8 +140,8 @@ std::string estimate_with_interval(const DesignFigure& figure, const DesignEstim
     share.high = e.high;
     return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
   }
-  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : "no end";
-  return fmt::format("{} ({:.3g} to {})", estimate_text(figure, e.value), e.low, high);
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : words::design::no_end;
+  return fmt::format(words::design::with_interval, estimate_text(figure, e.value), e.low, high);
 }
 
 std::string setting_text(const StudyValue& value) {
@@ -176,7 +152,7 @@ std::string setting_text(const StudyValue& value) {
   if (!times || !speeds) return fmt::format("{:.6g}", value.number());
   std::string text;
   for (std::size_t k = 0; k < times->array()->size(); ++k)
-    text += fmt::format("{}{} at {}", k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
+    text += fmt::format(words::design::speed_at_time, k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
                         setting_text((*times->array())[k]));
   return text;
 }
@@ -184,14 +160,14 @@ std::string setting_text(const StudyValue& value) {
 std::string margin_name(const std::string& key) {
   const std::string_view times = "speed.times[", speeds = "speed.speeds[";
   const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
-  if (key.starts_with(times)) return "time of point " + place(times);
-  if (key.starts_with(speeds)) return "speed of point " + place(speeds);
+  if (key.starts_with(times)) return words::design::time_of_point + place(times);
+  if (key.starts_with(speeds)) return words::design::speed_of_point + place(speeds);
   return key;
 }
 
 std::string design_answer(const DesignResult& r) {
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return r.partial ? "PARTIAL: stopped before any candidate was known." : "No candidate was found.";
+    return r.partial ? words::design::stopped_before_a_candidate : words::design::no_candidate;
   const DesignCandidate& best = r.front[*r.chosen];
   const DesignSample& sample = best.best_known();
   std::string text;
@@ -201,19 +177,19 @@ std::string design_answer(const DesignResult& r) {
   std::string before;
   if (r.before && !r.before->figures.empty())
     before = fmt::format(
-        "; as it is {}{}", r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
+        words::design::as_it_is, r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
         estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
   if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : all_kept, text, before);
   std::string missed;
   for (const DesignLimit& limit : r.limits) {
     const DesignEstimate& e = sample.figures[limit.figure];
     if (surely_keeps(limit, e)) continue;
-    missed += fmt::format("{}{} must be {} and is {}{}", missed.empty() ? "" : "; ",
+    missed += fmt::format(words::design::must_be, missed.empty() ? "" : "; ",
                           figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit),
-                          keeps(limit, e.value) ? "not surely, but likely: " : "at best ",
+                          keeps(limit, e.value) ? words::design::not_surely_but_likely : words::design::at_best,
                           estimate_with_interval(r.figures[limit.figure], e));
   }
-  return fmt::format("No candidate keeps all requirements: {}. There {}{}.", missed, text, before);
+  return fmt::format(words::design::not_all_kept, missed, text, before);
 }
 
 std::string thing_of(const std::string& key) {
@@ -240,26 +216,26 @@ DesignVerdict design_verdict(const DesignResult& r) {
   DesignVerdict verdict;
   const std::string partial = r.partial ? "PARTIAL: " : "";
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
-    return {design_answer(r), "No candidate was followed to its end.",
-            "Not known. A longer --within, or fewer values to choose from, may tell more."};
+    return {design_answer(r), words::design::none_followed, words::design::not_known};
   const DesignSample& now = r.front[*r.chosen].best_known();
   const std::string things = things_chosen(r.study, r.front[*r.chosen].settings);
   const bool alone = r.limits.empty();
   if (as_good_before(r, now))
-    verdict.words = fmt::format("{}Leave it as it is: {}nothing found is surely better. Best found: {}.", partial,
-                                alone ? "" : "it keeps all requirements, and ", things);
+    verdict.words =
+        fmt::format(words::design::leave_as_it_is, partial, alone ? "" : words::design::keeps_all_and, things);
   else if (r.feasible)
-    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : ": all requirements are kept");
+    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : words::design::all_are_kept);
   else
-    verdict.words = fmt::format("{}Nothing tried keeps all requirements surely; nearest: {}.", partial, things);
+    verdict.words = fmt::format(words::design::nearest, partial, things);
   verdict.because = design_answer(r);
   if (verdict.because.starts_with(all_kept)) verdict.because.erase(0, all_kept.size());  // the verdict says so
   if (r.margins.empty()) {
-    verdict.margins = "How far each number may be off was not worked out: the time was over.";
+    verdict.margins = words::design::margins_unknown;
   } else {
     const std::string words = margins_words(r);
-    verdict.margins = words.empty() ? "Nothing that was tried, each number alone, misses what the design keeps."
-                                    : words + (alone ? ": surely no worse." : ": requirements kept.");
+    verdict.margins = words.empty()
+                          ? words::design::nothing_misses
+                          : words + (alone ? words::design::surely_no_worse : words::design::requirements_kept);
   }
   return verdict;
 }

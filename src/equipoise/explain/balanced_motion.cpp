@@ -15,6 +15,7 @@
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/words/explain.hpp"
 
 namespace equipoise {
 
@@ -48,15 +49,15 @@ LinearRotor linear_rotor(const Explanation& e, bool family) {
   constexpr double slowest = 0.05;
   const bool can_integrate = std::fabs(rotor.speed) >= slowest && start_cost(e.study).bearable();
   const auto left_out = [&](const char* words) { rotor.less += (rotor.less.empty() ? "" : ", ") + std::string(words); };
-  if (e.study.parameters.balls_stick()) left_out("without dry friction");
+  if (e.study.parameters.balls_stick()) left_out(words::explain::without_dry_friction);
   const bool falls = e.gravity_ratio && *e.gravity_ratio >= 1.0;
   if (p.gravity != 0.0 && (family || falls || !can_integrate)) {
     p.gravity = 0.0;
-    left_out("without gravity");
+    left_out(words::explain::without_gravity);
   }
   if (!p.isotropic() && (!can_integrate || (family && !p.race_is_centred()))) {
     p = model::weakened(p, 0.0);
-    left_out("with the mean of x and y");
+    left_out(words::explain::with_means);
   }
   return rotor;
 }
@@ -136,11 +137,11 @@ std::optional<Angles> balanced_angles(const model::BalancedStates& states, const
 void linearise(Explanation& e) {
   const auto skip = [&](const std::string& why) { e.no_motion = why; };
   if (!e.speed) return skip(e.speed_words);
-  if (*e.speed == 0.0) return skip("the rotor does not turn");
-  if (e.balanced.kind == model::BalancedStates::Kind::none) return skip("there is no balanced state");
+  if (*e.speed == 0.0) return skip(words::explain::no_turning);
+  if (e.balanced.kind == model::BalancedStates::Kind::none) return skip(words::explain::no_balanced_state);
   const model::CentredTwin twin = model::centred_twin(e.study.parameters, *e.speed);
   const auto angles = balanced_angles(e.balanced, twin.parameters, e.ball_width);
-  if (!angles) return skip("no balanced state was found among the continuum of them");
+  if (!angles) return skip(words::explain::none_in_continuum);
   const bool family = e.balanced.kind == model::BalancedStates::Kind::continuum;
   const LinearRotor rotor = linear_rotor(e, family);
   BalancedMotion motion;
@@ -149,8 +150,8 @@ void linearise(Explanation& e) {
   const auto linear = linear_motion(rotor.system(), motion.angles, family);
   if (!linear) {
     const bool gravity = rotor.parameters.gravity != 0.0, uneven = !rotor.parameters.isotropic();
-    return skip(std::string("no balanced motion was found with ") + (gravity ? "gravity" : "") +
-                (gravity && uneven ? " and " : "") + (uneven ? "unequal supports" : ""));
+    return skip(std::string(words::explain::no_balanced_motion_with) + (gravity ? "gravity" : "") +
+                (gravity && uneven ? " and " : "") + (uneven ? words::explain::unequal_supports : ""));
   }
   motion.less = rotor.less;
   motion.section_period = rotor.system().autonomous() ? 0.0 : rotor.system().section_period();

@@ -11,6 +11,7 @@
 #include "equipoise/mechanics/cancelling.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/run_up.hpp"
+#include "equipoise/words/explain.hpp"
 
 namespace equipoise {
 
@@ -60,7 +61,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
     balance(e);
   } else {
     e.unbalance = p.eccentricity;
-    e.balanced.reason = e.no_motion = "there are no balls";
+    e.balanced.reason = e.no_motion = words::explain::no_balls;
   }
   e.sag = 0.0 - model::static_sag(p);
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);

@@ -3,6 +3,7 @@
 #include "equipoise/mechanics/held_speed.hpp"
 #include "equipoise/model/system.hpp"
 #include "equipoise/spin_up/run_up.hpp"
+#include "equipoise/words/explain.hpp"
 
 namespace equipoise {
 
@@ -19,14 +20,14 @@ void put_final_speed(Explanation& e) {
     e.speed = system.speed();
   } else if (system.coasts()) {
     e.speed = rotor_alone(e.study, 0.0, std::nullopt).speed;
-    e.speed_words = "which the rotor has when its motor lets go if nothing has braked it; then nothing holds it";
+    e.speed_words = words::explain::coasting;
   } else if (const auto held = model::held_speed(system)) {
     e.speed = *held;
     const bool centred = system.parameters().race_is_centred(), loaded = !e.study.speed.load.is_none();
-    e.speed_words = loaded && centred ? "where the motor gives what the load takes: a balanced rotor needs no more"
-                    : loaded          ? "where the motor gives what load and supports' dampers take in balance"
-                    : centred         ? "where the motor's torque vanishes: a balanced rotor needs none"
-                                      : "where the motor gives what the supports' dampers take in balance";
+    e.speed_words = loaded && centred ? words::explain::where_torque_is_load
+                    : loaded          ? words::explain::where_torque_is_load_and_dampers
+                    : centred         ? words::explain::where_torque_vanishes
+                                      : words::explain::where_torque_is_dampers;
   } else {
     e.speed_words = std::string("the motor's ") + model::holds_no_speed;
     e.speeds_up = true;

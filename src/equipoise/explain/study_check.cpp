@@ -19,6 +19,7 @@
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/study_check.hpp"
 
 namespace equipoise {
 
@@ -49,19 +50,20 @@ std::string of_both(const std::array<double, 2>& values, Text&& text) {
 
 std::string machine_line(const Explanation& e) {
   const Study& s = e.study;
-  std::string line = s.scales ? fmt::format("{} on ", engineering(s.scales->mass, Dimension::mass)) : "supports of ";
+  std::string line = s.scales ? fmt::format(words::study_check::mass_on, engineering(s.scales->mass, Dimension::mass))
+                              : words::study_check::supports_of;
   const auto stiffness = [&](double kappa) {
     return s.scales ? engineering(kappa * study::scale_of(Dimension::stiffness, *s.scales), Dimension::stiffness)
                     : fmt::format("{:.5g} k", kappa);
   };
   line += of_both(s.parameters.stiffness, stiffness);
-  line += fmt::format(", critical speed {}", of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
+  line += fmt::format(words::study_check::with_critical_speed,
+                      of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
   const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
   if (e.speed)
-    line += fmt::format(" with its balls; runs at {}, {:.3g} times that", speed_of(s, *e.speed),
-                        std::abs(*e.speed) / critical);
+    line += fmt::format(words::study_check::runs_at, speed_of(s, *e.speed), std::abs(*e.speed) / critical);
   else
-    line += " with its balls; no speed is held in the end";
+    line += words::study_check::no_speed_held;
   return line;
 }
 
@@ -70,10 +72,10 @@ std::string unbalance_line(const Explanation& e) {
   const double eccentricity = s.parameters.eccentricity;
   std::string line = quantity(s, eccentricity, Dimension::unbalance);
   if (s.scales) {
-    line += fmt::format(", its centre of mass {} from the shaft", quantity(s, eccentricity, Dimension::length));
+    line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
     if (e.speed) {
       const double grade = 1000.0 * eccentricity * s.scales->length * std::abs(*e.speed) * s.scales->frequency;
-      line += fmt::format("; {} at {}", grade_text(grade), speed_of(s, *e.speed));
+      line += fmt::format(words::study_check::grade_at_speed, grade_text(grade), speed_of(s, *e.speed));
     }
   }
   return line;
@@ -87,9 +89,8 @@ std::string origin_of_unbalance(const study::Document& document) {
   const bool own = document.root.find_path("rotor.eccentricity") || document.root.find_path("rotor.unbalance") ||
                    document.root.find_path("rotor.balance_grade");
   const double degrees = 180.0 / pi * study::resultant_direction(document);
-  return fmt::format("; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points",
-                     own ? "the rotor's own and of " : "", count, count == 1 ? "" : "s",
-                     degrees == 0.0 ? 0.0 : degrees);
+  return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
+                     count == 1 ? "" : "s", degrees == 0.0 ? 0.0 : degrees);
 }
 
 std::string balls_line(const Explanation& e) {
@@ -102,15 +103,16 @@ std::string balls_line(const Explanation& e) {
     masses += s.scales ? " to " + quantity(s, *most, Dimension::mass) : fmt::format(" to {:.5g} M", *most);
   std::string line = fmt::format("{} of {} {}", p.balls, masses, p.balls == 1 ? "" : "each");
   if (line.back() == ' ') line.pop_back();
-  if (s.scales) line += fmt::format(" on a circle of {}", engineering(s.scales->length, Dimension::length));
+  if (s.scales) line += fmt::format(words::study_check::on_a_circle, engineering(s.scales->length, Dimension::length));
   const std::string least_cancelled =
       e.least_unbalance == 0.0 ? "0" : quantity(s, e.least_unbalance, Dimension::unbalance);
   const std::string range =
       fmt::format("from {} to {}", least_cancelled, quantity(s, e.largest_unbalance, Dimension::unbalance));
-  if (e.unbalance == 0.0) return line + fmt::format("; they cancel {}, and there is nothing to cancel", range);
+  if (e.unbalance == 0.0) return line + fmt::format(words::study_check::nothing_to_cancel, range);
   const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
-  return line + fmt::format("; they cancel {}, {} {:.3g} times what there is{}", range, can ? "up to" : "at most",
-                            e.largest_unbalance / e.unbalance, can ? "" : ": balance is impossible");
+  return line + fmt::format(words::study_check::balls_cancel, range,
+                            can ? words::study_check::up_to : words::study_check::at_most,
+                            e.largest_unbalance / e.unbalance, can ? "" : words::study_check::balance_impossible_too);
 }
 
 // Quantities that are estimated rather than known, as factors on a study.
@@ -118,14 +120,14 @@ struct Estimate {
   std::string_view name;
   void (*scale)(model::Parameters&, double);
 };
-constexpr std::string_view drag_name = "the drag of the balls";
+constexpr std::string_view drag_name = words::study_check::the_drag;
 constexpr std::array<Estimate, 5> estimates{{
-    {"the unbalance", [](model::Parameters& p, double f) { p.eccentricity *= f; }},
-    {"the stiffness of the supports",
+    {words::study_check::the_unbalance, [](model::Parameters& p, double f) { p.eccentricity *= f; }},
+    {words::study_check::the_stiffness,
      [](model::Parameters& p, double f) {
        for (double& kappa : p.stiffness) kappa *= f;
      }},
-    {"the damping of the supports",
+    {words::study_check::the_damping,
      [](model::Parameters& p, double f) {
        for (double& zeta : p.damping) zeta *= f;
      }},
@@ -133,7 +135,7 @@ constexpr std::array<Estimate, 5> estimates{{
      [](model::Parameters& p, double f) {
        for (double& beta : p.drag) beta *= f;
      }},
-    {"the mass of the balls",  // whose drag stays
+    {words::study_check::the_ball_mass,  // whose drag stays
      [](model::Parameters& p, double f) {
        for (int i = 0; i < p.balls; ++i) {
          p.mass[static_cast<std::size_t>(i)] *= f;
@@ -180,20 +182,20 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
     if (size > worst.size) worst = {size, std::move(words)};
   };
   if (before.can_balance != after.can_balance)
-    consider(2.0 * decides, after.can_balance ? "makes balance possible" : "makes balance impossible");
+    consider(2.0 * decides, after.can_balance ? words::study_check::makes_balance_possible
+                                              : words::study_check::makes_balance_impossible);
   if (before.can_balance && after.can_balance && before.stable != after.stable)
-    consider(decides, after.stable ? "makes balance stable" : "makes balance unstable");
+    consider(decides,
+             after.stable ? words::study_check::makes_balance_stable : words::study_check::makes_balance_unstable);
   if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
-    consider(0.5 * decides, *after.passes < 1.0
-                                ? "leaves the balls so little drag that they may stay at the critical speed"
-                                : "gives the balls the drag that takes them past the critical speed");
-  consider(
-      std::abs(std::log(after.margin / before.margin)),
-      fmt::format("lets the balls cancel {:.3g} instead of {:.3g} times what there is", after.margin, before.margin));
+    consider(0.5 * decides, *after.passes < 1.0 ? words::study_check::drag_too_little_to_pass
+                                                : words::study_check::drag_enough_to_pass);
+  consider(std::abs(std::log(after.margin / before.margin)),
+           fmt::format(words::study_check::changes_capacity, after.margin, before.margin));
   if (before.settles && after.settles)
     consider(std::abs(std::log(*after.settles / *before.settles)),
-             fmt::format("lets a deviation from balance fade with a time constant of {} instead of {}",
-                         time_of(study, 1.0 / *after.settles), time_of(study, 1.0 / *before.settles)));
+             fmt::format(words::study_check::changes_settling, time_of(study, 1.0 / *after.settles),
+                         time_of(study, 1.0 / *before.settles)));
   return worst;
 }
 
@@ -210,14 +212,11 @@ std::string most_line(const Study& study, const BallDetails& balls) {
       if (effect.size <= worst.size) continue;
       worst = std::move(effect);
       const bool stokes = balls.oil_viscosity && estimate.name == drag_name;
-      which = fmt::format("{}{}: 20 % {} of it {}", estimate.name, stokes ? ", here of a formula" : "",
-                          sign < 0.0 ? "less" : "more", worst.words);
+      which = fmt::format(words::study_check::fifth_changes, estimate.name,
+                          stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
     }
-  if (which.empty()) return "nothing that these rules see";
-  return which +
-         " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls "
-         "can "
-         "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
+  if (which.empty()) return words::study_check::nothing_matters;
+  return which + words::study_check::how_judged;
 }
 
 class Assumptions {
@@ -243,21 +242,22 @@ class Assumptions {
 
   void add_release() {
     if (states("release.time") || states("release.speed") || s_.speed.profile == Profile::constant) return;
-    list_.push_back(s_.release_time() == 0.0 ? "balls free from t = 0" : "balls held until the run-up is over");
+    list_.push_back(s_.release_time() == 0.0 ? words::study_check::balls_free_from_start
+                                             : words::study_check::balls_held_in_run_up);
   }
 
   void add_balls() {
     const model::Parameters& p = s_.parameters;
     const bool sized = !balls_.diameter.empty();
     if (!states("balancer.contact") && !states("balancer.contact_angle") && p.balls > 1)
-      list_.push_back(p.contact_angle > 0.0 ? "balls touch" : "balls pass through each other");
-    if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format("restitution {:.3g}", p.restitution));
-    add("balancer.rolls", p.rolls ? "balls roll without sliding" : "balls are points that slide");
-    add("balancer.rolling", "no rolling resistance");
-    add("balancer.race_offset", "race centred on the shaft");
+      list_.push_back(p.contact_angle > 0.0 ? words::study_check::balls_touch : words::study_check::balls_pass_through);
+    if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format(words::study_check::restitution, p.restitution));
+    add("balancer.rolls", p.rolls ? words::study_check::balls_roll : words::study_check::balls_slide);
+    add("balancer.rolling", words::study_check::no_rolling_resistance);
+    add("balancer.race_offset", words::study_check::race_centred);
     if (const StudyValue* material = given_.find_path("balancer.ball_material");
         material && material->string() && sized)
-      list_.push_back(fmt::format("typical density of {}", *material->string()));
+      list_.push_back(fmt::format(words::study_check::typical_density, *material->string()));
   }
 
   void add_drag() {
@@ -265,20 +265,19 @@ class Assumptions {
     const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *balls_.oil_viscosity);
     if (const StudyValue* grade = given_.find_path("balancer.oil.grade"); grade && grade->string()) {
       const bool mineral = grade->string()->find("VG") != std::string::npos;
-      list_.push_back(!mineral                               ? fmt::format("oil of {}, a silicone's law", eta)
-                      : states("balancer.oil.viscosity_100") ? fmt::format("oil of {}, in the middle of its class", eta)
-                                                             : fmt::format("oil of {}, in the middle of its class, "
-                                                                           "viscosity index 95",
-                                                                           eta));
+      list_.push_back(!mineral ? fmt::format(words::study_check::silicone_oil, eta)
+                      : states("balancer.oil.viscosity_100")
+                          ? fmt::format(words::study_check::oil_of_middle, eta)
+                          : fmt::format(words::study_check::oil_of_middle_and_index, eta));
     }
-    list_.push_back(states("balancer.channel_diameter") ? "drag of a ball on the axis of a tube"
-                                                        : "drag of Stokes, without walls");
+    list_.push_back(states("balancer.channel_diameter") ? words::study_check::drag_in_a_tube
+                                                        : words::study_check::drag_of_stokes);
   }
 
   void add_supports() {
-    if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back("supports alike in x and y");
-    list_.push_back("viscous damping");
-    add("rotor.gravity", "no gravity across the shaft");
+    if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back(words::study_check::supports_alike);
+    list_.push_back(words::study_check::viscous_damping);
+    add("rotor.gravity", words::study_check::no_gravity);
     if (!s_.uncertain.empty()) list_.push_back(medians_assumed);
   }
 
@@ -290,9 +289,10 @@ class Assumptions {
 
 }  // namespace
 
+const char* const medians_assumed = words::study_check::values_at_medians;
+
 std::string StudyCheck::text() const {
-  return fmt::format("Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n", machine, unbalance,
-                     balls, fmt::join(assumed, "; "), most);
+  return fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
 StudyCheck check_study(const std::string& toml_text, const std::string& name,

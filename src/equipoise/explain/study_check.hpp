@@ -17,7 +17,7 @@ struct StudyCheck {
 };
 
 /// Among what is assumed of a study with uncertain values: what follows without simulation takes them so.
-inline constexpr const char* medians_assumed = "uncertain values at their medians";
+extern const char* const medians_assumed;
 
 /// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians.
 StudyCheck check_study(const std::string& toml_text, const std::string& name,

@@ -14,6 +14,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/start_runs/undecided.hpp"
 #include "equipoise/text/engineering.hpp"
+#include "equipoise/words/warnings.hpp"
 
 namespace equipoise {
 
@@ -29,24 +30,19 @@ class Warnings {
     unbalance();
     sag();
     if (e.motion) motion(*e.motion);
-    if (e.speeds_up) warn("{}; in balance the rotor speeds up without end", e.speed_words);
+    if (e.speeds_up) warn(words::warnings::speeds_up_without_end, e.speed_words);
     torque();
     if (e.run_up) run_up(*e.run_up);
     if (p_.balls == 0) return;
     patience();
     release();
     room();
-    if (e.gravity_ratio && *e.gravity_ratio >= 1.0)
-      warn("at the final speed the weight of a ball exceeds its centrifugal force: it falls off the top of the race");
+    if (e.gravity_ratio && *e.gravity_ratio >= 1.0) warn(words::warnings::weight_beats_rotation);
     contact();
     if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
-      warn("balancer.restitution has no effect: balls of no contact_angle pass each other");
-    if (p_.total_mass() >= 1.0) warn("the balls together are heavier than the rotor");
-    if (e.reynolds && *e.reynolds > 1.0)
-      warn(
-          "the Reynolds number of a ball that slips is {:.3g}: Stokes' drag holds below about 1, so only near "
-          "balance, where balls creep, and is too small before",
-          *e.reynolds);
+      warn(words::warnings::restitution_without_contact);
+    if (p_.total_mass() >= 1.0) warn(words::warnings::balls_heavier_than_rotor);
+    if (e.reynolds && *e.reynolds > 1.0) warn(words::warnings::high_reynolds_number, *e.reynolds);
   }
 
  private:
@@ -60,35 +56,27 @@ class Warnings {
     const double w = std::abs(*e_.speed);
     const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     const double highest = std::max(e_.critical_alone[0], e_.critical_alone[1]);
-    if (w < lowest && p_.balls > 0)
-      warn(
-          "the final speed is below the critical speed: there balls gather on the heavy side and add to the unbalance");
+    if (w < lowest && p_.balls > 0) warn(words::warnings::below_critical_speed);
     if (w >= 0.9 * lowest && w <= 1.1 * highest)
-      warn("the final speed is within 10 % of a critical speed: vibration is near its largest");
+      warn(words::warnings::near_critical_speed);
     else if (w >= lowest && w < root_two * highest)
-      warn(
-          "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
-          "eccentricity unless damping is strong{}",
-          p_.balls > 0 ? ", and balance is often unstable" : "");
+      warn(words::warnings::little_isolation, p_.balls > 0 ? words::warnings::often_unstable_too : "");
   }
 
   void contact() {
     const std::vector<double>& widths = e_.ball_width;
     if (p_.balls_collide() || p_.balls < 2 || widths.empty()) return;
     const bool alike = std::all_of(widths.begin(), widths.end(), [&](double w) { return w == widths.front(); });
-    warn("balls pass through each other in this study, which real balls do not: shares and shaking may differ{}",
-         alike ? "" : "; contact needs balls of one balancer.ball_diameter");
+    warn(words::warnings::balls_pass_through, alike ? "" : words::warnings::equal_diameters_needed_too);
   }
 
   void sag() {
     const std::optional<double>& room = e_.study.limits.displacement;
     if (room && e_.sag > *room)
-      warn("the rotor sags by {} under its weight, more than limits.displacement, {}, which counts from where it rests",
-           text(e_.sag, Dimension::length), text(*room, Dimension::length));
+      warn(words::warnings::sags_beyond_limit, text(e_.sag, Dimension::length), text(*room, Dimension::length));
     // Springs would have to be longer than the rotor is wide: stiffness, mass or their units are wrong.
     if (e_.sag > 1.0)
-      warn("the rotor sags by {} under its weight, more than the race's radius, {}: no suspension is as soft as that",
-           text(e_.sag, Dimension::length), text(1.0, Dimension::length));
+      warn(words::warnings::sags_beyond_race, text(e_.sag, Dimension::length), text(1.0, Dimension::length));
   }
 
   std::string text(double value, Dimension d) const {
@@ -102,45 +90,43 @@ class Warnings {
     if (most == 0.0) return;  // the balls do not fit into the race: room() says so
     if (p_.balls == 1) {
       if (own != most)
-        warn("one ball cancels {} and no other unbalance; this one is {}", text(most, Dimension::unbalance),
-             text(own, Dimension::unbalance));
+        warn(words::warnings::one_ball_cancels_one, text(most, Dimension::unbalance), text(own, Dimension::unbalance));
       return;
     }
-    const char* these = e_.ball_width.empty() ? "all balls together" : "all balls side by side";
+    const char* these = e_.ball_width.empty() ? words::warnings::balls_together : words::warnings::balls_side_by_side;
     if (own > most)
-      warn("the unbalance is {:.3g} times what {} can cancel", own / most, these);
+      warn(words::warnings::unbalance_too_large, own / most, these);
     else if (own < least)
-      warn("the unbalance is below the least that these balls can balance: they would add one of their own");
+      warn(words::warnings::unbalance_too_small);
     else if (own > (1.0 - near) * most)
-      warn("the unbalance is within 10 % of the most that {} can cancel", these);
+      warn(words::warnings::unbalance_near_most, these);
     else if (own < (1.0 + near) * least)
-      warn("the unbalance is within 10 % of the least that these balls can balance");
+      warn(words::warnings::unbalance_near_least);
   }
 
   void motion(const BalancedMotion& m) {
     const std::string less = m.place(e_.balanced);
     if (!m.stable) {
       if (m.slowest_rate <= least_rate)
-        warn("balance is not linearly stable at the final speed{}: its largest rate is within 1e-9 of 0", less);
+        warn(words::warnings::not_linearly_stable, less);
       else
-        warn("balance is unstable at the final speed{}: the balls do not stay there; {} drag makes it less so", less,
-             m.drag_sensitivity < 0.0 ? "more" : "less");
+        warn(words::warnings::unstable, less, m.drag_sensitivity < 0.0 ? "more" : "less");
       return;
     }
     const double constant = -1.0 / m.slowest_rate;
     constexpr double patience = 1000.0;
     if (constant > patience)
-      warn("balance settles slowly, in more than 1000 units of time{}{}", less, remedy(m));
+      warn(words::warnings::settles_slowly, less, remedy(m));
     else if (e_.spin_up && constant > *e_.spin_up)
-      warn("balance settles more slowly than the rotor spins up{}{}", less, remedy(m));
+      warn(words::warnings::slower_than_run_up, less, remedy(m));
     if (const RuleOfThumb* drag = rule("drag"); drag && drag->kept == false && m.more_drag() < 0)
-      warn("the balls are overdamped{}{}", less, remedy(m));
+      warn(words::warnings::overdamped, less, remedy(m));
   }
 
   static const char* remedy(const BalancedMotion& m) {
-    return m.more_drag() > 0   ? "; more drag would bring balance sooner"
-           : m.more_drag() < 0 ? "; less drag would bring balance sooner"
-                               : "; the balls' drag hardly changes that";
+    return m.more_drag() > 0   ? words::warnings::more_drag_too
+           : m.more_drag() < 0 ? words::warnings::less_drag_too
+                               : words::warnings::drag_hardly_matters_too;
   }
 
   const RuleOfThumb* rule(const char* id) const {
@@ -153,29 +139,24 @@ class Warnings {
     constexpr std::size_t with_the_motors = 3;  // figures: what is taken, by two unbalances, and what is given
     if (!e_.study.speed.driven() || !torque || torque->figures.size() < with_the_motors) return;
     if (torque->kept == false)
-      warn("the motor may be too weak for the critical speed: {}", torque->words);
+      warn(words::warnings::motor_may_be_too_weak, torque->words);
     else if (!torque->kept)
-      warn("the motor's torque may not suffice at the critical speed: {}", torque->words);
+      warn(words::warnings::torque_may_not_suffice, torque->words);
   }
 
   void run_up(const RunUp& r) {
     const double horizon = choose_horizon(e_.study).time;
     if (r.alone && *r.alone - r.last_piece > horizon)
-      warn(
-          "without any losses the motor takes {} to bring the rotor to {}, longer than starts are followed, {}: they "
-          "may stay undecided",
-          text(*r.alone, Dimension::time), text(r.speed, Dimension::speed), text(horizon, Dimension::time));
+      warn(words::warnings::long_run_up, text(*r.alone, Dimension::time), text(r.speed, Dimension::speed),
+           text(horizon, Dimension::time));
   }
 
   void patience() {
     const StartCost cost = start_cost(e_.study);
     const char* key = cost.by_drag ? "balancer.drag" : "rotor.damping";
-    if (!cost.bearable())
-      warn("stiff: with {} = {:.4g} a start takes about {:.1g} steps; basin and attractors refuse above {:.3g}", key,
-           cost.cause, cost.steps, cost.allowed);
+    if (!cost.bearable()) warn(words::warnings::stiff, key, cost.cause, cost.steps, cost.allowed);
     const Horizon horizon = choose_horizon(e_.study);
-    if (!horizon.long_enough())
-      warn("{}: of starts that are followed for {:.6g} many may stay undecided", slowness_text(horizon), horizon.time);
+    if (!horizon.long_enough()) warn(words::warnings::may_stay_undecided, slowness_text(horizon), horizon.time);
   }
 
   // Whether a motor reaches the release speed depends on where the balls are held: some starts are tried.
@@ -189,15 +170,13 @@ class Warnings {
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
         held.push_back({.what = Restlessness::held, .reached = starts.nearest[i], .asked = *study.release.speed});
-    if (!held.empty()) warn("of {} starts tried {} never let their balls go: {}", tried, held.size(), held_text(held));
+    if (!held.empty()) warn(words::warnings::balls_never_let_go, tried, held.size(), held_text(held));
   }
 
   void room() {
     const std::vector<double>& widths = e_.ball_width;
     const double angle = std::accumulate(widths.begin(), widths.end(), 0.0);
-    if (angle > 2.0 * pi)
-      warn("{} balls of this size do not fit into the race: there is room for {:.0f} % of them", p_.balls,
-           100.0 * 2.0 * pi / angle);
+    if (angle > 2.0 * pi) warn(words::warnings::too_many_balls, p_.balls, 100.0 * 2.0 * pi / angle);
   }
 
   Explanation& e_;

@@ -11,7 +11,7 @@
 #include <limits>
 
 #ifdef __FAST_MATH__
-#error "interval.hpp: -ffast-math breaks the outward rounding that proofs rest on"
+#error interval.hpp: -ffast-math breaks the outward rounding that proofs rest on
 #endif
 
 namespace equipoise {

@@ -9,6 +9,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/cancelling.hpp"
 #include "equipoise/model/unbalance.hpp"
+#include "equipoise/words/mechanics.hpp"
 
 namespace equipoise::model {
 
@@ -22,15 +23,14 @@ BalancedStates balanced_states(const Parameters& p) {
   BalancedStates result;
   const double lambda = p.eccentricity, total = p.total_mass();
   if (p.gravity != 0.0) {
-    result.reason = "gravity keeps the balls moving in the rotating frame";
+    result.reason = words::mechanics::gravity_moves_balls;
     return result;
   }
   double largest = lambda;
   for (int i = 0; i < p.balls; ++i) largest = std::max(largest, p.mass[i]);
   const double slack = lambda + total - 2.0 * largest;
   if (slack < -equal_within * (lambda + total)) {
-    result.reason = lambda == largest ? "the unbalance is larger than all balls together can cancel"
-                                      : "one ball outweighs the unbalance and the other balls together";
+    result.reason = lambda == largest ? words::mechanics::unbalance_too_large : words::mechanics::one_ball_outweighs;
     return result;
   }
   if (p.balls_collide()) {
@@ -141,11 +141,11 @@ BalancedStates balanced_states(const System& system, double coasting) {
   const std::optional<double> speed = system.coasts() ? std::optional(coasting) : balanced_speed(system);
   BalancedStates none;
   if (!speed)
-    none.reason = no_speed_is_held;
+    none.reason = words::mechanics::no_speed_is_held;
   else if (*speed == 0.0 && !(system.prescribed() && system.parameters().race_is_centred()))
-    none.reason = "the rotor comes to rest: nothing balances it";
+    none.reason = words::mechanics::comes_to_rest;
   else if (system.coasts() && !system.parameters().race_is_centred())
-    none.reason = "a race off its centre makes the supports take from a speed that no motor holds";
+    none.reason = words::mechanics::race_off_centre;
   if (!none.reason.empty()) return none;
   const CentredTwin twin = centred_twin(system.parameters(), *speed);
   BalancedStates states = balanced_states(twin.parameters);

@@ -13,10 +13,6 @@
 
 namespace equipoise::model {
 
-/// The reason for a motor whose torque never vanishes. Vibration can absorb that torque; a balanced rotor cannot.
-inline constexpr const char* no_speed_is_held =
-    "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
-
 /// Solutions of lambda + sum mu_i e^{i phi_i} = 0, x = y = 0, all at rest in the rotating frame.
 struct BalancedStates {
   enum class Kind {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/words/mechanics.hpp"
 
 namespace equipoise::model {
 
@@ -209,11 +210,11 @@ bool Cancelling::cancels(double unbalance) const {
 }
 
 const char* Cancelling::why_not(double unbalance) const {
-  if (!fit()) return "the balls do not fit into the race";
-  if (!all_tried) return "of many orders of these balls in the race, none that was tried cancels just the unbalance";
-  if (unbalance > most()) return "balls of this size, side by side, cancel less than the unbalance";
-  if (unbalance < least()) return "balls of this size have no room to cancel as little as the unbalance";
-  return "no order of these balls in the race cancels just the unbalance";
+  if (!fit()) return words::mechanics::balls_do_not_fit;
+  if (!all_tried) return words::mechanics::no_order_found;
+  if (unbalance > most()) return words::mechanics::cancel_less_side_by_side;
+  if (unbalance < least()) return words::mechanics::no_room_to_cancel_little;
+  return words::mechanics::no_order_cancels;
 }
 
 Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {

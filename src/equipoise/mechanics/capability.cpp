@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "equipoise/words/mechanics.hpp"
+
 namespace equipoise::model {
 
 namespace {
@@ -36,23 +38,23 @@ bool offers(const System& system, Need need) {
 const char* words(Need need) {
   switch (need) {
     case Need::prescribed_speed:
-      return "a prescribed speed";
+      return words::mechanics::prescribed_speed;
     case Need::passing_balls:
-      return "balls that pass each other, 0 or contact = false";
+      return words::mechanics::passing_balls;
     case Need::sliding_balls:
-      return "balls without rolling resistance or stiction, 0";
+      return words::mechanics::sliding_balls;
     case Need::centred_race:
-      return "a centred race, [0, 0]";
+      return words::mechanics::centred_race;
     case Need::equal_supports:
-      return "equal values in x and y";
+      return words::mechanics::equal_supports;
     case Need::no_gravity:
-      return "gravity 0";
+      return words::mechanics::no_gravity;
     case Need::turning:
-      return "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
+      return words::mechanics::turning;
     case Need::linear_torque:
-      return "a motor whose torque is linear in the speed, without a load";
+      return words::mechanics::linear_torque;
     default:
-      return "a rotor that something turns for good";
+      return words::mechanics::lasting_drive;
   }
 }
 

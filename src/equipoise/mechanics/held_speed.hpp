@@ -5,6 +5,7 @@
 
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/words/mechanics.hpp"
 
 namespace equipoise::model {
 
@@ -19,8 +20,7 @@ inline std::optional<double> held_speed(const System& system) {
 }
 
 /// Message about a motor that holds no speed, to follow "the" or "the motor's".
-inline constexpr const char* holds_no_speed =
-    "last torque acts for ever, and a balanced rotor needs none: no speed is held";
+inline constexpr const char* holds_no_speed = words::mechanics::holds_no_speed;
 
 /// Whether the motor's last torque acts for good and holds no speed: a balanced rotor then speeds up without end.
 inline bool speeds_up_for_ever(const System& system) {

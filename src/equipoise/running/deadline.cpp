@@ -7,6 +7,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
+#include "equipoise/words/mechanics.hpp"
 
 namespace equipoise {
 
@@ -24,8 +25,7 @@ double read_time_limit(const std::string& option, const std::string& text) {
   while (unit.starts_with(' ')) unit.remove_prefix(1);
   for (const auto& [name, seconds] : time_units)
     if (read.error == std::errc() && unit == name && value > 0.0 && value * seconds <= longest) return value * seconds;
-  throw InputError(option, "", display_text(text),
-                   "must be a time greater than 0, at most 10000 h, in seconds or with a unit: 90, 60s, 10min, 1.5h");
+  throw InputError(option, "", display_text(text), words::mechanics::not_a_time);
 }
 
 Deadline::Deadline(StopFlag& stop, double seconds) : stop_(stop), begin_(Clock::now()), length_(seconds) {

@@ -1,0 +1,75 @@
+// What was understood of a study: machine, unbalance, balls, assumptions, and what matters most.
+#pragma once
+
+namespace equipoise::words::study_check {
+
+// The lines, and what stands in them.
+inline constexpr char lines[] = "Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssumed: {}.\nMatters most: {}.\n";
+// Mass or "supports of", then the stiffness.
+inline constexpr char mass_on[] = "{} on ";
+inline constexpr char supports_of[] = "supports of ";
+inline constexpr char with_critical_speed[] = ", critical speed {}";
+inline constexpr char runs_at[] = " with its balls; runs at {}, {:.3g} times that";
+inline constexpr char no_speed_held[] = " with its balls; no speed is held in the end";
+inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
+inline constexpr char grade_at_speed[] = "; {} at {}";
+// "the rotor's own and of " or nothing, number of places, "s" or nothing, degrees.
+inline constexpr char resultant_of_places[] =
+    "; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points";
+inline constexpr char of_the_rotor_too[] = "the rotor's own and of ";
+inline constexpr char on_a_circle[] = " on a circle of {}";
+inline constexpr char nothing_to_cancel[] = "; they cancel {}, and there is nothing to cancel";
+// Range, "up to" or "at most", a factor, nothing or that balance is impossible.
+inline constexpr char balls_cancel[] = "; they cancel {}, {} {:.3g} times what there is{}";
+inline constexpr char up_to[] = "up to";
+inline constexpr char at_most[] = "at most";
+inline constexpr char balance_impossible_too[] = ": balance is impossible";
+
+// What matters most: what is changed by a fifth.
+inline constexpr char the_unbalance[] = "the unbalance";
+inline constexpr char the_stiffness[] = "the stiffness of the supports";
+inline constexpr char the_damping[] = "the damping of the supports";
+inline constexpr char the_drag[] = "the drag of the balls";
+inline constexpr char of_a_formula[] = ", here of a formula";
+inline constexpr char the_ball_mass[] = "the mass of the balls";
+
+// What such a change does.
+// What, how that is known, "less" or "more", the effect.
+inline constexpr char fifth_changes[] = "{}{}: 20 % {} of it {}";
+inline constexpr char makes_balance_possible[] = "makes balance possible";
+inline constexpr char makes_balance_impossible[] = "makes balance impossible";
+inline constexpr char makes_balance_stable[] = "makes balance stable";
+inline constexpr char makes_balance_unstable[] = "makes balance unstable";
+inline constexpr char drag_too_little_to_pass[] =
+    "leaves the balls so little drag that they may stay at the critical speed";
+inline constexpr char drag_enough_to_pass[] = "gives the balls the drag that takes them past the critical speed";
+inline constexpr char changes_capacity[] = "lets the balls cancel {:.3g} instead of {:.3g} times what there is";
+inline constexpr char changes_settling[] =
+    "lets a deviation from balance fade with a time constant of {} instead of {}";
+inline constexpr char nothing_matters[] = "nothing that these rules see";
+inline constexpr char how_judged[] =
+    " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
+    "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
+
+// What is assumed because the study does not say it.
+inline constexpr char balls_free_from_start[] = "balls free from t = 0";
+inline constexpr char balls_held_in_run_up[] = "balls held until the run-up is over";
+inline constexpr char balls_touch[] = "balls touch";
+inline constexpr char balls_pass_through[] = "balls pass through each other";
+inline constexpr char restitution[] = "restitution {:.3g}";
+inline constexpr char balls_roll[] = "balls roll without sliding";
+inline constexpr char balls_slide[] = "balls are points that slide";
+inline constexpr char no_rolling_resistance[] = "no rolling resistance";
+inline constexpr char race_centred[] = "race centred on the shaft";
+inline constexpr char typical_density[] = "typical density of {}";
+inline constexpr char silicone_oil[] = "oil of {}, a silicone's law";
+inline constexpr char oil_of_middle[] = "oil of {}, in the middle of its class";
+inline constexpr char oil_of_middle_and_index[] = "oil of {}, in the middle of its class, viscosity index 95";
+inline constexpr char drag_in_a_tube[] = "drag of a ball on the axis of a tube";
+inline constexpr char drag_of_stokes[] = "drag of Stokes, without walls";
+inline constexpr char supports_alike[] = "supports alike in x and y";
+inline constexpr char viscous_damping[] = "viscous damping";
+inline constexpr char no_gravity[] = "no gravity across the shaft";
+inline constexpr char values_at_medians[] = "uncertain values at their medians";
+
+}  // namespace equipoise::words::study_check
