@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
@@ -47,8 +48,9 @@ void draw(const std::string& path, const std::function<std::string(const std::st
   std::FILE* gnuplot = popen("gnuplot", "w");
   if (!gnuplot) throw RunError("gnuplot cannot be started");
   const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  if (pclose(gnuplot) != 0 || !written) throw RunError(path + ": gnuplot could not draw it");
-  if (!is_whole(place.file())) throw RunError(path + ": gnuplot could not write it whole; is the disk full?");
+  if (pclose(gnuplot) != 0 || !written) throw RunError(fmt::format("{}: gnuplot could not draw it", path));
+  if (!is_whole(place.file()))
+    throw RunError(fmt::format("{}: gnuplot could not write it whole; is the disk full?", path));
   place.commit();
 }
 

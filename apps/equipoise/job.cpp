@@ -46,14 +46,15 @@ bool repeats_work(const CLI::App& command) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     return true;
   }
-  const std::string why = shares ? "this program is built without MPI" : fmt::format("\"{}\" shares no work", name);
-  const std::string build =
-      "Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or cmake), or ";
   throw InputError(
       job.variable, "", "",
-      fmt::format("says that {} processes were started, but {}: each would do the whole work. {}{}{}", job.size, why,
-                  shares ? build : "", parts ? "give each process a part with --shard I/N, or " : "",
-                  shares ? "start one process" : "Start one process, which uses all cores"));
+      !shares ? fmt::format("says that {} processes were started, but \"{}\" shares no work: each would do the whole "
+                            "work. Start one process, which uses all cores",
+                            job.size, name)
+              : fmt::format("says that {} processes were started, but this program is built without MPI: each would do "
+                            "the whole work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build "
+                            "again (./dev run, or cmake), or {}start one process",
+                            job.size, parts ? "give each process a part with --shard I/N, or " : ""));
 }
 
 }  // namespace equipoise::app

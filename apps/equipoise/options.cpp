@@ -27,9 +27,9 @@ double option_time(const char* option, const std::string& text, const Study& stu
   if (given.problem.empty() && given.value >= least && given.value <= most) return given.value;
   std::string problem = fmt::format("must be {}", allowed);
   if (unit)
-    problem += ", in 1/omega_c, or a time, such as \"10 s\"";
+    problem = fmt::format("must be {}, in 1/omega_c, or a time, such as \"10 s\"", allowed);
   else if (study::measure(text, {study::Dimension::time}).problem.empty())
-    problem += ": this study has no units";
+    problem = fmt::format("must be {}: this study has no units", allowed);
   throw InputError(option, "", display_text(text), problem);
 }
 
@@ -69,14 +69,15 @@ Study at_medians(Study study) {
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
   if (const std::string problem = io::why_not_writable(path); !problem.empty())
-    throw InputError(option, "", path, "cannot be written: " + problem + "; must be a file in a folder that exists");
+    throw InputError(option, "", path,
+                     fmt::format("cannot be written: {}; must be a file in a folder that exists", problem));
 }
 
 void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
   if (path.empty() || path.ends_with(first) || (second && path.ends_with(second))) return;
-  throw InputError(
-      option, "", display_text(path),
-      fmt::format("must be a file name that ends in {}{}", first, second ? fmt::format(" or {}", second) : ""));
+  throw InputError(option, "", display_text(path),
+                   second ? fmt::format("must be a file name that ends in {} or {}", first, second)
+                          : fmt::format("must be a file name that ends in {}", first));
 }
 
 void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }

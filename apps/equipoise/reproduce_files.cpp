@@ -39,7 +39,7 @@ PictureFolder::PictureFolder(const std::string& output, const std::string& repor
     path_ = pictures_beside(report);
   else if (!report.empty()) {
     path_ = (fs::temp_directory_path() / "equipoise-XXXXXX").string();
-    if (!mkdtemp(path_.data())) throw RunError(path_ + ": no temporary folder can be made");
+    if (!mkdtemp(path_.data())) throw RunError(fmt::format("{}: no temporary folder can be made", path_));
     temporary_ = true;
   }
   if (path_.empty()) return;

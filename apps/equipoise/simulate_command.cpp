@@ -117,8 +117,10 @@ int run_simulate(const SimulateArguments& a) {
     return ended_early(rows_left(trajectory, times, begin), nullptr, "");
   }
   if (trajectory.status != IntegrationStatus::done) {
-    say("the trajectory {} after t = {}; the rows so far are kept",
-        trajectory.status == IntegrationStatus::diverged ? "diverged" : "could not be integrated further", last);
+    if (trajectory.status == IntegrationStatus::diverged)
+      say("the trajectory diverged after t = {}; the rows so far are kept", last);
+    else
+      say("the trajectory could not be integrated further after t = {}; the rows so far are kept", last);
     return failed;
   }
   return done;
