@@ -15,6 +15,7 @@ LEAST = 4  # words
 
 # Files that hold sentences in rows of a table, named by the row; or code for another program, which reads like prose.
 TABLES = {
+    "apps/equipoise/help.hpp": "the help of commands and options, by their names",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
 }

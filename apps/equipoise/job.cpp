@@ -10,6 +10,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "team.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -46,15 +47,9 @@ bool repeats_work(const CLI::App& command) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     return true;
   }
-  throw InputError(
-      job.variable, "", "",
-      !shares ? fmt::format("says that {} processes were started, but \"{}\" shares no work: each would do the whole "
-                            "work. Start one process, which uses all cores",
-                            job.size, name)
-              : fmt::format("says that {} processes were started, but this program is built without MPI: each would do "
-                            "the whole work. Install an MPI library (Debian: apt-get install libopenmpi-dev) and build "
-                            "again (./dev run, or cmake), or {}start one process",
-                            job.size, parts ? "give each process a part with --shard I/N, or " : ""));
+  throw InputError(job.variable, "", "",
+                   !shares ? fmt::format(words::shares_no_work, job.size, name)
+                           : fmt::format(words::built_without_mpi, job.size, parts ? words::or_a_part_each : ""));
 }
 
 }  // namespace equipoise::app

@@ -25,6 +25,7 @@ inline constexpr char pair_drift[] = "pair drift";
 inline constexpr char drifting_apart[] = "drifting apart";
 
 // What follows a name: how the motion repeats, which balls are together, how the rotor turns.
+
 // Strobes, the plural s.
 inline constexpr char back_after[] = ", back after {} strobe{}";
 inline constexpr char period[] = ", period {}";

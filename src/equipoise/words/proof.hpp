@@ -1,4 +1,4 @@
-// What is known of balanced states and motions: proofs, regions of attraction, names of motions.
+// What is known of balanced states: proofs about them, and why there is none, or an unstable one.
 #pragma once
 
 namespace equipoise::words::proof {
@@ -20,6 +20,7 @@ inline constexpr char for_plain_continuum[] =
     "centred race";
 
 // Balanced states: none, unstable, or lost.
+
 // Why.
 inline constexpr char no_balanced_state[] = "no balanced state exists: {}";
 // Number drawn, speed, least and largest growth rate.
