@@ -8,6 +8,7 @@
 #include "equipoise/math/krawczyk.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/proof/level_rates.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 
@@ -207,4 +208,3 @@ void LevelProof<kind>::linearise() {
 }  // namespace equipoise
 
 #include "equipoise/proof/level_proof_kinds.inc"
-#include "equipoise/words/proof.hpp"
