@@ -26,6 +26,7 @@ TABLES = {
     "src/equipoise/explain/quantity_table.cpp": "a row a quantity, by symbol and name",
     "src/equipoise/mechanics/capability.hpp": "a row a result, by name and command",
     "src/equipoise/model/state_layout.cpp": "a row a coordinate of the state",
+    "apps/equipoise/help.hpp": "the help of commands and options, by their names",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
     "src/equipoise/drawing/chart.cpp": "a gnuplot script",

@@ -14,6 +14,8 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -30,7 +32,7 @@ struct AttractorsArguments : ComputingArguments {
 std::vector<double> parse_state(const std::string& text, int balls) {
   std::vector<double> state;
   const std::size_t size = 4 + 2 * static_cast<std::size_t>(balls);
-  const std::string allowed = fmt::format("{} numbers separated by commas: x,y,u,v, ball angles, ball rates", size);
+  const std::string allowed = fmt::format(words::state_form, size);
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
     state.push_back(option_number<double>("--state", text.substr(at, comma - at), -1e6, 1e6, allowed.c_str()));
@@ -60,7 +62,7 @@ int run_attractors(const AttractorsArguments& a) {
   begin_computing(a);
   if (!a.along.empty()) return follow_along(a);
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
-    if (!value->empty()) throw InputError(option, "", *value, "goes with --along KEY=FROM:TO:STEP only");
+    if (!value->empty()) throw InputError(option, "", *value, words::along_only);
   std::vector<std::string> overrides = a.overrides;
   override_starts(a.starts, a.seed, overrides);
   const Study study = at_medians(read_study(a.study, overrides));
@@ -82,30 +84,17 @@ int run_attractors(const AttractorsArguments& a) {
 
 Command add_attractors(CLI::App& app) {
   const auto a = std::make_shared<AttractorsArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--starts", a->starts, fmt::format("starts to search (default {})", search_starts))->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the random starts")->type_name("S");
-  app.add_option(
-         "--state", a->states,
-         "also follow this state, for attractors too rare to be met by chance: x,y,u,v, ball angles, ball rates, "
-         "as \"state\" in --json prints them; may be repeated")
-      ->type_name("X,Y,...")
-      ->take_all();
-  app.add_option(
-         "--along", a->along,
-         "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
-         "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides the "
-         "pilot's")
-      ->type_name("KEY=FROM:TO:STEP");
-  app.add_option("-o,--output", a->output,
-                 "with --along: one line per value and attractor (.csv), or the same as NetCDF (.nc)")
-      ->type_name("FILE");
-  app.add_option("--plot", a->plot, "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot")
-      ->type_name("FILE");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--starts", a->starts, fmt::format(help::attractors::starts, search_starts))->type_name("N");
+  app.add_option("--seed", a->seed, help::attractors::seed)->type_name("S");
+  app.add_option("--state", a->states, help::attractors::state)->type_name("X,Y,...")->take_all();
+  app.add_option("--along", a->along, help::attractors::along)->type_name("KEY=FROM:TO:STEP");
+  app.add_option("-o,--output", a->output, help::attractors::output)->type_name("FILE");
+  app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE");
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--json", a->json, help::json);
   return [a] { return run_attractors(*a); };
 }
 

@@ -20,6 +20,8 @@
 #include "report_command.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -55,8 +57,7 @@ std::string transients_text(const Study& study, const TransientRow& row) {
 
 int print_replay(const Study& study, const BasinOptions& options, const std::string& given, ProgressLine& progress) {
   constexpr std::uint64_t largest = 999'999'999'999;
-  const auto index =
-      option_number<std::uint64_t>("--start-index", given, 0, largest, "a whole number from 0 to 999999999999");
+  const auto index = option_number<std::uint64_t>("--start-index", given, 0, largest, words::index_range);
   StartReplay replay;
   try {
     replay = replay_start(study, index, options);
@@ -98,16 +99,14 @@ int run_basin(const BasinArguments& a) {
   require_ending("--report", a.report, ".html");
   require_writable("--report", a.report);
   if (a.start_index && !a.report.empty())
-    throw InputError("--report", "", display_text(a.report),
-                     "a page is of an ensemble; must be left out with --start-index");
+    throw InputError("--report", "", display_text(a.report), words::page_of_an_ensemble);
   const std::vector<std::string> overrides = overrides_from(a);
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = parse_study(text, name, overrides);
   BasinOptions options;
   options.threads = threads_option(a.threads);
   if (a.half_width)
-    options.half_width =
-        option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+    options.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, words::half_width_range);
   if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
   options.limit_given = a.starts.has_value();
   if (a.no_transients)
@@ -122,9 +121,7 @@ int run_basin(const BasinArguments& a) {
   SensitivityOptions depends;
   if (a.sensitivity) {
     static_cast<RunOptions&>(depends) = options;
-    if (a.rows)
-      depends.rows =
-          option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, "a whole number from 2 to 1000000");
+    if (a.rows) depends.rows = option_number<std::uint64_t>("--sensitivity", *a.rows, 2, 1'000'000, words::row_range);
     check_sensitivity(study);
   }
   BasinResult result;
@@ -148,39 +145,30 @@ int run_basin(const BasinArguments& a) {
 
 Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--starts", a->starts, "number of starts (with --half-width: at most so many)")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
-  app.add_option("--half-width", a->half_width,
-                 "sample until every share's 95 % interval is within +- H (a fraction of one)")
-      ->type_name("H");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--starts", a->starts, help::basin::starts)->type_name("N");
+  app.add_option("--seed", a->seed, help::seed)->type_name("S");
+  app.add_option("--half-width", a->half_width, help::basin::half_width)->type_name("H");
   app.add_option_function<std::vector<std::string>>(
          "--sensitivity",
          [a](const std::vector<std::string>& given) {
            a->sensitivity = true;
            if (!given.empty() && !given.front().empty()) a->rows = given.front();
          },
-         "what balance depends on most, of a study with uncertain values: Sobol indices from N rows of starts")
+         help::basin::sensitivity)
       ->expected(0, 1)
       ->type_name("[N]");
-  app.add_option("--start-index", a->start_index, "replay start I alone and print its angles and outcome")
-      ->type_name("I");
-  app.add_option("--decide", a->decide, "grounds of decision: validated (default), proof (of balance) or horizon")
-      ->type_name("HOW");
-  app.add_option("-o,--output", a->output, "per-start results (NetCDF); the same command resumes or extends them")
-      ->type_name("FILE.nc");
-  CLI::Option* asked = app.add_flag(
-      "--transients", a->transients,
-      "peak vibration, bearing force, settling time and other transients (default where the study has [limits] or "
-      "[standards], or is in physical units)");
-  app.add_flag("--no-transients", a->no_transients, "leave these out, and with them the verdict")->excludes(asked);
-  app.add_option("--report", a->report, "the same as a page to take to a meeting (see report); with --transients")
-      ->type_name("FILE.html");
+  app.add_option("--start-index", a->start_index, help::basin::start_index)->type_name("I");
+  app.add_option("--decide", a->decide, help::basin::decide)->type_name("HOW");
+  app.add_option("-o,--output", a->output, help::basin::output)->type_name("FILE.nc");
+  CLI::Option* asked = app.add_flag("--transients", a->transients, help::basin::transients);
+  app.add_flag("--no-transients", a->no_transients, help::basin::no_transients)->excludes(asked);
+  app.add_option("--report", a->report, help::basin::report)->type_name("FILE.html");
   add_no_changes(app, a->no_changes);
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--json", a->json, help::json);
   return [a] { return run_basin(*a); };
 }
 

@@ -20,6 +20,8 @@
 #include "streams.hpp"
 #include "team.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -60,12 +62,9 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   const std::vector<std::string> goals = capacity_goals(plan.study());
   option_choice<int>("--by", a.by, goals);
   options.by = a.by;
-  if (a.at_least)
-    options.at_least =
-        option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, "a fraction of one from 0.01 to 0.9999");
+  if (a.at_least) options.at_least = option_number<double>("--at-least", *a.at_least, 0.01, 0.9999, words::share_range);
   if (a.precision)
-    options.precision =
-        option_number<double>("--precision", *a.precision, 1e-4, 0.1, "a part of the range from 0.0001 to 0.1");
+    options.precision = option_number<double>("--precision", *a.precision, 1e-4, 0.1, words::precision_range);
   options.output = a.output;
   options.threads = team.threads(a.threads);
   options.stop = &stop_flag();
@@ -97,7 +96,7 @@ int run_capacity(const CapacityArguments& a) {
                 },
                 [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
-  WorkLeft left{result.resumed_trials + result.trials, result.most_trials, "trials (at most)"};
+  WorkLeft left{result.resumed_trials + result.trials, result.most_trials, words::trials};
   if (result.trials > 0)
     left.seconds = result.seconds / static_cast<double>(result.trials) * static_cast<double>(left.total - left.done);
   return ended_early(left, kept_by_output, a.output);
@@ -107,32 +106,18 @@ int run_capacity(const CapacityArguments& a) {
 
 Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option(
-         "--of", a->of,
-         "the parameter to maximise, any key that --set takes (default: the unbalance, in g mm of a study in "
-         "physical units, else rotor.eccentricity)")
-      ->type_name("KEY");
-  app.add_option("--between", a->between,
-                 "range to search, e.g. 0.001:0.1 or \"20 g mm:400 g mm\" (default for an "
-                 "unbalance: up to what all balls together can make up for)")
-      ->type_name("LOW:HIGH");
-  app.add_option("--by", a->by,
-                 "what a start must do: balanced (default), limits (keep all of [limits]), or one limit by its name")
-      ->type_name("WHAT");
-  app.add_option("--at-least", a->at_least, "share of starts that must do it (default 0.95)")->type_name("SHARE");
-  app.add_option("--precision", a->precision, "to what part of the range it is located (default 0.005)")
-      ->type_name("P");
-  app.add_option("--over", a->over, "a parameter and its values, as of equipoise sweep; up to three times")
-      ->type_name("KEY=VALUES")
-      ->take_all();
-  app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
-  app.add_option("--starts", a->starts, "number of starts of every ensemble (default 10000)")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts, which are the same in all")->type_name("S");
-  app.add_option("-o,--output", a->output,
-                 "all cells as NetCDF (.nc), their trials kept as they come; the same command goes on from it")
-      ->type_name("FILE");
-  add_forms(app, *a, {"one line per cell (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--of", a->of, help::capacity::of)->type_name("KEY");
+  app.add_option("--between", a->between, help::capacity::between)->type_name("LOW:HIGH");
+  app.add_option("--by", a->by, help::capacity::by)->type_name("WHAT");
+  app.add_option("--at-least", a->at_least, help::capacity::at_least)->type_name("SHARE");
+  app.add_option("--precision", a->precision, help::capacity::precision)->type_name("P");
+  app.add_option("--over", a->over, help::capacity::over)->type_name("KEY=VALUES")->take_all();
+  app.add_flag("--zip", a->zip, help::zip);
+  app.add_option("--starts", a->starts, help::capacity::starts)->type_name("N");
+  app.add_option("--seed", a->seed, help::capacity::seed)->type_name("S");
+  app.add_option("-o,--output", a->output, help::capacity::output)->type_name("FILE");
+  add_forms(app, *a, {help::capacity::csv, help::plot});
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

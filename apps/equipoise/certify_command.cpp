@@ -17,6 +17,8 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -34,8 +36,7 @@ constexpr std::size_t longest_certificates = std::size_t{64} << 20;
 
 std::string read_certificates(const std::string& path) {
   const auto reject = [&](const char* why) {
-    throw InputError("--check", "", display_text(path),
-                     fmt::format("cannot be read{}; must be a file written by equipoise certify -o", why));
+    throw InputError("--check", "", display_text(path), fmt::format(words::not_a_certificate, why));
   };
   std::ifstream file(path, std::ios::binary);
   if (!file) reject("");
@@ -43,9 +44,9 @@ std::string read_certificates(const std::string& path) {
   std::array<char, 65536> block;
   while (file.read(block.data(), block.size()), file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest_certificates) reject(" (more than 64 MiB)");
+    if (text.size() > longest_certificates) reject(words::certificate_too_long);
   }
-  if (file.bad()) reject(" (reading broke off)");
+  if (file.bad()) reject(words::reading_broke_off);
   return text;
 }
 
@@ -62,17 +63,15 @@ int check_file(const std::string& path, bool as_json) {
 void write_certificates(const std::string& path, const CertifyResult& result) {
   const std::string text = certificates_json(result);
   if (text.empty())
-    say("nothing is proved, so {} is not written", display_text(path));
+    say(words::nothing_proved, display_text(path));
   else
     write_file(path, text);
 }
 
 int run_certify(const CertifyArguments& a) {
-  if (a.check.empty() == a.study.empty())
-    throw InputError("certify", "", "", "give either a study or --check with a certificate's file");
+  if (a.check.empty() == a.study.empty()) throw InputError("certify", "", "", words::study_or_certificate);
   if (!a.check.empty()) {
-    if (!a.overrides.empty() || !a.output.empty())
-      throw InputError("--check", "", a.check, "a certificate is checked as it is: --set and -o need a study");
+    if (!a.overrides.empty() || !a.output.empty()) throw InputError("--check", "", a.check, words::checked_as_it_is);
     return check_file(a.check, a.json);
   }
   begin_time(a.within);
@@ -92,13 +91,13 @@ int run_certify(const CertifyArguments& a) {
 
 Command add_certify(CLI::App& app) {
   const auto a = std::make_shared<CertifyArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->type_name("STUDY");
-  app.add_option("--check", a->check, "verify a certificate's file instead, from its own data")->type_name("FILE.json");
+  app.add_option("study", a->study, help::study)->type_name("STUDY");
+  app.add_option("--check", a->check, help::certify::check)->type_name("FILE.json");
   add_overrides(app, a->overrides);
-  app.add_option("-o,--output", a->output, "write the certificates here")->type_name("FILE.json");
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_option("-o,--output", a->output, help::certify::output)->type_name("FILE.json");
+  app.add_flag("--json", a->json, help::json);
   add_within(app, a->within);
-  app.add_flag("--quiet", a->quiet, "no progress");
+  app.add_flag("--quiet", a->quiet, help::quiet);
   return [a] { return run_certify(*a); };
 }
 

@@ -8,6 +8,7 @@
 #include "equipoise/explain/study_check.hpp"
 #include "options.hpp"
 #include "streams.hpp"
+#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -27,7 +28,7 @@ int run_check(const CheckArguments& a) {
 
 Command add_check(CLI::App& app) {
   const auto a = std::make_shared<CheckArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
   add_text_style(app);
   add_overrides(app, a->overrides);
   return [a] { return run_check(*a); };

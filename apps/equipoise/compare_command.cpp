@@ -12,6 +12,8 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -35,7 +37,7 @@ Side side(const std::string& given, const CompareArguments& a, bool second) {
   const bool set = !a.overrides.empty() || (second && !a.second_overrides.empty());
   if (given.ends_with(".nc")) {
     if (set || a.starts || a.seed)
-      throw InputError(given, set ? "--set" : "--starts, --seed", "", "go with studies; what a result holds is done");
+      throw InputError(given, set ? "--set" : "--starts, --seed", "", words::result_is_done);
     result.stored = read_basin_outcomes(given);
     return result;
   }
@@ -68,7 +70,7 @@ int run_compare(const CompareArguments& a) {
   put(a.json ? comparison_json(result) : comparison_text(result, text_style()));
   if (!result.partial || !(stop_flag() || time_is_limited())) return done;
   const Study& asked = second.study ? *second.study : first.study.value_or(result.first);
-  WorkLeft left{result.starts, asked.sampling.starts, "starts of both"};
+  WorkLeft left{result.starts, asked.sampling.starts, words::starts_of_both};
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (left.done > 0) left.seconds = taken * (static_cast<double>(left.total) / static_cast<double>(left.done) - 1.0);
   return ended_early(left, nullptr, "");
@@ -78,19 +80,16 @@ int run_compare(const CompareArguments& a) {
 
 Command add_compare(CLI::App& app) {
   const auto a = std::make_shared<CompareArguments>();
-  app.add_option("first", a->first, "study file (TOML), or a result of basin -o (.nc)")->required()->type_name("FIRST");
-  app.add_option("second", a->second, "study file or result that is compared with it")->required()->type_name("SECOND");
-  app.add_option("--starts", a->starts, "number of starts of both")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts of both")->type_name("S");
-  app.add_option("--set-second", a->second_overrides, "override a key of the second study only; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
-  app.add_flag("--transients", a->transients,
-               "also compare peaks, forces, settling time and other transients (default where a study has [limits])");
+  app.add_option("first", a->first, help::compare::first)->required()->type_name("FIRST");
+  app.add_option("second", a->second, help::compare::second)->required()->type_name("SECOND");
+  app.add_option("--starts", a->starts, help::compare::starts)->type_name("N");
+  app.add_option("--seed", a->seed, help::compare::seed)->type_name("S");
+  app.add_option("--set-second", a->second_overrides, help::compare::set_second)->type_name("KEY=VALUE")->take_all();
+  app.add_flag("--transients", a->transients, help::compare::transients);
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--json", a->json, help::json);
   return [a] { return run_compare(*a); };
 }
 

@@ -18,6 +18,8 @@
 #include "streams.hpp"
 #include "team.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -34,7 +36,7 @@ StudySource design_source(const DesignArguments& a) {
   override_starts(std::nullopt, a.seed, source.overrides);
   if (a.trajectories) {
     const auto n = option_number<std::uint64_t>("--trajectories", *a.trajectories, 1000, 1'000'000'000'000,
-                                                "a whole number from 1000 to 1000000000000");
+                                                words::trajectory_range);
     source.overrides.push_back(fmt::format("design.trajectories={}", n));
   }
   return source;
@@ -71,7 +73,7 @@ int run_design(const DesignArguments& a) {
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {
-    left = WorkLeft{result.trajectories, std::max(result.budget, result.trajectories), "trajectories"};
+    left = WorkLeft{result.trajectories, std::max(result.budget, result.trajectories), words::trajectories};
     left->seconds = result.seconds * (static_cast<double>(left->total) / static_cast<double>(left->done) - 1.0);
   }
   if (result.partial) return ended_early(left, kept_by_output, a.output);
@@ -82,19 +84,12 @@ int run_design(const DesignArguments& a) {
 
 Command add_design(CLI::App& app) {
   const auto a = std::make_shared<DesignArguments>();
-  app.add_option("study", a->study, "study file (TOML); without a [design] one is proposed and taken")
-      ->required()
-      ->type_name("STUDY");
-  app.add_option("--best", a->best, "write the chosen design as a study that every other command takes")
-      ->type_name("FILE.toml");
-  app.add_option("--trajectories", a->trajectories,
-                 "budget (default: design.trajectories, else 2000000; a proposed [design] states its own)")
-      ->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts, which are the same for all candidates")->type_name("S");
-  app.add_option("-o,--output", a->output,
-                 "all ensembles as NetCDF (.nc), kept as they come; the same command goes on from it")
-      ->type_name("FILE");
-  add_forms(app, *a, {"one line per member of the front (.csv)", "a picture (.png or .svg); drawn by gnuplot"});
+  app.add_option("study", a->study, help::design::study)->required()->type_name("STUDY");
+  app.add_option("--best", a->best, help::design::best)->type_name("FILE.toml");
+  app.add_option("--trajectories", a->trajectories, help::design::trajectories)->type_name("N");
+  app.add_option("--seed", a->seed, help::design::seed)->type_name("S");
+  app.add_option("-o,--output", a->output, help::design::output)->type_name("FILE");
+  add_forms(app, *a, {help::design::csv, help::plot});
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

@@ -12,6 +12,8 @@
 #include "equipoise/reports/explain_report.hpp"
 #include "options.hpp"
 #include "streams.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -33,7 +35,7 @@ int run_explain(const ExplainArguments& a) {
     options.stop = &stop_flag();
     e.cost = measure_cost(study, options, a.within ? read_time_limit("--within", *a.within) : cost_patience);
   } else if (a.within) {
-    throw InputError("--within", "", display_text(*a.within), "goes with --cost only: nothing else takes time here");
+    throw InputError("--within", "", display_text(*a.within), words::cost_only);
   }
   put(a.json ? explain_json(e) : explain_text(e, text_style()));
   return done;
@@ -43,13 +45,12 @@ int run_explain(const ExplainArguments& a) {
 
 Command add_explain(CLI::App& app) {
   const auto a = std::make_shared<ExplainArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_flag("--cost", a->cost,
-               "also how long basin takes, measured on a part of it: the search for attractors and the first starts");
-  app.add_option("--within", a->within, "of --cost: the longest that this may take (default 10s)")->type_name("TIME");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_flag("--cost", a->cost, help::explain::cost);
+  app.add_option("--within", a->within, help::explain::within)->type_name("TIME");
   add_text_style(app);
   add_overrides(app, a->overrides);
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--json", a->json, help::json);
   return [a] { return run_explain(*a); };
 }
 

@@ -7,10 +7,12 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/replacement.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -19,9 +21,7 @@ void require_gnuplot(const char* option, const std::string& value) {
   std::istringstream list(folders ? folders : "");
   for (std::string folder; std::getline(list, folder, ':');)
     if (access((folder + "/gnuplot").c_str(), X_OK) == 0) return;
-  throw InputError(option, "", value,
-                   "needs the program gnuplot, which is not on the PATH; must be installed first (Debian, Ubuntu: "
-                   "package gnuplot-nox)");
+  throw InputError(option, "", value, words::needs_gnuplot);
 }
 
 namespace {
@@ -45,10 +45,10 @@ void draw(const std::string& path, const std::function<std::string(const std::st
   const std::string script = script_for(place.file());
   std::signal(SIGPIPE, SIG_IGN);  // the exit code tells that gnuplot gave up
   std::FILE* gnuplot = popen("gnuplot", "w");
-  if (!gnuplot) throw RunError("gnuplot cannot be started");
+  if (!gnuplot) throw RunError(words::gnuplot_not_started);
   const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  if (pclose(gnuplot) != 0 || !written) throw RunError(path + ": gnuplot could not draw it");
-  if (!is_whole(place.file())) throw RunError(path + ": gnuplot could not write it whole; is the disk full?");
+  if (pclose(gnuplot) != 0 || !written) throw RunError(fmt::format(words::gnuplot_failed, path));
+  if (!is_whole(place.file())) throw RunError(fmt::format(words::picture_not_whole, path));
   place.commit();
 }
 

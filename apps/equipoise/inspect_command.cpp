@@ -6,6 +6,7 @@
 #include "equipoise/reports/inspection_report.hpp"
 #include "equipoise/result_files/inspection.hpp"
 #include "streams.hpp"
+#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -15,10 +16,8 @@ Command add_inspect(CLI::App& app) {
     bool json = false;
   };
   const auto a = std::make_shared<Arguments>();
-  app.add_option("file", a->file, "file of results (.nc), or the unfinished part of one (.nc.part)")
-      ->required()
-      ->type_name("FILE");
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_option("file", a->file, help::inspect::file)->required()->type_name("FILE");
+  app.add_flag("--json", a->json, help::json);
   return [a]() -> int {
     const Inspection inspection = inspect_file(a->file);
     put(a->json ? inspection_json(inspection) : inspection_text(inspection));

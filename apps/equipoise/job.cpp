@@ -10,6 +10,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "team.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -46,14 +47,9 @@ bool repeats_work(const CLI::App& command) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     return true;
   }
-  const std::string why = shares ? "this program is built without MPI" : fmt::format("\"{}\" shares no work", name);
-  const std::string build =
-      "Install an MPI library (Debian: apt-get install libopenmpi-dev) and build again (./dev run, or cmake), or ";
-  throw InputError(
-      job.variable, "", "",
-      fmt::format("says that {} processes were started, but {}: each would do the whole work. {}{}{}", job.size, why,
-                  shares ? build : "", parts ? "give each process a part with --shard I/N, or " : "",
-                  shares ? "start one process" : "Start one process, which uses all cores"));
+  throw InputError(job.variable, "", "",
+                   !shares ? fmt::format(words::shares_no_work, job.size, name)
+                           : fmt::format(words::built_without_mpi, job.size, parts ? words::or_a_part_each : ""));
 }
 
 }  // namespace equipoise::app

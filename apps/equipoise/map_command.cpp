@@ -21,6 +21,8 @@
 #include "result_forms.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -33,9 +35,9 @@ struct MapArguments : ResultForms, ComputingArguments {
 };
 
 int block_option(const std::string& text) {
-  constexpr const char* allowed = "a power of two from 2 to 64";
-  const int block = option_number<int>("--refine", text, 2, largest_map_block, allowed);
-  if ((block & (block - 1)) != 0) throw InputError("--refine", "", text, fmt::format("must be {}", allowed));
+  const int block = option_number<int>("--refine", text, 2, largest_map_block, words::block_range);
+  if ((block & (block - 1)) != 0)
+    throw InputError("--refine", "", text, fmt::format(words::must_be, words::block_range));
   return block;
 }
 
@@ -71,7 +73,7 @@ int run_map(const MapArguments& a) {
   settings.progress = progress.listener();
   const BasinSlice map = basin_slice(study, settings);
   progress.finish();
-  if (map.read_whole) say("read from {}", a.output);
+  if (map.read_whole) say(words::map_read, a.output);
   put_map(a, map, [&] { return given_machine(text, name, a.overrides); });
   return map.complete ? done : ended_early(progress.left(), kept_by_output, a.output);
 }
@@ -80,33 +82,17 @@ int run_map(const MapArguments& a) {
 
 Command add_map(CLI::App& app) {
   const auto a = std::make_shared<MapArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option(
-         "--x", a->x,
-         "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number "
-         "(default initial.phi_1)")
-      ->type_name("KEY");
-  app.add_option("--y", a->y, "the same from bottom to top (default initial.phi_2)")->type_name("KEY");
-  app.add_option("--x-range", a->x_range,
-                 "range, e.g. 1.5:6, -pi/2:pi/2, \"900 rpm:4000 rpm\" (default for ball angles: a whole turn)")
-      ->type_name("LOW:HIGH");
-  app.add_option("--y-range", a->y_range, "the same for --y")->type_name("LOW:HIGH");
-  app.add_option("--size", a->size, "pixels (default 512x512)")->type_name("WIDTHxHEIGHT");
-  app.add_option("--tie", a->ties, "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated")
-      ->type_name("PHI_I=PHI_J+ANGLE")
-      ->take_all();
-  app.add_option(
-         "--refine", a->refine,
-         "compute the edges of blocks of N pixels first, fill in what lies within edges of one outcome, and divide "
-         "the others (a power of two from 2 to 64; default: compute every pixel)")
-      ->type_name("N");
-  app.add_option(
-         "-o,--output", a->output,
-         "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and reads "
-         "what is there")
-      ->type_name("FILE");
-  app.add_option("--from", a->from, "take pixels with the same centres from another map's file")->type_name("FILE");
-  add_forms(app, *a, {nullptr, "a picture (.png or .svg), darker where decided later; drawn by gnuplot"});
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--x", a->x, help::map::x)->type_name("KEY");
+  app.add_option("--y", a->y, help::map::y)->type_name("KEY");
+  app.add_option("--x-range", a->x_range, help::map::x_range)->type_name("LOW:HIGH");
+  app.add_option("--y-range", a->y_range, help::map::y_range)->type_name("LOW:HIGH");
+  app.add_option("--size", a->size, help::map::size)->type_name("WIDTHxHEIGHT");
+  app.add_option("--tie", a->ties, help::map::tie)->type_name("PHI_I=PHI_J+ANGLE")->take_all();
+  app.add_option("--refine", a->refine, help::map::refine)->type_name("N");
+  app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
+  app.add_option("--from", a->from, help::map::from)->type_name("FILE");
+  add_forms(app, *a, {nullptr, help::map::plot});
   add_text_style(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

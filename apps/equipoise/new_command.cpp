@@ -14,6 +14,8 @@
 #include "equipoise/base/nearest_name.hpp"
 #include "options.hpp"
 #include "streams.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::embedded {
 extern const Archive new_studies;
@@ -40,18 +42,18 @@ int run_new(const NewArguments& a) {
   const std::vector<std::string> names = new_machines();
   if (text.empty())
     throw InputError("MACHINE", "", display_text(a.machine),
-                     fmt::format("{}must be one of: {}", did_you_mean(a.machine, names), fmt::join(names, ", ")));
+                     fmt::format(words::one_of_machines, did_you_mean(a.machine, names), fmt::join(names, ", ")));
   if (!a.output) {
     put(std::string(text));
     return done;
   }
   std::error_code ignored;
   if (std::filesystem::exists(*a.output, ignored))
-    throw InputError("-o", "", display_text(*a.output), "exists; must be a new file: no study is overwritten");
+    throw InputError("-o", "", display_text(*a.output), words::study_exists);
   require_writable("-o", *a.output);
   write_file(*a.output, std::string(text));
-  say("{} is a study of a {} to begin with; equipoise check {} says what is understood", display_text(*a.output),
-      a.machine == "blank" ? "machine" : a.machine, display_text(*a.output));
+  say(words::study_written, display_text(*a.output), a.machine == "blank" ? "machine" : a.machine,
+      display_text(*a.output));
   return done;
 }
 
@@ -59,11 +61,10 @@ int run_new(const NewArguments& a) {
 
 Command add_new(CLI::App& app) {
   const auto a = std::make_shared<NewArguments>();
-  app.add_option("machine", a->machine, fmt::format("one of: {}", fmt::join(new_machines(), ", ")))
+  app.add_option("machine", a->machine, fmt::format(help::new_study::machine, fmt::join(new_machines(), ", ")))
       ->required()
       ->type_name("MACHINE");
-  app.add_option("-o,--output", a->output, "write it here instead of to standard output; must be a new file")
-      ->type_name("FILE.toml");
+  app.add_option("-o,--output", a->output, help::new_study::output)->type_name("FILE.toml");
   return [a] { return run_new(*a); };
 }
 

@@ -17,6 +17,8 @@
 #include "equipoise/echo/given_value.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -25,17 +27,17 @@ double option_time(const char* option, const std::string& text, const Study& stu
   const auto unit = study::unit_of(study, study::Dimension::time);
   const study::GivenValue given = study::read_given(text, unit);
   if (given.problem.empty() && given.value >= least && given.value <= most) return given.value;
-  std::string problem = fmt::format("must be {}", allowed);
+  std::string problem = fmt::format(words::must_be, allowed);
   if (unit)
-    problem += ", in 1/omega_c, or a time, such as \"10 s\"";
+    problem = fmt::format(words::must_be_time, allowed);
   else if (study::measure(text, {study::Dimension::time}).problem.empty())
-    problem += ": this study has no units";
+    problem = fmt::format(words::no_units, allowed);
   throw InputError(option, "", display_text(text), problem);
 }
 
 int threads_option(const std::optional<std::string>& text) {
   if (!text) return 0;
-  const int threads = option_number<int>("--threads", *text, 1, 4096, "a whole number from 1 to 4096");
+  const int threads = option_number<int>("--threads", *text, 1, 4096, words::thread_range);
   // TBB makes no more threads than the machine has cores unless told to, and complains on standard error.
   static std::optional<tbb::global_control> allowed;
   const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
@@ -47,12 +49,11 @@ void override_starts(const std::optional<std::string>& starts, const std::option
                      std::vector<std::string>& overrides) {
   constexpr std::uint64_t most = 1'000'000'000'000, largest = std::numeric_limits<std::int64_t>::max();
   if (starts) {
-    const auto n = option_number<std::uint64_t>("--starts", *starts, 1, most, "a whole number from 1 to 1000000000000");
+    const auto n = option_number<std::uint64_t>("--starts", *starts, 1, most, words::start_range);
     overrides.push_back(fmt::format("sampling.starts={}", n));
   }
   if (seed) {
-    const auto s =
-        option_number<std::uint64_t>("--seed", *seed, 0, largest, "a whole number from 0 to 9223372036854775807");
+    const auto s = option_number<std::uint64_t>("--seed", *seed, 0, largest, words::seed_range);
     overrides.push_back(fmt::format("sampling.seed={}", s));
   }
 }
@@ -62,29 +63,26 @@ Study at_medians(Study study) {
   std::string values;
   for (const UncertainValue& v : study.uncertain.values)
     values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", v.key, v.text(v.median()));
-  say("draws nothing; uncertain values are at their medians: {}", values);
+  say(words::at_medians, values);
   return with_medians(std::move(study));
 }
 
 void require_writable(const char* option, const std::string& path) {
   if (path.empty()) return;
   if (const std::string problem = io::why_not_writable(path); !problem.empty())
-    throw InputError(option, "", path, "cannot be written: " + problem + "; must be a file in a folder that exists");
+    throw InputError(option, "", path, fmt::format(words::not_writable, problem));
 }
 
 void require_ending(const char* option, const std::string& path, const char* first, const char* second) {
   if (path.empty() || path.ends_with(first) || (second && path.ends_with(second))) return;
-  throw InputError(
-      option, "", display_text(path),
-      fmt::format("must be a file name that ends in {}{}", first, second ? fmt::format(" or {}", second) : ""));
+  throw InputError(option, "", display_text(path),
+                   second ? fmt::format(words::ends_in_either, first, second) : fmt::format(words::ends_in, first));
 }
 
 void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
-  app.add_option("--set", overrides, "override a study key, e.g. speed.final=2.6; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  app.add_option("--set", overrides, help::set)->type_name("KEY=VALUE")->take_all();
 }
 
 namespace {
@@ -94,17 +92,13 @@ TextStyle& asked_style() {
 }
 }  // namespace
 
-void add_no_changes(CLI::App& app, bool& no_changes) {
-  app.add_flag("--no-changes", no_changes,
-               "do not try changes to a balancer that falls short (up to eight, 100 starts each)");
-}
+void add_no_changes(CLI::App& app, bool& no_changes) { app.add_flag("--no-changes", no_changes, help::no_changes); }
 
 void add_text_style(CLI::App& app) {
   app.add_flag_callback(
-      "--wide", [] { asked_style().width = 0; }, "every column, without line breaks");
+      "--wide", [] { asked_style().width = 0; }, help::wide);
   app.add_flag_callback(
-      "--details", [] { asked_style().details = true; },
-      "also grounds of decisions, and every figure of every outcome with its interval");
+      "--details", [] { asked_style().details = true; }, help::details);
 }
 
 TextStyle text_style() {
@@ -115,10 +109,10 @@ TextStyle text_style() {
 }
 
 void add_computing(CLI::App& app, ComputingArguments& a) {
-  app.add_option("--threads", a.threads, "threads (default: all cores)")->type_name("T");
-  app.add_option("--cpu", a.cpu, "instruction set to use instead of the best (see --version)")->type_name("NAME");
+  app.add_option("--threads", a.threads, help::threads)->type_name("T");
+  app.add_option("--cpu", a.cpu, help::cpu)->type_name("NAME");
   add_within(app, a.within);
-  app.add_flag("--quiet", a.quiet, "no progress");
+  app.add_flag("--quiet", a.quiet, help::quiet);
 }
 
 void begin_computing(const ComputingArguments& a) {

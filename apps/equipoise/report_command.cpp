@@ -16,6 +16,7 @@
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
 
 namespace equipoise::app {
 
@@ -61,12 +62,10 @@ int run_report(const ReportArguments& a) {
 
 Command add_report(CLI::App& app) {
   const auto a = std::make_shared<ReportArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("-o,--output", a->output, "page to write: one file that needs nothing else")
-      ->required()
-      ->type_name("FILE.html");
-  app.add_option("--starts", a->starts, "number of starts")->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts")->type_name("S");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("-o,--output", a->output, help::report_page::output)->required()->type_name("FILE.html");
+  app.add_option("--starts", a->starts, help::starts)->type_name("N");
+  app.add_option("--seed", a->seed, help::seed)->type_name("S");
   add_no_changes(app, a->no_changes);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

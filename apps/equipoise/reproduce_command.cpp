@@ -20,6 +20,8 @@
 #include "reproduce_files.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -36,12 +38,10 @@ struct ReproduceArguments : ComputingArguments {
 
 ReproduceOptions options_from(const ReproduceArguments& a) {
   ReproduceOptions options = options_for(a.what);
-  if (a.pixels)
-    options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, "a whole number from 2 to 4096");
+  if (a.pixels) options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, words::pixel_range);
   options.threads = threads_option(a.threads);
   if (a.starts)
-    options.starts =
-        option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, "a whole number from 1 to 1000000000");
+    options.starts = option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, words::paper_start_range);
   options.laws = option_choice<LawChoice>("--law", a.law, law_choice_names);
   if (!a.output.empty()) options.folder = a.output + "/ensembles";
   options.stop = &stop_flag();
@@ -60,8 +60,8 @@ std::string command_line(const ReproduceArguments& a) {
 
 void check_paths(const ReproduceArguments& a) {
   if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
-    throw InputError("--report", "", a.report, "must be a file name that ends in .html or .md");
-  if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, "goes with --report");
+    throw InputError("--report", "", a.report, fmt::format(words::ends_in_either, ".html", ".md"));
+  if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, words::report_only);
   require_writable("--report", a.report);
   if (!a.report.empty()) require_gnuplot("--report", a.report);
   if (!a.output.empty()) require_gnuplot("--output", a.output);
@@ -85,7 +85,7 @@ int run_reproduce(const ReproduceArguments& a) {
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   put(a.json ? reproduction_json(r) : reproduction_text(r));
   std::optional<WorkLeft> left = progress.left();
-  if (left && left->total > 0) left->what = "starts";
+  if (left && left->total > 0) left->what = words::starts;
   return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;
 }
 
@@ -93,21 +93,16 @@ int run_reproduce(const ReproduceArguments& a) {
 
 Command add_reproduce(CLI::App& app) {
   const auto a = std::make_shared<ReproduceArguments>();
-  app.add_option("what", a->what, fmt::format("any of {} (default: all)", fmt::join(reproducible(), ", ")))
+  app.add_option("what", a->what, fmt::format(help::reproduce::what, fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
-  app.add_option("--starts", a->starts, "starts per ensemble (default: as many as the paper used)")->type_name("N");
-  app.add_option("--law", a->law, "speed law of ramps (default: both)")->type_name("LAW");
-  app.add_option("--report", a->report, "one page with everything (HTML), or Markdown with pictures beside it")
-      ->type_name("FILE.html|.md");
-  app.add_option(
-         "--explorer", a->explorer,
-         "path of the explorer's page relative to the report, whose rows then link to their settings there")
-      ->type_name("PAGE");
-  app.add_option("-o,--output", a->output, "folder for ensembles, pictures and tables; the same command resumes")
-      ->type_name("DIR");
-  app.add_option("--pixels", a->pixels, "pixels along each side of the maps of `future` (default: 64)")->type_name("P");
+  app.add_option("--starts", a->starts, help::reproduce::starts)->type_name("N");
+  app.add_option("--law", a->law, help::reproduce::law)->type_name("LAW");
+  app.add_option("--report", a->report, help::reproduce::report)->type_name("FILE.html|.md");
+  app.add_option("--explorer", a->explorer, help::reproduce::explorer)->type_name("PAGE");
+  app.add_option("-o,--output", a->output, help::reproduce::output)->type_name("DIR");
+  app.add_option("--pixels", a->pixels, help::reproduce::pixels)->type_name("P");
   add_computing(app, *a);
-  app.add_flag("--json", a->json, "print one JSON object");
+  app.add_flag("--json", a->json, help::json);
   return [a] { return run_reproduce(*a); };
 }
 

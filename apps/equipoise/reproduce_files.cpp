@@ -14,6 +14,7 @@
 #include "equipoise/result_files/slice_file.hpp"
 #include "gnuplot.hpp"
 #include "options.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -39,13 +40,13 @@ PictureFolder::PictureFolder(const std::string& output, const std::string& repor
     path_ = pictures_beside(report);
   else if (!report.empty()) {
     path_ = (fs::temp_directory_path() / "equipoise-XXXXXX").string();
-    if (!mkdtemp(path_.data())) throw RunError(path_ + ": no temporary folder can be made");
+    if (!mkdtemp(path_.data())) throw RunError(fmt::format(words::no_temporary_folder, path_));
     temporary_ = true;
   }
   if (path_.empty()) return;
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error) throw InputError("--output", "", path_, "must be a folder that can be written");
+  if (error) throw InputError("--output", "", path_, words::not_a_folder);
 }
 
 PictureFolder::~PictureFolder() {
@@ -86,11 +87,9 @@ void draw_pictures(Reproduction& r, const PictureFolder& folder) {
     if (!folder.temporary()) write_file(folder.path() + "/" + f.id + ".csv", figure_csv(f));
   }
   if (!r.open) return;
-  map_picture(r, folder, "future-eccentricity-angle", "Basins by eccentricity and ball angle",
-              r.open->eccentricity_and_angle);
-  map_picture(r, folder, "future-eccentricity-mass", "Outcomes by eccentricity and ball mass",
-              r.open->eccentricity_and_mass);
-  charts("future-box", "Balanced share of starts in an eight-dimensional box and at rest", {box_chart(*r.open)});
+  map_picture(r, folder, "future-eccentricity-angle", words::eccentricity_and_angle, r.open->eccentricity_and_angle);
+  map_picture(r, folder, "future-eccentricity-mass", words::eccentricity_and_mass, r.open->eccentricity_and_mass);
+  charts("future-box", words::box_and_rest, {box_chart(*r.open)});
 }
 
 void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,

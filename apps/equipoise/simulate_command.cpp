@@ -16,6 +16,8 @@
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -28,7 +30,7 @@ struct SimulateArguments {
 };
 
 double time_option(const char* option, const std::string& text, const Study& study) {
-  return option_time(option, text, study, 0.0, last_output_time, "a number from 0 to 1e9");
+  return option_time(option, text, study, 0.0, last_output_time, words::time_range);
 }
 
 // "T,T,..."
@@ -46,19 +48,17 @@ std::vector<double> parse_times(const std::string& text, const Study& study) {
 std::vector<double> output_times(const SimulateArguments& a, const Study& study) {
   if (!a.at.empty()) {
     std::vector<double> times;
-    if (a.every || a.until) throw InputError("--at", "", "", "give either --at or --every and --until, not both");
+    if (a.every || a.until) throw InputError("--at", "", "", words::at_or_every);
     for (const std::string& text : a.at)
       for (const double time : parse_times(text, study)) times.push_back(time);
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i] > times[i - 1]))
-        throw InputError("--at", "", fmt::format("{}", times[i]),
-                         fmt::format("times out of order: must be later than {}", times[i - 1]));
+        throw InputError("--at", "", fmt::format("{}", times[i]), fmt::format(words::times_out_of_order, times[i - 1]));
     return times;
   }
   std::optional<double> until, every;
   if (a.until) until = time_option("--until", *a.until, study);
-  if (a.every)
-    every = option_time("--every", *a.every, study, 1e-300, last_output_time, "a number greater than 0, at most 1e9");
+  if (a.every) every = option_time("--every", *a.every, study, 1e-300, last_output_time, words::step_range);
   try {
     return equipoise::output_times(study, until, every);
   } catch (const InputError& e) {
@@ -72,14 +72,14 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 void check_output(const std::string& path) {
   if (!path.empty() && !ends_with(path, ".csv") && !ends_with(path, ".nc"))
-    throw InputError("--output", "", path, "must be a file name ending in .csv or .nc");
+    throw InputError("--output", "", path, words::ends_in_csv_or_nc);
   require_writable("--output", path);
 }
 
 // By the time reached: at constant speed all of it costs the same.
 WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& times,
                    std::chrono::steady_clock::time_point begin) {
-  WorkLeft left{trajectory.t.size(), times.size(), "rows"};
+  WorkLeft left{trajectory.t.size(), times.size(), words::rows};
   const double reached = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (reached > 0.0) left.seconds = taken * (times.back() / reached - 1.0);
@@ -90,9 +90,8 @@ int run_simulate(const SimulateArguments& a) {
   begin_time(a.within);
   std::vector<std::string> overrides = a.overrides;
   if (a.tolerance)
-    overrides.push_back(
-        fmt::format("numerics.tolerance={}",
-                    option_number<double>("--tolerance", *a.tolerance, 1e-14, 1e-2, "a number from 1e-14 to 1e-2")));
+    overrides.push_back(fmt::format("numerics.tolerance={}", option_number<double>("--tolerance", *a.tolerance, 1e-14,
+                                                                                   1e-2, words::tolerance_range)));
   const Study study = at_medians(read_study(a.study, overrides));
   const std::vector<double> times = output_times(a, study);
   check_output(a.output);
@@ -110,15 +109,17 @@ int run_simulate(const SimulateArguments& a) {
   }
   for (const std::string& note : {held_text(study), coincident_text(study)})
     if (!note.empty()) say(note);
-  if (study.speed.law == model::SpeedLaw::published) say("published speed law, psi = t Omega(t)");
+  if (study.speed.law == model::SpeedLaw::published) say(words::published_law);
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();
   if (trajectory.stopped) {
-    say("stopped after t = {}; the rows so far are kept", last);
+    say(words::simulation_stopped, last);
     return ended_early(rows_left(trajectory, times, begin), nullptr, "");
   }
   if (trajectory.status != IntegrationStatus::done) {
-    say("the trajectory {} after t = {}; the rows so far are kept",
-        trajectory.status == IntegrationStatus::diverged ? "diverged" : "could not be integrated further", last);
+    if (trajectory.status == IntegrationStatus::diverged)
+      say(words::diverged, last);
+    else
+      say(words::not_integrated, last);
     return failed;
   }
   return done;
@@ -128,19 +129,14 @@ int run_simulate(const SimulateArguments& a) {
 
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option("--at", a->at, "times, separated by commas (in 1/omega_c, or with units: 2 s)")
-      ->take_all()
-      ->type_name("T,T,...");
-  app.add_option("--every", a->every, "time between rows (the same)")->type_name("DT");
-  app.add_option("--until", a->until, "last time (the same)")->type_name("T");
-  app.add_option("--tolerance", a->tolerance, "relative error allowed per step (default 1e-12)")->type_name("E");
-  app.add_option("-o,--output", a->output, "write here (.csv or .nc) instead of CSV on standard output")
-      ->type_name("FILE");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--at", a->at, help::simulate::at)->take_all()->type_name("T,T,...");
+  app.add_option("--every", a->every, help::simulate::every)->type_name("DT");
+  app.add_option("--until", a->until, help::simulate::until)->type_name("T");
+  app.add_option("--tolerance", a->tolerance, help::simulate::tolerance)->type_name("E");
+  app.add_option("-o,--output", a->output, help::simulate::output)->type_name("FILE");
   add_within(app, a->within);
-  app.add_option("--set", a->overrides, "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  app.add_option("--set", a->overrides, help::simulate::set)->type_name("KEY=VALUE")->take_all();
   return [a] { return run_simulate(*a); };
 }
 

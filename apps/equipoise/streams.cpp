@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "commands.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -82,7 +83,7 @@ int close_output(int code) {
   if (output_error == 0 && (lost || !closed)) output_error = errno != 0 ? errno : EIO;
   if (output_error == 0) return code;
   if (output_error == EPIPE) return 128 + SIGPIPE;
-  say("standard output cannot be written: {}", std::strerror(output_error));
+  say(words::output_not_writable, std::strerror(output_error));
   return failed;
 }
 

@@ -28,6 +28,8 @@
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "team.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -50,9 +52,7 @@ void put_sweep(const ResultForms& a, const SweepResult& result, const std::funct
                 [&] { return sweep_html(result, machine()); }});
 }
 
-constexpr FormWords sweep_words{
-    "one line per cell and outcome (.csv)",
-    "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot"};
+constexpr FormWords sweep_words{help::sweep::csv, help::sweep::plot};
 
 // "2/8": the second of eight.
 void read_shard(const std::string& text, SweepOptions& options) {
@@ -66,7 +66,7 @@ void read_shard(const std::string& text, SweepOptions& options) {
     good = read.ec == std::errc() && read.ptr == end;
   }
   if (!good || number < 1 || number > options.shards || options.shards > most_sweep_cells)
-    throw InputError("--shard", "", display_text(text), "must be I/N with I from 1 to N, e.g. 2/8");
+    throw InputError("--shard", "", display_text(text), words::shard_form);
   options.shard = number - 1;
 }
 
@@ -80,16 +80,11 @@ SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   CellRequest request;
   request.limit_given = a.starts.has_value();
   if (a.half_width)
-    request.half_width =
-        option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, "a fraction of one from 1e-6 to 0.5");
+    request.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, words::half_width_range);
   if (a.transients) request.transients = true;
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
-  if (a.over.empty() && !own)
-    throw InputError(
-        "--over", "", "",
-        "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and "
-        "its values, e.g. speed.final=1.5:6:0.1");
+  if (a.over.empty() && !own) throw InputError("--over", "", "", words::nothing_varied);
   const std::string where = own ? fmt::format("{}: [sweep] over", study.name) : "--over";
   const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
   return SweepPlan(source, axes, request, where);
@@ -97,8 +92,7 @@ SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
 
 void check_outputs(const SweepArguments& a, const SweepOptions& options) {
   check_forms(a);
-  if (options.shards > 1 && a.output.empty())
-    throw InputError("--shard", "", a.shard, "needs -o: the file that is merged with those of the other shards");
+  if (options.shards > 1 && a.output.empty()) throw InputError("--shard", "", a.shard, words::shard_needs_output);
 }
 
 SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options,
@@ -111,7 +105,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
       if (told != Clock::time_point{} && Clock::now() - told < lines_apart) return;
       told = Clock::now();
       const Share& balanced = cell.outcomes.front().share;
-      put_error(fmt::format("{}: {} starts, balanced {} ({}), undecided {}\n", plan.title_of(index), cell.starts,
+      put_error(fmt::format(words::cell_done, plan.title_of(index), cell.starts,
                             percent(balanced.share, digits_for(balanced)), interval(balanced),
                             percent(cell.undecided.share, 2)));
     };
@@ -123,10 +117,7 @@ int run_sweep(const SweepArguments& a) {
   Team team;
   const bool same = team.have_same(a.shard);
   if (!same && !team.leads()) return bad_input;
-  if (!same)
-    throw InputError("--shard", "", a.shard,
-                     "is not what the other processes of the job were given; must be the same for all, which share the "
-                     "work of that part (start processes that have a part each without mpirun)");
+  if (!same) throw InputError("--shard", "", a.shard, words::different_shards);
   SweepOptions options;
   options.output = a.output;
   options.stop = &stop_flag();
@@ -164,26 +155,15 @@ int run_merge(const MergeArguments& a) {
 
 Command add_sweep(CLI::App& app) {
   const auto a = std::make_shared<SweepArguments>();
-  app.add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY");
-  app.add_option(
-         "--over", a->over,
-         "a parameter and its values, e.g. speed.final=1.5:6:0.1, balancer.drag=0.01,0.05,0.1, \"speed.final=900 "
-         "rpm:4000 rpm:100 rpm\"; up to three times (default: what [sweep] of the study says)")
-      ->type_name("KEY=VALUES")
-      ->take_all();
-  app.add_flag("--zip", a->zip, "the parameters vary together, step by step, instead of in all combinations");
-  app.add_option("--starts", a->starts, "number of starts of every cell (with --half-width: at most so many)")
-      ->type_name("N");
-  app.add_option("--seed", a->seed, "seed of the starts, which are the same in every cell")->type_name("S");
-  app.add_option("--half-width", a->half_width,
-                 "sample in every cell until every share's 95 % interval is within +- H (a fraction of one)")
-      ->type_name("H");
-  app.add_flag("--transients", a->transients, "peak vibration and other transients (default where the study has [limits])");
-  app.add_option("-o,--output", a->output,
-                 "all cells as NetCDF (.nc), kept as they come; the same command goes on from it")
-      ->type_name("FILE");
-  app.add_option("--shard", a->shard, "only the I-th of N parts of the work, to be merged (equipoise merge)")
-      ->type_name("I/N");
+  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  app.add_option("--over", a->over, help::sweep::over)->type_name("KEY=VALUES")->take_all();
+  app.add_flag("--zip", a->zip, help::zip);
+  app.add_option("--starts", a->starts, help::sweep::starts)->type_name("N");
+  app.add_option("--seed", a->seed, help::sweep::seed)->type_name("S");
+  app.add_option("--half-width", a->half_width, help::sweep::half_width)->type_name("H");
+  app.add_flag("--transients", a->transients, help::sweep::transients);
+  app.add_option("-o,--output", a->output, help::sweep::output)->type_name("FILE");
+  app.add_option("--shard", a->shard, help::sweep::shard)->type_name("I/N");
   add_forms(app, *a, sweep_words);
   add_text_style(app);
   add_overrides(app, a->overrides);
@@ -193,10 +173,8 @@ Command add_sweep(CLI::App& app) {
 
 Command add_merge(CLI::App& app) {
   const auto a = std::make_shared<MergeArguments>();
-  app.add_option("files", a->files, "files of one sweep (.nc), or unfinished parts of them (.nc.part)")
-      ->required()
-      ->type_name("FILE");
-  app.add_option("-o,--output", a->output, "the merged file (.nc)")->type_name("FILE")->required();
+  app.add_option("files", a->files, help::merge::files)->required()->type_name("FILE");
+  app.add_option("-o,--output", a->output, help::merge::output)->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
   add_text_style(app);
   return [a] { return run_merge(*a); };

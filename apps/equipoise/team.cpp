@@ -25,6 +25,7 @@
 #include "job.hpp"
 #include "post.hpp"
 #include "time_limit.hpp"
+#include "words.hpp"
 
 #ifdef EQUIPOISE_MPI
 
@@ -85,7 +86,7 @@ void members(B& b, T& t) {
 }
 
 void require_whole(const BytesIn& in) {
-  if (!in.whole()) throw RunError("a message between processes was cut short");
+  if (!in.whole()) throw RunError(words::message_cut_short);
 }
 
 Asked asked_in(BytesIn& question) {
@@ -405,7 +406,7 @@ void Team::dismiss() {
 
 class Post {};
 
-std::string mpi_text() { return "not built in"; }
+std::string mpi_text() { return words::mpi_not_built_in; }
 bool has_mpi() { return false; }
 
 Team::Team() = default;

@@ -8,6 +8,8 @@
 
 #include "equipoise/running/deadline.hpp"
 #include "streams.hpp"
+#include "help.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -26,28 +28,25 @@ Time& time_given() {
 
 // "475392 of 3000000 starts are done; the rest takes about 26 s more"
 std::string left_text(const std::optional<WorkLeft>& left) {
-  constexpr const char* unknown = "how long the rest takes is not known yet";
-  if (!left) return unknown;
-  if (left->total == 0) return fmt::format("it was at \"{}\"; {}", left->what, unknown);
-  const std::string done = fmt::format("{} of {} {} are done", left->done, left->total, left->what);
-  if (!left->seconds) return fmt::format("{}; {}", done, unknown);
-  return fmt::format("{}; the rest takes about {} more", done, duration_text(*left->seconds));
+  if (!left) return words::rest_unknown;
+  if (left->total == 0) return fmt::format(words::was_at, left->what, words::rest_unknown);
+  const std::string done = fmt::format(words::part_done, left->done, left->total, left->what);
+  if (!left->seconds) return fmt::format("{}; {}", done, words::rest_unknown);
+  return fmt::format(words::rest_takes, done, duration_text(*left->seconds));
 }
 
 std::string going_on(Keeper keeper, const std::string& output) {
   if (!output.empty() && (std::filesystem::exists(output) || std::filesystem::exists(output + ".part")))
-    return fmt::format("the same command goes on from {}", output);
-  if (!output.empty()) return fmt::format("nothing is in {} yet", output);
-  if (keeper) return fmt::format("with {} the same command would go on from here", keeper);
-  return "this command keeps nothing between runs: give it more time";
+    return fmt::format(words::goes_on_from, output);
+  if (!output.empty()) return fmt::format(words::nothing_yet, output);
+  if (keeper) return fmt::format(words::would_go_on, keeper);
+  return words::keeps_nothing;
 }
 
 }  // namespace
 
 void add_within(CLI::App& app, std::optional<std::string>& within) {
-  app.add_option("--within", within,
-                 "stop after this time with what is known by then, marked partial: 90, 60s, 10min, 1.5h")
-      ->type_name("TIME");
+  app.add_option("--within", within, help::within)->type_name("TIME");
 }
 
 void begin_time(const std::optional<std::string>& within) {
@@ -71,10 +70,10 @@ bool time_is_limited() { return time_given().deadline.has_value(); }
 
 int ended_early(const std::optional<WorkLeft>& left, Keeper keeper, const std::string& output) {
   if (!time_is_limited() || !(time_given().deadline->over() || time_given().half_used)) {
-    if (keeper) say("stopped; {}", going_on(keeper, output));
+    if (keeper) say(words::stopped, going_on(keeper, output));
     return interrupted;
   }
-  say("time over (--within {}): {}; {}", time_given().given, left_text(left), going_on(keeper, output));
+  say(words::time_over, time_given().given, left_text(left), going_on(keeper, output));
   return out_of_time;
 }
 

@@ -7,6 +7,7 @@
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -19,7 +20,7 @@ AttractorsResult attractors(const Study& asked, const AttractorsOptions& options
   search.transients = options.transients.value_or(false);  // [limits] do not affect the motions
   if (options.progress)
     search.progress = [&](Progress p) {
-      if (!p.preparing) p.what = "starts searched";
+      if (!p.preparing) p.what = words::runs::starts_searched;
       p.balanced.reset();
       options.progress(p);
     };

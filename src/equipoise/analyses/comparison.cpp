@@ -15,6 +15,7 @@
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -23,23 +24,22 @@ namespace {
 std::string why_not_common(const BasinOutcomes& first, const BasinOutcomes& second) {
   const Study &a = first.study, &b = second.study;
   const auto method = [](const Study& s) { return s.sampling.method.value_or(SamplingMethod::random); };
-  if (a.parameters.balls != b.parameters.balls) return "they have different numbers of balls";
-  if (first.own_starts != second.own_starts) return "they were not given the same starts";
-  if (a.sampling.seed != b.sampling.seed) return "their seeds differ";
-  if (method(a) != method(b)) return "their sampling methods differ";
-  if (a.parameters.contact_angle != b.parameters.contact_angle) return "their balls take different room";
+  if (a.parameters.balls != b.parameters.balls) return words::runs::different_balls;
+  if (first.own_starts != second.own_starts) return words::runs::different_starts;
+  if (a.sampling.seed != b.sampling.seed) return words::runs::different_seeds;
+  if (method(a) != method(b)) return words::runs::different_methods;
+  if (a.parameters.contact_angle != b.parameters.contact_angle) return words::runs::different_room;
   for (const BoxSide& side : box_sides) {
     const auto &left = a.sampling.box.*side.side, &right = b.sampling.box.*side.side;
     if (left.has_value() != right.has_value() || (left && (left->low != right->low || left->high != right->high)))
-      return "their sampling boxes differ";
+      return words::runs::different_boxes;
   }
   return "";
 }
 
 void refuse_grid(const Study& study) {
   if (study.sampling.method == SamplingMethod::grid)
-    throw InputError(study.name, "sampling.method", "grid",
-                     "starts on a grid have weights; comparisons need \"random\" or \"sobol\"");
+    throw InputError(study.name, "sampling.method", "grid", words::runs::grid_has_weights);
 }
 
 // The outcomes of both studies as one list: motions of the first, those of the second alone, then outcomes without a

@@ -16,6 +16,7 @@
 #include "equipoise/spin_up/given_starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -25,9 +26,10 @@ void check_angles(const Study& study, const std::vector<double>& phi) {
   const auto balls = static_cast<std::size_t>(study.parameters.balls);
   if (phi.size() % balls != 0)
     throw InputError("ball angles", "", fmt::format("{} numbers", phi.size()),
-                     fmt::format("must be {} a start", balls));
+                     fmt::format(words::runs::angles_a_start, balls));
   for (const double angle : phi)
-    if (!std::isfinite(angle)) throw InputError("ball angles", "", fmt::format("{}", angle), "must be finite numbers");
+    if (!std::isfinite(angle))
+      throw InputError("ball angles", "", fmt::format("{}", angle), words::runs::finite_numbers);
 }
 
 }  // namespace
@@ -46,9 +48,9 @@ Ensemble::Ended Ensemble::starts(std::uint64_t first, std::size_t count) {
   const Sampler sampler = sampler_of(study_);
   if (sampler.grid() && (first > sampler.grid()->starts() || count > sampler.grid()->starts() - first))
     throw InputError(study_.name, "start index", fmt::format("{}", first + count),
-                     fmt::format("must be at most {}, the starts of this grid", sampler.grid()->starts()));
+                     fmt::format(words::runs::grid_start_count, sampler.grid()->starts()));
   Ended ended;
-  if (!runner_->run(first, count, ended)) throw RunError("stopped before the starts were decided");
+  if (!runner_->run(first, count, ended)) throw RunError(words::runs::stopped_before_starts);
   runner_->settle(ended);
   return ended;
 }

@@ -17,6 +17,7 @@
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -29,10 +30,11 @@ void check_settings(const Study& study, const ObservationSettings& s) {
   const auto reject = [&](const char* key, double value, const char* problem) {
     throw InputError(study.name, key, fmt::format("{}", value), problem);
   };
-  if (s.starts == 0) reject("observation starts", 0.0, "must be 1 or more");
-  if (!(s.window > 0.0) || !std::isfinite(s.window)) reject("observation window", s.window, "must be finite, above 0");
+  if (s.starts == 0) reject("observation starts", 0.0, words::runs::one_or_more);
+  if (!(s.window > 0.0) || !std::isfinite(s.window))
+    reject("observation window", s.window, words::runs::finite_above_zero);
   if (!(s.until >= s.window) || !std::isfinite(s.until))
-    reject("observation end", s.until, "must be finite and leave room for one window");
+    reject("observation end", s.until, words::runs::room_for_a_window);
 }
 
 class Observer {

@@ -14,6 +14,7 @@
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -82,7 +83,7 @@ class PickFreeze {
       if (i % (keys_ + 2) < 2) balanced_ += balanced;
       result_.undecided += fate.outcome == Outcome::undecided;
     }
-    if (options_.progress) options_.progress({rows_.rows(), options_.rows, "rows of the sensitivity", {}});
+    if (options_.progress) options_.progress({rows_.rows(), options_.rows, words::runs::sensitivity_rows, {}});
   }
 
   void name_indices(const Study& study) {
@@ -107,11 +108,7 @@ class PickFreeze {
 }  // namespace
 
 void check_sensitivity(const Study& study) {
-  if (study.uncertain.empty())
-    throw InputError(
-        study.name, "", "",
-        "has no uncertain value; the sensitivity is that to values such as rotor.eccentricity = { uniform = "
-        "[0.005, 0.015] }");
+  if (study.uncertain.empty()) throw InputError(study.name, "", "", words::runs::no_uncertain_value);
   check_runnable(study, false);
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "equipoise/trapping_regions/coasting_region.hpp"
+#include "equipoise/words/motions.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -32,7 +34,8 @@ class EndsOfCoasting final : public TrappingRegions {
 int list_ends(const model::System& system, Catalogue& catalogue) {
   Motion balanced = measured_motion();
   balanced.set_valued = system.events().stick;
-  catalogue.add({balanced_id, balanced.set_valued ? "balanced, stuck" : "balanced", "", balanced, {}});
+  catalogue.add(
+      {balanced_id, balanced.set_valued ? words::motions::balanced_stuck : words::motions::balanced, "", balanced, {}});
   return catalogue.add({"stalled", "", 0}, measured_motion());
 }
 
@@ -43,7 +46,7 @@ AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
   AttractorSearch result;
   result.balanced = analyse_balanced(system, stop);
   std::string& note = result.balanced.note;
-  if (note.empty()) note = "no torque acts in the end, and which speed the rotor keeps is not known beforehand";
+  if (note.empty()) note = words::runs::unknown_end;
   ClassificationRule& rule = result.rule = first_rule(study, result.balanced, system);
   const double horizon = *study.numerics.horizon;
   // Windows must be long enough to show slow losses of speed.

@@ -14,6 +14,7 @@
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -138,7 +139,7 @@ bool PilotRun::decide(std::size_t count, const ClassificationRule& rule, double 
   const std::size_t chunk = chunk_for(threads);
   states_ = begin_;
   std::atomic<bool> complete{true};
-  stages.begin("pilot trajectories", count);
+  stages.begin(words::runs::pilot_trajectories, count);
   in_parallel(threads, (count + chunk - 1) / chunk, [&](std::size_t k) {
     const std::size_t first = k * chunk, length = std::min(chunk, count - first);
     BatchTask task = task_;

@@ -5,6 +5,7 @@
 #include "equipoise/attractors/motion_bytes.hpp"
 #include "equipoise/classification/pilot.hpp"
 #include "equipoise/classification/window_features.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -37,7 +38,7 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
       settings(asked),
       drawn(drawing),
       notes(asked.notes, subject),
-      stages("looking for attractors", asked.progress),
+      stages(words::runs::looking_for_attractors, asked.progress),
       trials{.system = &system,
              .tolerance = source.tolerance(),
              .threads = asked.threads,

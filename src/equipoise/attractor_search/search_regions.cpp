@@ -13,6 +13,7 @@
 #include "equipoise/trapping_regions/path_region.hpp"
 #include "equipoise/trapping_regions/torus_region.hpp"
 #include "equipoise/trapping_regions/validated_level.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -29,7 +30,7 @@ constexpr double slowest_worth_widening = 1e-3;
 }  // namespace
 
 void SearchRegions::find_balanced() {
-  s_.stages.begin("balanced states");
+  s_.stages.begin(words::runs::balanced_states);
   BalancedAnalysis& balanced = s_.result.balanced;
   balanced = analyse_balanced(s_.system, s_.settings.stop, s_.settings.warm_start_levels.weights);
   if (s_.drawn) draw_rotors(balanced);

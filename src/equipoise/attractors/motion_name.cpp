@@ -11,6 +11,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/words/motions.hpp"
 
 namespace equipoise {
 
@@ -55,22 +56,23 @@ struct Topology {
 std::string suffix(const Motion& motion, int turns) {
   if (never_repeats(motion.kind)) return fmt::format(", {}", name_of(motion.kind));
   if (motion.depends_on_angle)
-    return fmt::format(", back after {} strobe{}", motion.sections, motion.sections > 1 ? "s" : "");
-  return turns > 1 ? fmt::format(", period {}", turns) : "";
+    return fmt::format(words::motions::back_after, motion.sections, motion.sections > 1 ? "s" : "");
+  return turns > 1 ? fmt::format(words::motions::period, turns) : "";
 }
 
 // "", " together" (all `count` of them), " (2 together)", " (3 and 2 together)".
 std::string grouping(const std::vector<int>& groups, int count) {
   if (groups.empty()) return "";
-  if (groups.front() == count) return " together";
+  if (groups.front() == count) return words::motions::all_together;
   std::string text;
   for (const int size : groups) text += fmt::format("{}{}", text.empty() ? "" : " and ", size);
-  return fmt::format(" ({} together)", text);
+  return fmt::format(words::motions::some_together, text);
 }
 
 MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
-  return model::off_balance(p, motion.state[0], motion.state[1]) < centred ? MotionName{"balanced", "", balanced}
-                                                                           : MotionName{"locked", "", locked};
+  return model::off_balance(p, motion.state[0], motion.state[1]) < centred
+             ? MotionName{words::motions::balanced, "", balanced}
+             : MotionName{words::motions::locked, "", locked};
 }
 
 // Motions in step with the rotor: all balls captured; or all left behind by a turn every turn, at rest in space except
@@ -88,43 +90,46 @@ bool hangs(const model::Parameters& p, const Motion& motion) {
 }
 
 MotionName name_of_one(const Motion& motion, const Topology& topology) {
-  return {(topology.captured ? "captured" : "drifting") + suffix(motion, topology.turns), "", other};
+  return {(topology.captured ? words::motions::captured : words::motions::drifting) + suffix(motion, topology.turns),
+          "", other};
 }
 
 MotionName name_of_two(const Motion& motion, const Topology& topology) {
   const std::string ending = suffix(motion, topology.turns);
-  if (topology.captured == 2) return {"both captured" + ending, "", other};
+  if (topology.captured == 2) return {words::motions::both_captured + ending, "", other};
   if (topology.captured == 1) {
     if (motion.depends_on_angle)
-      return {"one captured" + ending, "", other};  // V3 and V4 are motions of isotropic rotors
-    if (motion.kind == MotionKind::periodic && topology.turns == 1) return {"one captured", "V3", one_captured};
-    if (motion.kind == MotionKind::periodic && topology.turns == 4) return {"one captured" + ending, "V4", period_four};
-    return {"one captured" + ending, "", other};
+      return {words::motions::one_captured + ending, "", other};  // V3 and V4 are motions of isotropic rotors
+    if (motion.kind == MotionKind::periodic && topology.turns == 1)
+      return {words::motions::one_captured, "V3", one_captured};
+    if (motion.kind == MotionKind::periodic && topology.turns == 4)
+      return {words::motions::one_captured + ending, "V4", period_four};
+    return {words::motions::one_captured + ending, "", other};
   }
-  if (topology.rates > 1) return {"drifting at different rates", "", other};
+  if (topology.rates > 1) return {words::motions::different_rates, "", other};
   if (topology.clusters == 1 || motion.together)
-    return ending.empty() ? MotionName{"co-drifting", "V1", co_drifting}
-                          : MotionName{"co-drifting" + ending, "", other};
+    return ending.empty() ? MotionName{words::motions::co_drifting, "V1", co_drifting}
+                          : MotionName{words::motions::co_drifting + ending, "", other};
   // A pair that swings once a turn or more often follows the unbalance.
   if (motion.oppositions_per_turn > twice_a_turn)
-    return motion.kind == MotionKind::chaotic ? MotionName{"pair drift" + ending, "", other}
-                                              : MotionName{"pair drift", "", pair_drift};
-  return motion.depends_on_angle ? MotionName{"drifting apart" + ending, "", other}
-                                 : MotionName{"drifting apart", "V2", drifting_apart};
+    return motion.kind == MotionKind::chaotic ? MotionName{words::motions::pair_drift + ending, "", other}
+                                              : MotionName{words::motions::pair_drift, "", pair_drift};
+  return motion.depends_on_angle ? MotionName{words::motions::drifting_apart + ending, "", other}
+                                 : MotionName{words::motions::drifting_apart, "V2", drifting_apart};
 }
 
 MotionName name_of_many(const Motion& motion, const Topology& topology) {
   const std::string ending = suffix(motion, topology.turns);
   const std::string together = grouping(topology.drifting_groups, topology.drifting);
-  if (topology.drifting == 0) return {"all captured" + ending, "", other};
+  if (topology.drifting == 0) return {words::motions::all_captured + ending, "", other};
   if (topology.captured > 0) {
-    return {fmt::format("{} captured{}, {} drifting{}{}", topology.captured,
+    return {fmt::format(words::motions::some_captured, topology.captured,
                         grouping(topology.captured_groups, topology.captured), topology.drifting, together, ending),
             "", other};
   }
-  if (topology.rates > 1) return {"drifting at different rates" + together + ending, "", other};
-  if (topology.clusters == 1 || motion.together) return {"co-drifting" + ending, "", other};
-  return {"drifting apart" + together + ending, "", other};
+  if (topology.rates > 1) return {words::motions::different_rates + together + ending, "", other};
+  if (topology.clusters == 1 || motion.together) return {words::motions::co_drifting + ending, "", other};
+  return {words::motions::drifting_apart + together + ending, "", other};
 }
 
 }  // namespace
@@ -151,18 +156,19 @@ bool captured_at_resonance(const model::System& system, const Motion& motion) {
 std::string of_the_rotor(const model::Parameters& p, const Motion& motion) {
   if (!motion.motor) return "";
   const model::System system = system_of(p, motion);
-  std::string text = captured_at_resonance(system, motion) ? ", captured at resonance" : "";
-  if (system.pace() * motion.speed < 0.0) text += ", backwards";
+  std::string text = captured_at_resonance(system, motion) ? words::motions::at_resonance : "";
+  if (system.pace() * motion.speed < 0.0) text += words::motions::backwards;
   return text;
 }
 
 MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
   if (motion.stuck)
-    return motion.balanced ? MotionName{"balanced, stuck", "", balanced} : MotionName{"locked, stuck", "", locked};
-  if (motion.depends_on_angle && motion.balanced) return {"balanced", "", balanced};
+    return motion.balanced ? MotionName{words::motions::balanced_stuck, "", balanced}
+                           : MotionName{words::motions::locked_stuck, "", locked};
+  if (motion.depends_on_angle && motion.balanced) return {words::motions::balanced, "", balanced};
   if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
-  if (keeps_step(p, motion)) return {"locked", "", locked};
-  if (hangs(p, motion)) return {"hanging" + (motion.sections > 1 ? suffix(motion, 0) : ""), "", other};
+  if (keeps_step(p, motion)) return {words::motions::locked, "", locked};
+  if (hangs(p, motion)) return {words::motions::hanging + (motion.sections > 1 ? suffix(motion, 0) : ""), "", other};
   const Topology topology(p, motion);
   return p.balls == 1   ? name_of_one(motion, topology)
          : p.balls == 2 ? name_of_two(motion, topology)

@@ -16,6 +16,7 @@
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/mechanics/room_in_race.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 
@@ -61,10 +62,8 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   result.stable = survey.attracts() || !rests;
   result.growth_rate = survey.most_growth;
   if (!result.stable && survey.drawn > 0)
-    result.note = fmt::format(
-        "the balanced states form a continuum, and all {} drawn evenly from it are unstable at speed {} (growth rates "
-        "{:.3g} to {:.3g})",
-        survey.drawn, at.speed, survey.least_growth, survey.most_growth);
+    result.note =
+        fmt::format(words::proof::all_drawn_unstable, survey.drawn, at.speed, survey.least_growth, survey.most_growth);
   if (!rests || survey.drawn == 0 || is_set(stop)) return;
   if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
 }
@@ -72,20 +71,16 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
 // What keeps the balanced state from resting, and how much of that the motion that it becomes survives.
 std::string lost_motion(const model::Parameters& p, double reached) {
   const bool gravity = p.gravity != 0.0, unequal = !p.isotropic();
-  return fmt::format(
-      "no balanced motion was found: the one that the balanced state becomes as {} switched on can be followed to "
-      "{:.2g} % of {}",
-      gravity && unequal ? "gravity and the supports' difference are"
-      : gravity          ? "gravity is"
-                         : "the supports' difference is",
-      100.0 * reached, gravity && unequal ? "both" : "it");
+  return fmt::format(words::proof::motion_lost,
+                     gravity && unequal ? words::proof::gravity_and_supports
+                     : gravity          ? words::proof::gravity_is
+                                        : words::proof::supports_are,
+                     100.0 * reached, gravity && unequal ? "both" : "it");
 }
 
 std::string instability(const BalancedAnalysis& result, double speed) {
-  if (result.growth_rate > least_rate)
-    return fmt::format("the balanced state exists but is unstable at speed {} (growth rate {:.3g})", speed,
-                       result.growth_rate);
-  return fmt::format("the balanced state exists but is not linearly stable at speed {} (largest rate 0)", speed);
+  if (result.growth_rate > least_rate) return fmt::format(words::proof::unstable, speed, result.growth_rate);
+  return fmt::format(words::proof::not_linearly_stable, speed);
 }
 
 void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector<ModeWeight>& known,
@@ -141,7 +136,7 @@ BalancedAnalysis analyse_balanced(const model::System& system, const StopFlag* s
   result.states = model::balanced_states(system, any_speed);
   const Balance at{system, model::balanced_speed(system).value_or(0.0)};
   if (result.states.kind == Kind::none) {
-    result.note = "no balanced state exists: " + result.states.reason;
+    result.note = fmt::format(words::proof::no_balanced_state, result.states.reason);
   } else if (system.coasts()) {
     result.stable = true;  // or not, depending on the speed that is left
   } else if (system.events().stick) {

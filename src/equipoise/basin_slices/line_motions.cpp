@@ -6,6 +6,8 @@
 #include "equipoise/attractors/motion_bytes.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/stage_progress.hpp"
+#include "equipoise/words/runs.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -34,7 +36,7 @@ LineMotions::LineMotions(const BasinSlice& map, bool columns, const StartRunner&
       lines_(static_cast<std::size_t>(columns ? map.x.pixels : map.y.pixels)),
       length_(static_cast<std::size_t>(columns ? map.y.pixels : map.x.pixels)),
       probes_(probes_of(length_)),
-      page_(notes, "motions along the lines of a map"),
+      page_(notes, words::sweeps::line_notes),
       groups_((lines_ + lines_together - 1) / lines_together) {
   first_note_ = page_.reserve(groups_.size());
 }
@@ -57,8 +59,8 @@ bool LineMotions::look_along(const std::vector<std::uint32_t>& positions, const 
   for (std::size_t g = 0; g < groups_.size(); ++g)
     if (asked[g] && groups_[g].empty()) open.push_back(g);
   if (open.empty()) return true;
-  StageProgress progress("looking for attractors", options.progress);
-  progress.begin("motions along the lines of the map", open.size());
+  StageProgress progress(words::runs::looking_for_attractors, options.progress);
+  progress.begin(words::sweeps::line_motions, open.size());
   in_parallel(map_.threads, open.size(), [&](std::size_t k) {
     if (is_set(options.stop)) return;
     groups_[open[k]] =

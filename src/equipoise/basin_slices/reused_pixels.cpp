@@ -12,6 +12,7 @@
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -34,10 +35,7 @@ void reused_pixels(const std::string& from, const io::SliceFileHeader& header, c
                    const TakePixels& take) {
   const io::SliceReader there(from);
   if (const std::string how = io::difference(there.subject(), io::subject_of(header)); !how.empty())
-    throw InputError(from, "", "",
-                     fmt::format("holds pixels of something else: {}; must be a map of the same study over "
-                                 "the same quantities",
-                                 how));
+    throw InputError(from, "", "", fmt::format(words::sweeps::other_pixels, how));
   std::map<short, MotionName> names;
   for (const OutcomeShare& c : there.codes()) names[c.id] = {c.name, c.alias, c.id < first_free_id ? c.id : 0};
   const std::vector<int> columns = same_centres(header.x, there.x()), rows = same_centres(header.y, there.y());

@@ -7,6 +7,7 @@
 #include "equipoise/basin_slices/basin_slice.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -24,7 +25,7 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   for (const NoAttractor& n : no_attractors)
     if (n.outcome != Outcome::stalled || study.speed.driven()) {
       const bool overlap = n.outcome == Outcome::failed && study.parameters.balls_collide();
-      codes.push_back({n.code, overlap ? "balls would overlap, or failed" : n.name, "", {}});
+      codes.push_back({n.code, overlap ? words::sweeps::balls_would_overlap : n.name, "", {}});
     }
   return codes;
 }

@@ -11,12 +11,11 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/kept_search_log.hpp"
 #include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
 namespace {
-
-constexpr const char* same_map = "must be a new file, or one of the same map";
 
 // A pixel in a record: position, outcome, numbers.
 template <class Bytes, class Position, Like<SlicePixel> Pixel>
@@ -36,7 +35,7 @@ std::size_t pixel_bytes(bool one_rotor) {
 }  // namespace
 
 SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& header)
-    : path_(io::results_path(path, same_map)),
+    : path_(io::results_path(path, words::sweeps::same_map)),
       header_(header),
       size_(static_cast<std::uint64_t>(header.x.pixels) * static_cast<std::uint64_t>(header.y.pixels)),
       journal_(path_ + ".part", path_, io::identity_of(header)) {
@@ -51,11 +50,11 @@ SliceStore::SliceStore(const std::string& path, const io::SliceFileHeader& heade
 }
 
 void SliceStore::require_same(const std::string& there, const std::string& of) const {
-  io::require_same(there, io::identity_of(header_), of, "this map", same_map);
+  io::require_same(there, io::identity_of(header_), of, words::sweeps::this_map, words::sweeps::same_map);
 }
 
 void SliceStore::refuse_part() const {
-  throw InputError(path_ + ".part", "", "", fmt::format("does not belong to {}; must be removed first", path_));
+  throw InputError(path_ + ".part", "", "", fmt::format(words::sweeps::part_of_another, path_));
 }
 
 void SliceStore::open_results() {
@@ -137,7 +136,7 @@ void SliceStore::keep(io::Journal::Record record, const void* payload, std::size
   try {
     journal_.append(record, payload, bytes);
   } catch (const RunError& e) {
-    throw RunError(fmt::format("{}; what was computed before is kept, and the same command goes on from it", e.what()));
+    throw RunError(fmt::format(words::sweeps::kept_so_far, e.what()));
   }
 }
 
@@ -185,8 +184,7 @@ void SliceStore::finish(const std::function<void(const std::string&)>& write, bo
   try {
     write(path_);
   } catch (const RunError& e) {
-    throw RunError(
-        fmt::format("{}; what was computed is kept in {}.part and put in place by the same command", e.what(), path_));
+    throw RunError(fmt::format(words::sweeps::kept_in_part, e.what(), path_));
   }
   io::leave_notes(journal_, complete);
 }

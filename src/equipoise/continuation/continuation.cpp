@@ -17,6 +17,7 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -103,7 +104,7 @@ class Continuation {
       ValueSearch there = attractors_at(line_.study_at(values_[k]), starts_, options_.warm_start_states, options_.stop);
       found_[k] = std::move(there.motions);
       named_[k] = std::move(there.named);
-      report(found_.size(), "values searched");
+      report(found_.size(), words::sweeps::values_searched);
     });
   }
 
@@ -138,7 +139,7 @@ class Continuation {
     in_parallel(threads_, 2 * origins.size(), [&](std::size_t i) {
       Origin& origin = origins[i / 2];
       (i % 2 ? origin.up : origin.down) = follow(origin, i % 2 ? 1 : -1);
-      report(total, "branches followed");
+      report(total, words::sweeps::branches_followed);
     });
     std::vector<Lead> leads;
     for (Origin& origin : origins)

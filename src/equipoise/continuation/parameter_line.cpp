@@ -11,17 +11,9 @@
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
-
-namespace {
-
-constexpr const char* allowed =
-    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
-    "quantities, "
-    "e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
-
-}  // namespace
 
 ParameterLine::ParameterLine(const Study& study, const std::string& text, const std::string& where)
     : study_(with_medians(study)) {
@@ -39,7 +31,7 @@ void ParameterLine::check_at(double value, const std::string& where) const {
   const Study there = study_at(value);
   check_offers(there, model::ResultKind::branches);
   if (const model::System system = there.system(); system.prescribed() && system.speed() == 0.0)
-    throw InputError(where, key_, fmt::format("{}", value), "nothing turns; the final speed must not be 0");
+    throw InputError(where, key_, fmt::format("{}", value), words::sweeps::nothing_turns);
 }
 
 std::optional<double> ParameterLine::half_way(std::size_t value) const {
@@ -57,7 +49,7 @@ std::optional<double> ParameterLine::half_way(std::size_t value) const {
 void ParameterLine::parse(const std::string& text, const std::string& where) {
   const auto reject = [&](const std::string& problem) { throw InputError(where, "", text, problem); };
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) reject(allowed);
+  if (equals == std::string::npos || equals == 0) reject(words::sweeps::line_form);
   key_ = text.substr(0, equals);
   std::vector<double> parts;
   const auto unit = study::unit_of(study_, key_);
@@ -65,15 +57,14 @@ void ParameterLine::parse(const std::string& text, const std::string& where) {
     const std::size_t colon = std::min(text.find(':', at), text.size());
     const study::GivenValue part = study::read_given(text.substr(at, colon - at), unit);
     if (!part.problem.empty() || !std::isfinite(part.value))
-      reject((unit ? part.problem + "; " : std::string()) + allowed);
+      reject((unit ? part.problem + "; " : std::string()) + words::sweeps::line_form);
     parts.push_back(part.value);
     at = colon + 1;
   }
-  if (parts.size() != 3) reject(allowed);
+  if (parts.size() != 3) reject(words::sweeps::line_form);
   const std::string table = key_.substr(0, key_.find('.'));
   if ((table != "rotor" && table != "balancer" && table != "speed") || table == key_ || key_ == "balancer.balls")
-    reject("KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; " +
-           std::string(allowed));
+    reject(fmt::format(words::sweeps::line_key, words::sweeps::line_form));
   const double step = parts[2];
   if (const std::string problem = stepped_values(parts[0], parts[1], step, most_line_values, values_); !problem.empty())
     reject(problem);

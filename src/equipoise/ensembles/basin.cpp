@@ -36,6 +36,7 @@
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -143,9 +144,7 @@ class BasinRun {
     study.sampling.method = method;
     const bool open_ended = options_.half_width > 0.0 && !options_.limit_given;
     if (options_.half_width > 0.0 && method == SamplingMethod::grid)
-      throw InputError(
-          study.name, "sampling.method", "grid",
-          "sampling until a half-width needs \"random\" or \"sobol\": a grid is as large as `starts` says");
+      throw InputError(study.name, "sampling.method", "grid", words::runs::grid_has_its_size);
     sampler_.emplace(sampler_of(study));
     limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
     runner_.reset();

@@ -8,6 +8,7 @@
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -17,9 +18,9 @@ namespace {
 // compilers use it. So bits agree among the sets that have it (AVX2, AVX-512) and among those that lack it. Nothing is
 // known of other machines.
 std::string arithmetic_of(const std::string& target) {
-  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+  if (target == "AVX-512" || target == "AVX2") return words::runs::fused;
 #if defined(__x86_64__)
-  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+  if (target == "SSE4" || target == "scalar") return words::runs::not_fused;
 #endif
   return "of " + target;
 }

@@ -9,6 +9,7 @@
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -24,12 +25,12 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
 void take_own_starts(const BasinOptions& options, Study& study) {
   check_takes_starts(study);
   if (options.half_width > 0.0)
-    throw InputError("starts of one's own", "half_width", fmt::format("{}", options.half_width),
-                     "all of them are followed; must be 0");
+    throw InputError(words::runs::own_starts, "half_width", fmt::format("{}", options.half_width),
+                     words::runs::all_are_followed);
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   if (method != SamplingMethod::random)
     throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
-                     "says how starts are drawn, which are given here; must be left out, or \"random\"");
+                     words::runs::not_drawn_here);
   check_given_starts(study, options.initial);
   study.sampling.method = method;
   study.sampling.starts = options.initial.size();
@@ -60,7 +61,7 @@ std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions
       .threads = threads, .stop = options.stop, .cache = &found, .progress = options.progress};
   const bool searches = study.uncertain.empty();
   if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
-    throw RunError("stopped before the attractors were known");
+    throw RunError(words::runs::stopped_before_attractors);
   return std::make_unique<StartRunner>(study, AttractorSearchSettings{.threads = threads, .cache = &found}, transients);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/percent_text.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -16,9 +17,10 @@ void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt&
   const bool may_hold = result.study.speed.driven() && result.study.release.speed;
   const std::vector<UndecidedEnd> ends = many || may_hold ? undecided() : std::vector<UndecidedEnd>{};
   const std::string held = held_text(ends), held_stalled = may_hold ? held_text(stalled()) : "";
-  if (many) add(fmt::format("{} are undecided: {}", percent_text(share), why_undecided(result.study, horizon, ends)));
-  if (!many && !held.empty()) add("balls of undecided starts are never let go: " + held);
-  if (!held_stalled.empty()) add("balls of stalled starts are never let go: " + held_stalled);
+  if (many)
+    add(fmt::format(words::runs::many_undecided, percent_text(share), why_undecided(result.study, horizon, ends)));
+  if (!many && !held.empty()) add(fmt::format(words::runs::undecided_held, held));
+  if (!held_stalled.empty()) add(fmt::format(words::runs::stalled_held, held_stalled));
 }
 
 }  // namespace equipoise

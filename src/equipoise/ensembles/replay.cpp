@@ -11,6 +11,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -19,8 +20,8 @@ namespace {
 void check_own(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
   check_takes_starts(study);
   if (index >= given.size())
-    throw InputError("starts of one's own", "index", fmt::format("{}", index),
-                     fmt::format("must be below {}, their number", given.size()));
+    throw InputError(words::runs::own_starts, "index", fmt::format("{}", index),
+                     fmt::format(words::runs::own_start_index, given.size()));
   check_given_starts(study, {&given[index], 1});
 }
 
@@ -36,7 +37,7 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   StartRunner runner(study, search_settings(options, options.searches), gathers);
   Decided one;
   if (runner.stopped() || !(own ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
-    throw RunError("stopped before the start was decided");
+    throw RunError(words::runs::stopped_before_start);
   runner.settle(one);
   replay.fate = one.fates.front();
   if (gathers) replay.transients = one.transients.front();

@@ -8,6 +8,7 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -48,7 +49,7 @@ InitialState start_of(const Study& study, std::uint64_t index) {
   const Sampler sampler = sampler_of(study);
   if (sampler.grid() && index >= sampler.grid()->starts())
     throw InputError(study.name, "start index", fmt::format("{}", index),
-                     fmt::format("must be below {}, the starts of this grid", sampler.grid()->starts()));
+                     fmt::format(words::runs::grid_start_index, sampler.grid()->starts()));
   return drawn_start_of(study, sampler, study.sampling.seed, index);
 }
 

@@ -6,6 +6,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -32,9 +33,7 @@ void check_stored(const BasinFile& file, const std::string& path, std::uint64_t 
     for (std::size_t i = 0; i < each; ++i)
       if (!same(fates[i], chunk.fates[i]))
         throw InputError(path, "", "",
-                         fmt::format("start {}, computed with {}, comes out otherwise in this program with {}; must be "
-                                     "a new file, or one that this program and instruction set made",
-                                     first + i, fmt::join(targets, ", "), target));
+                         fmt::format(words::runs::other_results, first + i, fmt::join(targets, ", "), target));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "equipoise/result_files/start_columns.hpp"
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/spin_up/given_starts.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -43,7 +44,7 @@ std::vector<Fate> fates_of(const StartArrays& a) {
   for (std::size_t i = 0; i < fates.size(); ++i) {
     if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fates[i]))
       throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
-                       "must be what basin() told");
+                       words::runs::not_an_outcome);
     if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
     if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
     if (!a.balls_met.empty()) fates[i].met = a.balls_met[i] != 0;
@@ -67,7 +68,7 @@ void check_whole(const BasinResult& result) {
   const std::uint64_t kept = result.every_start ? result.every_start->starts : 0;
   if (result.starts == 0 || kept != result.starts)
     throw InputError("basin file", "every_start", fmt::format("{}", kept),
-                     fmt::format("of {} starts; must be all (keep_starts), and one or more", result.starts));
+                     fmt::format(words::runs::not_all_starts, result.starts));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -14,8 +15,7 @@ void require_cpu_target(const std::string& name, const std::string& where, const
   if (use_cpu_target(name)) return;
   use_cpu_target(before);
   throw InputError(where, key, display_text(name),
-                   fmt::format("must be one of those this program is built for and this machine has: {}",
-                               fmt::join(cpu_targets(), ", ")));
+                   fmt::format(words::runs::no_such_cpu, fmt::join(cpu_targets(), ", ")));
 }
 
 ChosenCpuTarget::ChosenCpuTarget(const std::string& name) {

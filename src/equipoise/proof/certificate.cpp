@@ -13,6 +13,7 @@
 #include "equipoise/mechanics/capability.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/proof/level_proof.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 
@@ -48,7 +49,7 @@ std::pair<Box, Box> halves(const Box& box) {
   return result;
 }
 
-const CertificateResult not_finished{false, "stopped before it was proved"};
+const CertificateResult not_finished{false, words::proof::stopped};
 
 template <ProofKind kind>
 CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
@@ -64,13 +65,12 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
     waiting.pop_back();
     if (proof.outside(work.box)) continue;
     if (is_set(stop)) return not_finished;
-    if (budget-- <= 0) return {false, fmt::format("the boxes allowed do not suffice to prove level {:.6g}", c.level)};
+    if (budget-- <= 0) return {false, fmt::format(words::proof::boxes_used_up, c.level)};
     if (proof.find(work.box)) {
       c.boxes.push_back(work.box);
       continue;
     }
-    if (work.depth >= kind.balls * deepest)
-      return {false, fmt::format("V could not be shown to decrease everywhere below level {:.6g}", c.level)};
+    if (work.depth >= kind.balls * deepest) return {false, fmt::format(words::proof::no_decrease_shown, c.level)};
     // Multipliers vary little from box to box: the halves begin with what was found last.
     auto [first, second] = halves<kind>(work.box);
     waiting.push_back({second, work.depth + 1});
@@ -101,27 +101,23 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
   const LevelProof<kind> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
-  if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0))
-    return {false, "the boxes do not cover the level set, each part of it once"};
+  if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0)) return {false, words::proof::boxes_do_not_cover};
   for (const Box& box : c.boxes) {
     if (is_set(stop)) return not_finished;
-    if (!proof.holds(box))
-      return {false,
-              fmt::format("the box at tau = ({:.4g}, {:.4g}) does not prove that V decreases", box.low[0], box.low[1])};
+    if (!proof.holds(box)) return {false, fmt::format(words::proof::box_does_not_prove, box.low[0], box.low[1])};
   }
   return {true, ""};
 }
 
 std::string refusal(const model::System& system) {
   const model::Parameters& p = system.parameters();
-  if (p.balls < 1 || p.balls > 2)
-    return "three balls or more have a continuum of balanced states; proofs are for isolated ones";
-  if (!std::isfinite(system.speed())) return "the speed must be a finite number";
+  if (p.balls < 1 || p.balls > 2) return words::proof::continuum_of_many;
+  if (!std::isfinite(system.speed())) return words::proof::speed_is_finite;
   if (const auto lack = model::lacking(system, model::ResultKind::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
-  if (states.kind == model::BalancedStates::Kind::none) return "no balanced state exists: " + states.reason;
-  if (states.kind == model::BalancedStates::Kind::continuum)
-    return "without unbalance there is a continuum of balanced states; proofs are for isolated ones";
+  if (states.kind == model::BalancedStates::Kind::none)
+    return fmt::format(words::proof::no_balanced_state, states.reason);
+  if (states.kind == model::BalancedStates::Kind::continuum) return words::proof::continuum_without_unbalance;
   return "";
 }
 
@@ -130,15 +126,14 @@ std::string hopeless(const model::System& system, double speed, const double* ph
                      double level) {
   const int size = system.dimension();
   if (form.rows() != size || form.cols() != size || !form.allFinite())
-    return fmt::format("the form must be a {0} x {0} matrix of finite numbers", size);
-  if (!(level > 0.0) || !std::isfinite(level)) return "the level must be a finite number greater than 0";
-  if (!dense::Cholesky(form).definite()) return "the form is not positive definite";
+    return fmt::format(words::proof::form_size, size);
+  if (!(level > 0.0) || !std::isfinite(level)) return words::proof::level_is_positive;
+  if (!dense::Cholesky(form).definite()) return words::proof::form_not_definite;
   const Eigen::MatrixXd a = model::jacobian(system, model::balanced_state(system, speed, phi));
   const double growth = dense::largest_real_part(a);
-  if (!(growth < 0.0))
-    return fmt::format("the balanced state is not linearly stable at speed {} (growth rate {:.3g})", speed, growth);
+  if (!(growth < 0.0)) return fmt::format(words::proof::state_not_stable, speed, growth);
   const Eigen::MatrixXd fall = -(form * a + a.transpose() * form);
-  if (!dense::Cholesky(fall).definite()) return "V does not decrease along the linearised equations";
+  if (!dense::Cholesky(fall).definite()) return words::proof::no_linear_decrease;
   return "";
 }
 

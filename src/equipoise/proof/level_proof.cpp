@@ -8,6 +8,7 @@
 #include "equipoise/math/krawczyk.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/proof/level_rates.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 
@@ -31,7 +32,7 @@ LevelProof<kind>::LevelProof(const Certificate& c)
     : affine_flow_(flow_of<Flow<Affine>>(c.system())), slope_flow_(flow_of<Flow<Slope>>(c.system())) {
   const auto square = [](const Eigen::MatrixXd& m) { return m.rows() == size && m.cols() == size && m.allFinite(); };
   if (!square(c.form) || !square(c.frame) || !(c.level > 0.0) || !std::isfinite(c.level)) {
-    fault_ = "form, frame or level do not fit the number of balls";
+    fault_ = words::proof::form_frame_level;
     return;
   }
   for (int i = 0; i < size; ++i)
@@ -55,8 +56,8 @@ bool LevelProof<kind>::enclose_speed(const Certificate& c) {
       rest_[4 + n] = speed;
       if constexpr (kind.integral)
         rest_[etas - 1] = (damping * speed - Interval(m.constant) - Interval(m.slope) * speed) / Interval(m.integral);
-      if (!((damping * speed).magnitude() < m.limit)) fault_ = "the motor is at its limit in balance";
-      if (!((speed - Interval(c.speed)).magnitude() < centre_error)) fault_ = "the speed is not that of balance";
+      if (!((damping * speed).magnitude() < m.limit)) fault_ = words::proof::motor_at_limit;
+      if (!((speed - Interval(c.speed)).magnitude() < centre_error)) fault_ = words::proof::other_speed;
     }
     rest_[0] = -x;
     rest_[1] = -y;
@@ -76,9 +77,9 @@ bool LevelProof<kind>::enclose_balance(const Certificate& c) {
   if constexpr (n == 1) {
     balance_[0] = {pi, std::nextafter(pi, 4.0)};
     if (p.mass[0] != p.eccentricity || !p.race_is_centred())
-      fault_ = "one ball balances only what weighs exactly as much as itself";
+      fault_ = words::proof::one_ball_balances;
     else if (!(std::fabs(c.phi[0] - pi) < centre_error))
-      fault_ = "the ball angle does not enclose a balanced state";
+      fault_ = words::proof::angle_encloses_none;
   } else {
     const auto at_rest = [&](const std::array<Slope, n>& angles) {
       const auto f = rates(slope_flow_, angles);
@@ -91,7 +92,7 @@ bool LevelProof<kind>::enclose_balance(const Certificate& c) {
       return race;
     };
     if (!enclose_zero(at_rest, {c.phi[0], c.phi[1]}, centre_error, balance_))
-      fault_ = "the ball angles do not enclose a balanced state";
+      fault_ = words::proof::angles_enclose_none;
   }
   return fault_.empty();
 }
@@ -115,9 +116,9 @@ bool LevelProof<kind>::check_frame(const Certificate& c) {
     Interval sum(0.0);
     for (int j = 0; j < size; ++j) {
       sum = sum + Interval((unit[i][j] - Interval(i == j ? 1.0 : 0.0)).magnitude());
-      if (form[i][j] != form[j][i]) fault_ = "the form is not symmetric";
+      if (form[i][j] != form[j][i]) fault_ = words::proof::form_not_symmetric;
     }
-    if (!(sum.high < frame_error)) fault_ = "the frame does not make the level set of the form the unit ball";
+    if (!(sum.high < frame_error)) fault_ = words::proof::frame_is_not_of_the_form;
   }
   disc_ = ((Interval(1.0) + Interval(level_slack)) / (Interval(1.0) - Interval(frame_error))).high;
 
@@ -125,10 +126,10 @@ bool LevelProof<kind>::check_frame(const Certificate& c) {
     const int row = model::index::phi(i);
     Interval reach(0.0);
     for (int j = 0; j < size; ++j) {
-      if (j < etas && frame_[row][j] != 0.0) fault_ = "the frame lets ball angles depend on more than tau";
+      if (j < etas && frame_[row][j] != 0.0) fault_ = words::proof::frame_mixes_angles;
       reach = reach + square(Interval(frame_[row][j]));
     }
-    if (!(square_root(reach * Interval(disc_)).high < 3.1)) fault_ = "the level set reaches around the race";
+    if (!(square_root(reach * Interval(disc_)).high < 3.1)) fault_ = words::proof::reaches_around;
   }
   return fault_.empty();
 }
@@ -145,7 +146,7 @@ bool LevelProof<kind>::check_centre(const Certificate& c) {
   Interval moved(0.0);
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < size; ++j) moved = moved + away[i] * away[j] * Interval(std::fabs(c.form(i, j)));
-  if (!(moved.high < shift * shift * c.level)) fault_ = "the ball angles are not close enough to a balanced state";
+  if (!(moved.high < shift * shift * c.level)) fault_ = words::proof::angles_not_close;
   return fault_.empty();
 }
 
@@ -163,7 +164,7 @@ bool LevelProof<kind>::check_limit(const Certificate& c) {
     const auto& e = c.parameters.race_offset;
     const Interval balanced = Interval(c.parameters.damping[0]) * (square(Interval(e[0])) + square(Interval(e[1])));
     const Interval most = Interval((balanced * rest_[4 + n]).magnitude()) + square_root(reach * Interval(disc_));
-    if (!(most.high < m.limit)) fault_ = "the motor reaches its limit on the level set";
+    if (!(most.high < m.limit)) fault_ = words::proof::motor_reaches_limit;
   }
   return fault_.empty();
 }
@@ -175,7 +176,7 @@ void LevelProof<kind>::linearise() {
   const auto f = rates(slope_flow_, angles);
   for (int row = 0; row < size; ++row) {
     // The equations never branch on values, so one look at their shape holds for every box.
-    if (f[row].beyond) fault_ = "the equations are not linear in x, y, u, v and quadratic in each ball's speed";
+    if (f[row].beyond) fault_ = words::proof::not_the_right_order;
     for (int v = 0; v < etas; ++v) jacobian_[row][row_of(v)] = f[row].coefficient[1 + v].value;
     for (int i = 0; i < n; ++i) {
       jacobian_[row][model::index::phi(i)] = f[row].coefficient[0].slope[i];

@@ -7,6 +7,7 @@
 
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -27,7 +28,7 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
   // All starts share the spin-up, so a tight tolerance costs nothing.
   const auto status = integrate_clamped(study.parameters, segments_, origin(), default_simulate_tolerance, basis_, {},
                                         {}, std::numeric_limits<double>::infinity(), stop);
-  if (status != IntegrationStatus::done) throw RunError("the clamped spin-up could not be integrated");
+  if (status != IntegrationStatus::done) throw RunError(words::runs::clamped_not_integrated);
 }
 
 std::array<double, 4> StartSource::origin() const {

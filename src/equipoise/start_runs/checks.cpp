@@ -15,6 +15,7 @@
 #include "equipoise/model/system.hpp"
 #include "equipoise/rotor_family/study_family.hpp"
 #include "equipoise/transients/clamped_transients.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -66,7 +67,7 @@ std::pair<const char*, std::string> blamed(const Study& study, model::Need need)
   }
 }
 
-std::string words(const Uncertainty& uncertain, const std::vector<double>& values) {
+std::string values_text(const Uncertainty& uncertain, const std::vector<double>& values) {
   std::string text;
   for (std::size_t k = 0; k < values.size(); ++k)
     text += fmt::format("{}{} = {}", k ? ", " : "", uncertain.values[k].key, uncertain.values[k].text(values[k]));
@@ -74,11 +75,11 @@ std::string words(const Uncertainty& uncertain, const std::vector<double>& value
 }
 
 void check_corner(const Study& study, const std::vector<double>& values, bool transients) {
-  const std::string with = "; with " + words(study.uncertain, values);
   try {
     check_runnable(drawn_study(study, values), transients);
   } catch (const InputError& e) {
-    throw InputError(e.place(), e.key(), e.value(), e.problem() + with);
+    throw InputError(e.place(), e.key(), e.value(),
+                     fmt::format(words::runs::corner, e.problem(), values_text(study.uncertain, values)));
   }
 }
 
@@ -87,9 +88,9 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
 void check_drawable(const Study& study, bool transients) {
   check(study);
   if (study.numerics.decide != ClassificationMode::validated)
-    throw InputError(
-        study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
-        "with uncertain values every start is followed to a motion of its own rotor; must be \"validated\"");
+    throw InputError(study.name, "numerics.decide",
+                     classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
+                     words::runs::uncertain_need_validated);
   check_runnable(with_medians(study), transients);
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
   if (uncertain.size() > most_tried_together) return;  // the study reader has tried each end by itself
@@ -114,9 +115,7 @@ void check_watchable(const Study& study) {
   const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
   if (points <= most_clamped_grid_points) return;
   throw InputError(study.name, release_key(study), fmt::format("{:.6g}", study.release.speed.value_or(release)),
-                   fmt::format("holds the balls until t = {:.6g}, too long to watch for transients; must be release by "
-                               "about t = {:.3g}, or a study without [limits], its transients not asked for",
-                               release, release * (most_clamped_grid_points / points)));
+                   fmt::format(words::runs::released_too_late, release, release * (most_clamped_grid_points / points)));
 }
 
 void check_decidable(const Study& study) {
@@ -125,9 +124,8 @@ void check_decidable(const Study& study) {
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
   if (std::fabs(speed) > fastest_speed)
-    throw InputError(
-        study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-        fmt::format("basin and attractors take final speeds from -{0:g} to {0:g} critical speeds", fastest_speed));
+    throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
+                     fmt::format(words::runs::final_speed_range, fastest_speed));
   check_proof(study);
   reject_if_lacking(study, model::ResultKind::shares);
 }
@@ -135,16 +133,12 @@ void check_decidable(const Study& study) {
 void check_proof(const Study& study) {
   if (study.numerics.decide != ClassificationMode::proof) return;
   if (const auto lack = model::lacking(study.system(), model::ResultKind::proofs))
-    throw InputError(study.name, "numerics.decide", "proof", lack->reason + "; must be \"validated\" or \"horizon\"");
+    throw InputError(study.name, "numerics.decide", "proof", fmt::format(words::runs::no_proof_decides, lack->reason));
 }
 
 void check_has_balls(const Study& study) {
   if (study.parameters.balls == 0)
-    throw InputError(
-        study.name, "balancer.balls", "0",
-        fmt::format("leaves nothing to balance with; must be 1 to {} here: only basin, report, simulate and "
-                    "explain take a rotor without balls",
-                    model::max_balls));
+    throw InputError(study.name, "balancer.balls", "0", fmt::format(words::runs::no_balls, model::max_balls));
 }
 
 void check_offers(const Study& study, model::ResultKind answer) {

@@ -13,6 +13,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/start_runs/start_batch.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -105,7 +106,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, Decided& decided) 
 }
 
 bool StartRunner::run_from(std::span<const InitialState> given, Decided& decided) const {
-  if (family_) throw std::logic_error("starts that draw their rotors are known by their numbers alone");
+  if (family_) throw std::logic_error(words::runs::known_by_numbers);
   Batch batch = new_batch(gathers_);
   return source_->follow(parted(study_.parameters, given), batch.starts, batch.watched_table()) &&
          finish(batch, decided);

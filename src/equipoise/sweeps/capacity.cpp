@@ -34,6 +34,7 @@
 #include "equipoise/study/keys.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 #include "equipoise/units/units.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -57,7 +58,7 @@ Share asked_share(const BasinResult& result, const std::string& by) {
       if (const auto& share = all.within[static_cast<std::size_t>(w)]) return *share;
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
     if (by == transient_limits[k].name && all.exceeded[k]) return complement(*all.exceeded[k]);
-  throw std::logic_error("no such limit");
+  throw std::logic_error(words::sweeps::no_such_limit);
 }
 
 // One cell's trials, each search beginning with what the nearest earlier one found. Those that are known are taken when
@@ -187,9 +188,8 @@ class Boundary {
 
 // Everything that determines the results, as text.
 std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
-  return plan.identity() +
-         fmt::format("[capacity]\nof = {}\nunit = {}\nfrom = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.key,
-                     o.unit.empty() ? "none" : o.unit, o.from, o.to, o.at_least, o.precision) +
+  return plan.identity() + fmt::format("[capacity]\nof = {}\nunit = {}\n", o.key, o.unit.empty() ? "none" : o.unit) +
+         fmt::format("from = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.from, o.to, o.at_least, o.precision) +
          (o.by == "balanced" ? "" : fmt::format("by = {}\n", o.by));
 }
 
@@ -248,7 +248,7 @@ class CapacityRun final : public SurveyRun {
 
   void deliver(std::size_t cell, const CellRecord& made) override {
     const auto trials = io::trials_from(made);
-    if (!trials) throw RunError("a message between processes holds no trials");
+    if (!trials) throw RunError(words::sweeps::no_trials);
     const std::lock_guard guard(taking_);
     result_.trials += trials->size();
     if (file_) file_->append(cell, made);
@@ -316,7 +316,7 @@ std::string capacity_key(const StudySource& source, const std::string& text, con
   const std::string& stated = source.states(unbalance) ? unbalance : eccentricity;
   if (text.empty()) return stated;
   if ((text == unbalance || text == eccentricity) && text != stated)
-    throw InputError(option, "", text, fmt::format("the study states {0}; must be {0}, or another key", stated));
+    throw InputError(option, "", text, fmt::format(words::sweeps::states_another_key, stated));
   return text;
 }
 
@@ -347,15 +347,9 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
                              const std::string& option) {
   if (text.empty()) {
     if (const auto usual = usual_range(plan, key)) return *usual;
-    throw InputError(option, key, "",
-                     "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study "
-                     "in physical units, have a range of their own)");
+    throw InputError(option, key, "", words::sweeps::range_missing);
   }
-  const auto reject = [&] {
-    throw InputError(option, key, display_text(text),
-                     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. "
-                     "0.001:0.1 or \"20 g mm:400 g mm\"");
-  };
+  const auto reject = [&] { throw InputError(option, key, display_text(text), words::sweeps::range_form); };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
   const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
@@ -377,14 +371,15 @@ CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
   const auto reject = [&](const std::string& what, const std::string& value, const std::string& problem) {
     throw InputError("capacity", what, value, problem);
   };
-  if (!(options.from < options.to)) reject("range", fmt::format("{} to {}", options.from, options.to), "must rise");
+  if (!(options.from < options.to))
+    reject("range", fmt::format("{} to {}", options.from, options.to), words::sweeps::must_rise);
   if (!(options.at_least > 0.0 && options.at_least < 1.0))
-    reject("at_least", fmt::format("{}", options.at_least), "must be between 0 and 1");
+    reject("at_least", fmt::format("{}", options.at_least), words::sweeps::share_range);
   if (!(options.precision >= 1e-4 && options.precision <= 0.1))
-    reject("precision", fmt::format("{}", options.precision), "must be from 0.0001 to 0.1");
+    reject("precision", fmt::format("{}", options.precision), words::sweeps::precision_range);
   const std::vector<std::string> goals = capacity_goals(plan.study());
   if (std::find(goals.begin(), goals.end(), options.by) == goals.end())
-    reject("by", options.by, fmt::format("must be one of: {}", fmt::join(goals, ", ")));
+    reject("by", options.by, fmt::format(words::sweeps::one_of, fmt::join(goals, ", ")));
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
 }

@@ -15,6 +15,7 @@
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -26,7 +27,7 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   const io::IdentityLines lines(identity);
   const std::vector<std::string> over = lines.over();
   const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
-  if (over.empty() || axes == 0) throw InputError(path, "", "", "does not say which sweep it is of");
+  if (over.empty() || axes == 0) throw InputError(path, "", "", words::sweeps::no_sweep_named);
   result.half_width = std::strtod(lines.value("sweep.half_width").c_str(), nullptr);
   result.transients = lines.value("transients") != "none";
   result.study = parse_kept_study(lines.study, path);
@@ -52,14 +53,14 @@ SweepResult stored_sweep(const std::string& path) {
 }
 
 SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output) {
-  if (files.empty()) throw InputError("merge", "", "", "must be at least one file of a sweep");
+  if (files.empty()) throw InputError("merge", "", "", words::sweeps::no_files);
   const std::string identity = read_sweep(files.front()).identity;
   SweepResult result = asked_for(identity, files.front());
   const auto into = io::open_sweep_file(output, identity, result.cells);
   for (const std::string& path : files) {
     const StoredSweep part = read_sweep(path);
     if (const std::string how = io::difference(part.identity, identity); !how.empty())
-      throw InputError(path, "", "", fmt::format("is of another sweep than {}: {}", files.front(), how));
+      throw InputError(path, "", "", fmt::format(words::sweeps::another_sweep, files.front(), how));
     for (std::size_t k = 0; k < part.cells.size() && k < result.cells.size(); ++k) {
       if (!part.cells[k] || result.cells[k]) continue;
       into->append(k, io::bytes_of(*part.cells[k]));

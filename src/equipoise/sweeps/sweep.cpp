@@ -20,6 +20,7 @@
 #include "equipoise/sweeps/attractor_labels.hpp"
 #include "equipoise/sweeps/survey_run.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -62,7 +63,7 @@ class SweepRun final : public SurveyRun {
 
   void deliver(std::size_t index, const CellRecord& made) override {
     auto cell = io::cell_from(made);
-    if (!cell) throw RunError("a message between processes holds no cell");
+    if (!cell) throw RunError(words::sweeps::no_cell);
     const std::lock_guard guard(taking_);
     if (result_.cells[index]) return;
     if (file_) file_->append(index, made);
@@ -104,7 +105,7 @@ class SweepRun final : public SurveyRun {
 SweepResult sweep(const SweepPlan& plan, const SweepOptions& options) {
   if (options.shards < 1 || options.shard >= options.shards)
     throw InputError("sweep", "shard", fmt::format("{} of {}", options.shard, options.shards),
-                     "must be one of as many as there are");
+                     words::sweeps::shard_range);
   const ChosenCpuTarget chosen(options.cpu_target);
   return reported(options, [&](const SweepOptions& o) { return SweepRun(plan, o).run(); });
 }

@@ -13,6 +13,7 @@
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/words/runs.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -25,10 +26,8 @@ inline void check_overlap(const Study& study) {
     for (int j = 0; j < i; ++j) {
       const double apart = std::fabs(wrapped(study.initial.phi[i] - study.initial.phi[j]));
       if (apart < p.contact_angle)
-        throw InputError(
-            study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
-            fmt::format("balls {} and {} overlap: {} rad apart; must be at least {} apart, as balls are that touch",
-                        j + 1, i + 1, apart, p.contact_angle));
+        throw InputError(study.name, "initial.phi", fmt::format("{}", study.initial.phi[i]),
+                         fmt::format(words::runs::two_balls_overlap, j + 1, i + 1, apart, p.contact_angle));
     }
 }
 

@@ -21,6 +21,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -31,10 +32,10 @@ void check_times(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || times[i] < 0.0)
       throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       "must be a finite number, 0 or more");
+                       words::runs::finite_not_negative);
     if (i > 0 && !(times[i] > times[i - 1]))
       throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
-                       fmt::format("times out of order: must be later than the time before it, {}", times[i - 1]));
+                       fmt::format(words::runs::times_out_of_order, times[i - 1]));
   }
 }
 

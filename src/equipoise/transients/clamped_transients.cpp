@@ -14,6 +14,7 @@
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
+#include "equipoise/words/runs.hpp"
 
 namespace equipoise {
 
@@ -108,7 +109,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     return;
   }
   if (status != IntegrationStatus::done || radius_.coefficient[0].size() != times_.size())
-    throw RunError("the clamped spin-up could not be integrated");
+    throw RunError(words::runs::clamped_not_integrated);
   if (!proportional_) return;
   const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
   radius_peak_ = radius_.largest(one);

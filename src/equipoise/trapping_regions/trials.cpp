@@ -11,6 +11,7 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/types/fate.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 
@@ -27,7 +28,7 @@ bool follow(Trials& trials, const TrialSettings& settings, Told&& told) {
   const std::size_t size = settings.system->dimension(), total = trials.states.size() / size;
   const std::size_t chunk = chunk_of(trials, settings);
   std::atomic<bool> good{true};
-  if (settings.progress) settings.progress->begin("states tried on level sets");
+  if (settings.progress) settings.progress->begin(words::proof::states_tried);
   in_parallel(settings.threads, (total + chunk - 1) / chunk, [&](std::size_t k) {
     if (!good) return;
     const std::size_t first = k * chunk;

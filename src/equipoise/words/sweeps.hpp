@@ -1,0 +1,98 @@
+// Sweeps, capacities, maps and attractors along a parameter: what an axis must be, which files fit.
+#pragma once
+
+namespace equipoise::words::sweeps {
+
+// Axes of a sweep.
+inline constexpr char axis_form[] =
+    "must be KEY=FROM:TO:STEP or KEY=A,B,C in numbers, e.g. speed.final=1.5:6:0.1, or in quantities of one unit, e.g. "
+    "\"speed.final=900 rpm:4000 rpm:100 rpm\"";
+inline constexpr char mixed_units[] = "mixes the units \"{}\" and \"{}\"; must be one";
+inline constexpr char varied_twice[] = "is varied twice; must be named once";
+inline constexpr char repeats_on_zipped_axis[] =
+    "has a value twice; the first of parameters that vary together is the axis, and must have different ones";
+inline constexpr char repeats[] = "has a value twice; must be different ones";
+// Values of this key, the plural s, another key, its values.
+inline constexpr char zipped_sizes[] = "has {} value{}, {} has {}; zipped parameters must have as many each";
+inline constexpr char too_many_cells[] = "makes more than {} cells; must be fewer";
+inline constexpr char number_of_axes[] = "must be 1 to {} parameters, or more that vary together";
+inline constexpr char shard_range[] = "must be one of as many as there are";
+
+// Files and messages of a sweep.
+inline constexpr char no_sweep_named[] = "does not say which sweep it is of";
+inline constexpr char no_files[] = "must be at least one file of a sweep";
+// The first file, the difference.
+inline constexpr char another_sweep[] = "is of another sweep than {}: {}";
+inline constexpr char no_cell[] = "a message between processes holds no cell";
+inline constexpr char no_trials[] = "a message between processes holds no trials";
+
+// What a capacity is of, and in which range.
+inline constexpr char states_another_key[] = "the study states {0}; must be {0}, or another key";
+inline constexpr char range_missing[] =
+    "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study in physical "
+    "units, have a range of their own)";
+inline constexpr char range_form[] =
+    "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. 0.001:0.1 or \"20 g "
+    "mm:400 g mm\"";
+inline constexpr char must_rise[] = "must rise";
+inline constexpr char share_range[] = "must be between 0 and 1";
+inline constexpr char precision_range[] = "must be from 0.0001 to 0.1";
+inline constexpr char one_of[] = "must be one of: {}";
+inline constexpr char no_such_limit[] = "no such limit";
+
+// Attractors along a parameter.
+inline constexpr char line_form[] =
+    "must be KEY=FROM:TO:STEP with three numbers, e.g. speed.final=1.4:6.5:0.05; in a study with units also "
+    "quantities, e.g. \"speed.final=900 rpm:4000 rpm:50 rpm\"";
+// The form.
+inline constexpr char line_key[] =
+    "KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; {}";
+inline constexpr char nothing_turns[] = "nothing turns; the final speed must not be 0";
+inline constexpr char values_searched[] = "values searched";
+inline constexpr char branches_followed[] = "branches followed";
+
+// Axes and pixels of a map.
+inline constexpr char pixels_range[] = "pixels; must be a whole number from 1 to {}";
+inline constexpr char rising_range[] = "must be two finite numbers, the first below the second";
+inline constexpr char same_key_twice[] = "both axes vary the same key; must be two";
+// An example.
+inline constexpr char range_of_axis[] = "must be LOW:HIGH with two numbers, the first below the second, e.g. {}";
+inline constexpr char example_with_units[] = "1.5:6, or two quantities with units";
+inline constexpr char size_form[] = "must be WIDTHxHEIGHT, each a whole number from 1 to {}, e.g. 512x512";
+inline constexpr char tie_form[] = "must be phi_I=phi_J or phi_I=phi_J+ANGLE, e.g. phi_2=phi_1+pi";
+inline constexpr char tie_balls[] = "must name two different balls from 1 to {}";
+// Ball, one of the two below.
+inline constexpr char tied_already[] = "ball {} has its angle from {}; must be another ball";
+inline constexpr char an_axis[] = "an axis";
+inline constexpr char another_tie[] = "another tie";
+inline constexpr char block_size[] = "must be 2, 4, 8, ... or {} pixels";
+inline constexpr char block_needs_phi[] =
+    "every pixel draws its own ball angles, so edges do not tell what lies between them; must be left out, or "
+    "initial.phi stated";
+inline constexpr char line_needs_validated[] =
+    "along a parameter every pixel is followed until it is seen to approach a motion; must be \"validated\"";
+inline constexpr char reuse_needs_phi[] =
+    "every pixel draws its own ball angles by its number; must be left out, or initial.phi stated";
+inline constexpr char too_many_in_memory[] =
+    "pixels; more than {:.1f} million in all (4096x4096) must go to an output file";
+inline constexpr char balls_would_overlap[] = "balls would overlap, or failed";
+
+// Files of maps.
+inline constexpr char this_map[] = "this map";
+inline constexpr char same_map[] = "must be a new file, or one of the same map";
+// The difference.
+inline constexpr char other_pixels[] =
+    "holds pixels of something else: {}; must be a map of the same study over the same quantities";
+inline constexpr char part_of_another[] = "does not belong to {}; must be removed first";
+// What failed.
+inline constexpr char kept_so_far[] = "{}; what was computed before is kept, and the same command goes on from it";
+// What failed, the output.
+inline constexpr char kept_in_part[] = "{}; what was computed is kept in {}.part and put in place by the same command";
+
+// Progress.
+inline constexpr char line_motions[] = "motions along the lines of the map";
+
+// What part files of maps name these notes by: with other words, they are computed again.
+inline constexpr char line_notes[] = "motions along the lines of a map";
+
+}  // namespace equipoise::words::sweeps
