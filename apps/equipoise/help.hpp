@@ -17,7 +17,7 @@ inline constexpr char zip[] = "the parameters vary together, step by step, inste
 inline constexpr char set[] = "override a study key, e.g. speed.final=2.6; may be repeated";
 inline constexpr char no_changes[] = "do not try changes to a balancer that falls short (up to eight, 100 starts each)";
 inline constexpr char wide[] = "every column, without line breaks";
-inline constexpr char details[] = "also grounds of decisions, and every figure of every outcome with its interval";
+inline constexpr char details[] = "also how starts were decided, and every figure of every outcome with its interval";
 inline constexpr char threads[] = "threads (default: all cores)";
 inline constexpr char cpu[] = "instruction set to use instead of the best (see --version)";
 inline constexpr char within[] =

@@ -75,10 +75,11 @@ inline constexpr char output_not_writable[] = "standard output cannot be written
 inline constexpr char along_only[] = "goes with --along KEY=FROM:TO:STEP only";
 inline constexpr char cost_only[] = "goes with --cost only: nothing else takes time here";
 inline constexpr char report_only[] = "goes with --report";
-inline constexpr char page_of_an_ensemble[] = "a page is of an ensemble; must be left out with --start-index";
+inline constexpr char page_of_an_ensemble[] =
+    "a page reports an ensemble, not one start; must be left out with --start-index";
 inline constexpr char study_or_certificate[] = "give either a study or --check with a certificate's file";
 inline constexpr char checked_as_it_is[] = "a certificate is checked as it is: --set and -o need a study";
-inline constexpr char result_is_done[] = "go with studies; what a result holds is done";
+inline constexpr char result_is_done[] = "go with studies; a result is already computed";
 inline constexpr char at_or_every[] = "give either --at or --every and --until, not both";
 inline constexpr char nothing_varied[] =
     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and its values, "
@@ -102,12 +103,12 @@ inline constexpr char message_cut_short[] = "a message between processes was cut
 inline constexpr char mpi_not_built_in[] = "not built in";
 
 // Notes.
-inline constexpr char at_medians[] = "draws nothing; uncertain values are at their medians: {}";
+inline constexpr char at_medians[] = "samples nothing; uncertain values are at their medians: {}";
 inline constexpr char nothing_proved[] = "nothing is proved, so {} is not written";
 inline constexpr char map_read[] = "read from {}";
 // File, machine, file.
 inline constexpr char study_written[] =
-    "{} is a study of a {} to begin with; equipoise check {} says what is understood";
+    "{} is a study of a {} to start from; equipoise check {} says what is understood";
 inline constexpr char published_law[] = "published speed law, psi = t Omega(t)";
 inline constexpr char simulation_stopped[] = "stopped after t = {}; the rows so far are kept";
 inline constexpr char diverged[] = "the trajectory diverged after t = {}; the rows so far are kept";
@@ -117,7 +118,7 @@ inline constexpr char not_integrated[] =
 // A run that ended early: how far it came, how it goes on.
 inline constexpr char stopped[] = "stopped; {}";
 // The time given, how far it came, how it goes on.
-inline constexpr char time_over[] = "time over (--within {}): {}; {}";
+inline constexpr char time_over[] = "out of time (--within {}): {}; {}";
 inline constexpr char rest_unknown[] = "how long the rest takes is not known yet";
 // Stage, rest.
 inline constexpr char was_at[] = "it was at \"{}\"; {}";

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t bootstrap_samples = 1000;
 
 struct Sums {
-  double weight = 0.0, all = 0.0, all_squared = 0.0;  // of a and b
+  double weight = 0.0, all = 0.0, all_squared = 0.0, both = 0.0;  // of a and b; both: products of the two
   // By input. sum, squares, products: of b and the mixed row (that input from b). differences: a and the mixed row.
   std::vector<double> sum, squares, products, differences;
 
@@ -25,6 +25,7 @@ struct Sums {
     weight += times;
     all += times * (a + b);
     all_squared += times * (a * a + b * b);
+    both += times * a * b;
     for (std::size_t k = 0; k < rows.inputs; ++k) {
       const double mixed = rows.mixed(row, k);
       sum[k] += times * (b + mixed);
@@ -40,7 +41,12 @@ struct Sums {
   }
   double first(std::size_t k) const {
     const double mean = 0.5 * sum[k] / weight, own = 0.5 * squares[k] / weight - mean * mean;
-    return own > 0.0 ? (products[k] / weight - mean * mean) / own : 0.0;
+    return own > 0.0 ? (products[k] / weight - mean * mean - chance(k)) / own : 0.0;
+  }
+  // a and b are independent: their covariance is 0 but for chance, which the mixed row shares as far as it is like a.
+  double chance(std::size_t k) const {
+    const double mean = 0.5 * all / weight;
+    return std::clamp(1.0 - total(k), 0.0, 1.0) * (both / weight - mean * mean);
   }
   double total(std::size_t k) const { return 0.5 * differences[k] / weight / variance(); }
 };

@@ -29,8 +29,9 @@ struct SobolIndices {
   IndexEstimate first, total;
 };
 
-/// First order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob. Stat. 18 (2014) 342), total by
-/// M. J. W. Jansen (Comput. Phys. Commun. 117 (1999) 35). Intervals are quantiles over bootstrap samples of the rows,
+/// First order by A. Janon, T. Klein, A. Lagnoux, M. Nodet and C. Prieur (ESAIM: Prob. Stat. 18 (2014) 342), with the
+/// covariance of a and b, which is 0 but for chance, as a control variate; total by M. J. W. Jansen (Comput. Phys.
+/// Commun. 117 (1999) 35). Intervals are quantiles over bootstrap samples of the rows,
 /// drawn with `seed`. Empty if the outcome does not vary. An index near 0 may come out negative.
 std::vector<SobolIndices> sobol_indices(const PickFreezeRows& rows, std::uint64_t seed = 1);
 

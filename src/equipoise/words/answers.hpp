@@ -12,7 +12,7 @@ inline constexpr char no_pixel_done[] = "Nothing is known: stopped before any pi
 inline constexpr char none_balanced[] = "Not one of {} starts ends balanced: {}{} would (95 % confidence)";
 // An outcome, its share, nothing or its bounds.
 inline constexpr char ends_in[] = "The rotor ends {} in {} of starts (95 % confidence{})";
-inline constexpr char surely[] = ", surely {:.{}f} to {}";
+inline constexpr char surely[] = ", bounds {:.{}f} to {}";
 inline constexpr char limit_in[] = "; {} in {}";
 inline constexpr char no_balls[] =
     "There are no balls: the rotor's peak displacement is {}, and its RMS velocity at the end {}{}.";
@@ -45,10 +45,10 @@ inline constexpr char from_to[] = "{:.3g} to {:.3g} %";
 inline constexpr char undecided_up_to[] = "; up to {} stay undecided, at {}";
 
 // Capacity, the largest value of a quantity. Quantity, value, starts, what is asked of them.
-inline constexpr char surely_between[] = "{} (surely between {:.4g} and {:.4g})";
-inline constexpr char nowhere[] = "Nowhere from {} {} on do {} {}: there it is fewer already";
+inline constexpr char surely_between[] = "{} (between {:.4g} and {:.4g})";
+inline constexpr char nowhere[] = "At {} {}, where the range begins, fewer than {} {}";
 inline constexpr char up_to_the_end[] = "Up to {} {}, the end of the range, {} {}";
-inline constexpr char up_to[] = "Up to {} {}, {} {}: surely up to {:.4g}, surely fewer from {:.4g} on";
+inline constexpr char up_to[] = "Up to {} {}, {} {}: shown up to {:.4g}, shown to be fewer from {:.4g} on";
 inline constexpr char share_of_starts[] = "{:.4g} % of starts";
 inline constexpr char confidence[] = " (95 % confidence)";
 inline constexpr char at_cell[] = ", at ";

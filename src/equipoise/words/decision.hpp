@@ -9,7 +9,7 @@ namespace equipoise::words::decision {
 // Verdicts where the study has limits. {}: the share that must keep them.
 inline constexpr char not_needed[] = "Not needed: the rotor keeps every limit without a balancer too.";
 // {}: what grows.
-inline constexpr char fit_if_it_may_shake[] = "Fit it only if it may shake more on the way: {}.";
+inline constexpr char fit_if_it_may_shake[] = "Fit it only if more vibration on the way is acceptable: {}.";
 inline constexpr char fit[] = "Fit it: at least {} of starts keep every limit.";
 // {}: what grows.
 inline constexpr char on_the_way[] = " On the way {}.";
@@ -47,7 +47,7 @@ inline constexpr char nothing_to_change[] = "Nothing has to change.";
 inline constexpr char leave_it_out[] = "Leave the balancer out.";
 inline constexpr char search_for_better[] = "\"equipoise design\" searches for a better balancer.";
 inline constexpr char longer_horizon[] = "{} of starts are undecided: a longer numerics.horizon may tell.";
-inline constexpr char more_starts[] = "More starts decide: --starts {}.";
+inline constexpr char more_starts[] = "Run more starts: --starts {}.";
 
 // The best of the changes tried: a figure of it, and how it serves.
 inline constexpr char starts_keep_limits[] = "{} of {} starts keep every limit";
@@ -57,7 +57,7 @@ inline constexpr char peak_in_few_starts[] = "the peak reaches {:.3g} {} in one 
 inline constexpr char with_change[] = "With {}: {}{}.";
 inline constexpr char with_change_lower_peak[] = "With {}: {} ({} starts).";
 inline constexpr char no_change_lowers_peak[] =
-    "None of {} changes tried lowers the peak surely. \"equipoise design\" searches further.";
+    "None of {} changes tried is shown to lower the peak. \"equipoise design\" searches further.";
 inline constexpr char no_change_keeps_limits[] =
     "With none of {} changes tried does a start keep every limit. \"equipoise design\" searches further.";
 inline constexpr char no_change_is_enough[] =
@@ -96,7 +96,7 @@ inline constexpr char larger_balls[] = "larger balls, a quarter more in diameter
 inline constexpr char smaller_balls[] = "smaller balls, a fifth less in diameter";
 inline constexpr char balls_of[] = "balls of {:.0f} mm";
 inline constexpr char latch_until[] = "a latch that holds the balls until {}";
-inline constexpr char half_the_run_up[] = "a run-up in half the time";
+inline constexpr char half_the_run_up[] = "a run-up of half the time";
 
 // Hand-arm vibration.
 inline constexpr char over_a_day[] = "over 24 h";
@@ -109,8 +109,8 @@ inline constexpr char limit_value[] = "limit value";
 // A(8), "action value" or "limit value".
 inline constexpr char work_until[] = "work until A(8) is {} m/s2, the {}";
 inline constexpr char hand_arm_caption[] =
-    "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate: the handles as the race's "
-    "centre, all of it at the speed of rotation; no declared value.";
+    "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate, not a declared value: the "
+    "handles move as the race's centre, at the speed of rotation only.";
 inline constexpr char hand_arm_source[] = "ISO 5349-1:2001, Directive 2002/44/EC";
 
 // Severity of vibration. Caption: zone, class, its machines, which directions.
@@ -121,18 +121,18 @@ inline constexpr char share_ends_there[] = "ends there";
 inline constexpr char velocity[] = "RMS velocity";
 inline constexpr char zone_a[] = "A, as new";
 inline constexpr char zones_a_and_b[] = "A or B, for long operation";
-inline constexpr char zones_a_to_c[] = "A to C, not D, damage";
+inline constexpr char zones_a_to_c[] = "A to C; D may damage";
 inline constexpr char up_to[] = "to {} mm/s";
 inline constexpr char severity_caption[] =
     "Without balls: zone {}. Zones of ISO 10816-1:1995, class {} ({}), of {}. ISO 20816-1:2016 took its place; ISO "
     "20816-3 begins at 15 kW.";
 inline constexpr char one_direction[] = "one direction";
-inline constexpr char both_directions[] = "both directions together, which is more than one has";
+inline constexpr char both_directions[] = "both directions together, more than either has";
 
 // Sliding and balance quality. A machine's mass, friction, force it takes, share of starts, peak force without balls.
 inline constexpr char may_slide[] =
     "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports: so it is in {} of "
-    "starts; without balls the peak is {:.4g} N{}. It may twist on its feet at less [PP].";
+    "starts; without balls the peak is {:.4g} N{}. It may turn on its feet at a smaller force [PP].";
 inline constexpr char enough_too[] = ", enough too";
 inline constexpr char balance_quality[] =
     "Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.";

@@ -14,9 +14,9 @@ inline constexpr char no_candidate[] = "No candidate was found.";
 inline constexpr char as_it_is[] = "; as it is {}{}";
 // "; " or nothing, figure, limit, how sure, value.
 inline constexpr char must_be[] = "{}{} must be {} and is {}{}";
-inline constexpr char not_surely_but_likely[] = "not surely, but likely: ";
+inline constexpr char not_surely_but_likely[] = "likely, but not shown: ";
 inline constexpr char at_best[] = "at best ";
-inline constexpr char not_all_kept[] = "No candidate keeps all requirements: {}. There {}{}.";
+inline constexpr char not_all_kept[] = "No candidate keeps all requirements: {}. The nearest has {}{}.";
 
 // Limits and estimates.
 inline constexpr char of_starts_below[] = " of starts below";
@@ -31,13 +31,13 @@ inline constexpr char speed_at_time[] = "{}{} at {}";
 // The verdict. "PARTIAL: " or nothing stands first.
 inline constexpr char none_followed[] = "No candidate was followed to its end.";
 inline constexpr char not_known[] = "Not known. A longer --within, or fewer values to choose from, may tell more.";
-inline constexpr char leave_as_it_is[] = "{}Leave it as it is: {}nothing found is surely better. Best found: {}.";
+inline constexpr char leave_as_it_is[] = "{}Leave it as it is: {}nothing found is shown to be better. Best found: {}.";
 inline constexpr char keeps_all_and[] = "it keeps all requirements, and ";
 inline constexpr char all_are_kept[] = ": all requirements are kept";
-inline constexpr char nearest[] = "{}Nothing tried keeps all requirements surely; nearest: {}.";
-inline constexpr char margins_unknown[] = "How far each number may be off was not worked out: the time was over.";
-inline constexpr char nothing_misses[] = "Nothing that was tried, each number alone, misses what the design keeps.";
-inline constexpr char surely_no_worse[] = ": surely no worse.";
+inline constexpr char nearest[] = "{}Nothing tried is shown to keep all requirements; nearest: {}.";
+inline constexpr char margins_unknown[] = "How far each number may be off was not worked out: time ran out.";
+inline constexpr char nothing_misses[] = "Each number was changed alone: no value tried fails what the design keeps.";
+inline constexpr char surely_no_worse[] = ": shown to be no worse.";
 inline constexpr char requirements_kept[] = ": requirements kept.";
 
 // How far one number may be off: value and unit.
@@ -86,7 +86,7 @@ inline constexpr char speed_of_point[] = "speed of point ";
 // How near a design is to its limits. Figure, value, unit, "below" or "above", limit, unit.
 inline constexpr char is_and_must_be[] = "{} is {:.4g}{}, must be {} {:.4g}{}";
 inline constexpr char not_met[] = "not met: ";
-inline constexpr char not_surely_met[] = "not surely met: ";
+inline constexpr char not_surely_met[] = "not shown to be met: ";
 inline constexpr char nearly_reached[] = "nearly reached: ";
 // Key, "lower" or "upper", prefix, value, unit.
 inline constexpr char at_end_of_range[] = "{} is at the {} end of its range: {}{:.4g}{}";

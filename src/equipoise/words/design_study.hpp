@@ -8,8 +8,8 @@ inline constexpr char must_be_a_table[] = "must be a table, [{}]";
 inline constexpr char must_be_a_bound[] = "must be { below = NUMBER } or { above = NUMBER }";
 inline constexpr char must_be_plain[] = "must be a plain number";
 inline constexpr char must_be_in_unit[] = "must be in {}, or a unit like it";
-inline constexpr char met_by_nothing[] = "is met by nothing; above must be less than below";
-inline constexpr char met_by_no_share[] = "is met by no share; must be between 0 and 1";
+inline constexpr char met_by_nothing[] = "cannot be met; above must be less than below";
+inline constexpr char met_by_no_share[] = "cannot be met by a share; must be between 0 and 1";
 inline constexpr char method_for_one[] = "has one objective; must be nsga2 for several";
 inline constexpr char method_for_several[] = "wants several objectives; must be cmaes for one";
 inline constexpr char needs_pagmo[] =
@@ -42,7 +42,7 @@ inline constexpr char figures_of_a_spin_up[] = ", spin_up_time, acceleration";
 // What may be varied: keys and their entries. Tables of a machine; an unknown entry, `forms`; entry, what it must be.
 inline constexpr char set_by_another[] = "cannot be varied beside {}, which sets it too";
 inline constexpr char too_many_numbers[] =
-    "has {} numbers to choose; must be 1 to {} (a spin-up has two a point and one)";
+    "has {} numbers to choose; must be 1 to {} (a spin-up counts as two per point and one more)";
 inline constexpr char must_be_a_key[] =
     "must be a key of {}, in quotes, such as \"balancer.mass\", or \"speed\", a spin-up";
 inline constexpr char drawn_with_each_start[] =
@@ -86,8 +86,8 @@ inline constexpr char step_in_another_unit[] = "step must have the unit of the r
 inline constexpr char must_be_two_lengths[] = "stock must have two lengths, such as [\"6 mm\", \"12 mm\"]";
 inline constexpr char must_be_two_classes[] =
     "stock must have two classes of ISO 3448, such as [\"ISO VG 10\", \"ISO VG 220\"]";
-inline constexpr char what_has_stock[] = "stock is of \"balancer.ball_diameter\" and \"balancer.oil.grade\"";
-inline constexpr char stock_without_units[] = "stock is of studies in physical units";
+inline constexpr char what_has_stock[] = "stock is only for \"balancer.ball_diameter\" and \"balancer.oil.grade\"";
+inline constexpr char stock_without_units[] = "stock needs a study in physical units";
 inline constexpr char must_be_two_ends[] = "stock must have two ends, [low, high]";
 inline constexpr char oil_of_one_grade[] = "needs a study without balancer.oil.viscosity_100, which is of one grade";
 inline constexpr char too_few_sizes[] =

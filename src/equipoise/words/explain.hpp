@@ -83,7 +83,7 @@ inline constexpr char falls_to_a_part[] = "a deviation falls to 1/e";
 inline constexpr char the_rule[] = "; the rule ";
 inline constexpr char nothing_settles[] = "without drag or without damping nothing settles";
 inline constexpr char nothing_returns[] = "nothing brings the balls back";
-inline constexpr char friction_holds_too[] = "; friction holds balls before they are there";
+inline constexpr char friction_holds_too[] = "; friction stops the balls short of it";
 inline constexpr char by_the_rule[] = "by the rule";
 inline constexpr char by_linear_theory[] = "by linear theory";
 inline constexpr char unstable_by_linear_theory[] = "; linear theory: not at all, balance is unstable";
@@ -119,7 +119,7 @@ inline constexpr char with_means[] = "with the mean of x and y";
 inline constexpr char no_balls[] = "there are no balls";
 inline constexpr char no_turning[] = "the rotor does not turn";
 inline constexpr char no_balanced_state[] = "there is no balanced state";
-inline constexpr char none_in_continuum[] = "no balanced state was found among the continuum of them";
+inline constexpr char none_in_continuum[] = "no balanced state of the continuum that was tried leaves the balls room";
 // What disturbs it follows.
 inline constexpr char no_balanced_motion_with[] = "no balanced motion was found with ";
 inline constexpr char unequal_supports[] = "unequal supports";

@@ -12,7 +12,7 @@ inline constexpr char file_must_be_writable[] = "{}: {} (must be a file that can
 inline constexpr char no_regular_file[] = "is no regular file; {}";
 inline constexpr char replaceable[] = "must be a file that can be replaced";
 inline constexpr char unfinished_results_beside[] =
-    "has unfinished results beside it, {}; must be another file, or those ended first";
+    "has unfinished results beside it, {}; must be another file, or finish those first";
 inline constexpr char written_by_another[] =
     "is being written by another process; must be a file that no other run writes to";
 
@@ -20,16 +20,17 @@ inline constexpr char written_by_another[] =
 inline constexpr char no_results_or_damaged[] =
     "is not a file of results (.nc, .nc.part), or is damaged; must be another file";
 inline constexpr char results_of_other_version[] =
-    "is no file of results as this version leaves them: of an earlier one, changed since, cut short or something else";
+    "is not a file of results of this version: an earlier one wrote it, it was changed or cut short, or it is "
+    "something else";
 inline constexpr char checksum_differs[] = "is damaged: its content does not match its checksum";
-inline constexpr char owner_is_damaged[] = "is damaged where it says whose results it holds; must be removed first";
+inline constexpr char owner_is_damaged[] = "is damaged in the part that names its results; remove it first";
 inline constexpr char results_or_unfinished_part[] =
     "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)";
 inline constexpr char damaged_at_end[] =
     "{} bytes at its end are cut off or damaged; all before them is sound and will be used";
-inline constexpr char variable_of_other_shape[] = "{}: variable {} has not the type and shape that it must have";
+inline constexpr char variable_of_other_shape[] = "{}: variable {} has the wrong type or shape";
 // The finished file.
-inline constexpr char does_not_follow[] = "does not go on where {} ends; must be removed first";
+inline constexpr char does_not_follow[] = "does not continue {}; remove it first";
 inline constexpr char start_is_missing[] = "{}: start {} is not there";
 inline constexpr char start_without_outcome[] = "{}: start {} has no valid outcome; the file is damaged";
 // What is wrong.
@@ -42,14 +43,14 @@ inline constexpr char other_command[] = "holds no {0}; must be what \"{0} -o\" w
 // Whether it holds the same results.
 inline constexpr char same_study_or_new[] = "must be a new file, or results of the same study";
 inline constexpr char same_results_or_new[] = "must be a new file, or results of the same {}";
-inline constexpr char something_else[] = "is of something else";
+inline constexpr char something_else[] = "holds something else";
 inline constexpr char results_of_this_study[] = "results of this study";
 // What it should hold, how they differ, what it must be.
 inline constexpr char other_results[] = "holds something other than {}: {}; {}";
 // Empty or ", ", key, its value in the file and in the study.
-inline constexpr char differs[] = "{}{} is {} there and {} here";
+inline constexpr char differs[] = "{}{} is {} in the file and {} here";
 inline constexpr char and_more_differences[] = ", and {} more";
-inline constexpr char header_differs[] = "its header has another form";
+inline constexpr char header_differs[] = "its header has a different format";
 
 // What a broken run leaves.
 
@@ -96,8 +97,7 @@ inline constexpr char unbalance_left[] =
     "unbalance that so many of the starts leave, or less, where dry friction holds the balls, in M R";
 inline constexpr char unbalance_left_in_percent[] =
     "unbalance that {:.0f} % of the starts leave, or less, where dry friction holds the balls, in M R";
-inline constexpr char grade_left[] =
-    "balance quality grade of that (ISO 21940-11), at the speed that the rotor is there for";
+inline constexpr char grade_left[] = "balance quality grade of that (ISO 21940-11), at the operating speed";
 
 // Transients, limits, and the rotor without balls.
 inline constexpr char within_all_limits[] = "when a start is within all limits: at_end, on_the_way, both";
@@ -108,7 +108,7 @@ inline constexpr char column_of_transients[] = "column of the starts' transients
 inline constexpr char share_of_runs_below[] = "share of runs that have less";
 inline constexpr char runs_stalled[] = "of these, that stalled";
 inline constexpr char mean_of_runs[] =
-    "mean of the figure over runs in which it has an end, dimensionless as in its column";
+    "mean of the figure over runs in which it is finite, dimensionless as in its column";
 inline constexpr char quantile_of_runs[] =
     "quantile of the figure over runs, dimensionless as in its column; infinite where it has no end, missing where it "
     "was not asked";
@@ -157,7 +157,7 @@ inline constexpr char share_still_kept[] = "{}: up to here the share is as large
 inline constexpr char share_lost[] = "{}: here the share is smaller with 95 % confidence";
 inline constexpr char kept_in_whole_range[] = "1: the share is as large up to the end of the range";
 inline constexpr char lost_in_whole_range[] = "1: the share is smaller over the whole range";
-inline constexpr char share_balanced[] = "share of the starts that ends balanced";
+inline constexpr char share_balanced[] = "share of the starts that end balanced";
 inline constexpr char share_undecided[] = "share of the starts that stay undecided";
 inline constexpr char trial_unstable[] = "1: no balanced state attracts, and no start was followed";
 

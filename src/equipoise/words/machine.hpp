@@ -8,7 +8,7 @@ inline constexpr char stiffness[] = "a stiffness greater than 0, such as \"48 kN
 inline constexpr char natural_frequency[] = "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\"";
 inline constexpr char static_sag[] = "under its own weight, such as \"3 mm\"";
 inline constexpr char damping[] = "a damping coefficient of 0 or more, such as \"200 N s/m\"";
-inline constexpr char logarithmic_decrement[] = "a plain number, of free vibration a cycle, such as 0.3";
+inline constexpr char logarithmic_decrement[] = "a plain number, per cycle of free vibration, such as 0.3";
 inline constexpr char quality_factor[] = "a plain number, sqrt(k M)/c, such as 8";
 inline constexpr char eccentricity[] = "a length of 0 or more, such as \"0.2 mm\"";
 inline constexpr char unbalance[] = "mass times eccentricity, such as \"300 g mm\"";
@@ -36,25 +36,26 @@ inline constexpr char oil[] = "such as { grade = \"ISO VG 32\", at = \"40 degC\"
 // Balls: what is wrong.
 inline constexpr char ball_fills_race[] = "must be less than twice balancer.race_radius";
 inline constexpr char needs_diameter[] = "needs balancer.ball_diameter, such as \"8 mm\"";
-inline constexpr char unknown_material[] = "is none whose density is known here (balancer.ball_density states any); ";
+inline constexpr char unknown_material[] =
+    "is not a material in the table (balancer.ball_density states any density); ";
 inline constexpr char only_of_balls_that_roll[] = "has a meaning only with balancer.rolls = true";
 inline constexpr char radius_or_diameter[] = "give either balancer.ball_radius or balancer.ball_diameter, not both";
 inline constexpr char ball_radius_too_large[] = "must be less than balancer.race_radius";
 inline constexpr char contact_angle_or_contact[] = "give either balancer.contact_angle or balancer.contact, not both";
 inline constexpr char balls_of_one_diameter[] = "needs balls of one diameter";
 // Diameter in mm, number of balls.
-inline constexpr char balls_fill_race[] =
-    "must be less than {:.6g} mm: {} balls that touch side by side fill the race then";
+inline constexpr char balls_fill_race[] = "must be less than {:.6g} mm: at that size {} touching balls fill the race";
 inline constexpr char stiction_below_rolling[] = "must be at least rolling, {}: a ball at rest resists no less";
 
 // Oil.
 inline constexpr char oil_grade[] = "a grade such as \"ISO VG 32\" or \"silicone 1000 cSt\"";
-inline constexpr char viscosity_of_silicone_is_known[] = "is of mineral oils; a silicone oil's law is known";
+inline constexpr char viscosity_of_silicone_is_known[] =
+    "applies to mineral oils only; leave it out for a silicone oil";
 // Coldest and hottest in degC, whose law.
 inline constexpr char oil_temperature[] =
     "must be from {:.6g} to {:.6g} degC: the law of {} holds there; beyond it give balancer.oil_viscosity";
 inline constexpr char silicone_grade[] =
-    "must be \"silicone\" with its viscosity at 25 degC, from {:.0f} to {:.0f} cSt, such as \"silicone 1000 cSt\"; of "
+    "must be \"silicone\" with its viscosity at 25 degC, from {:.0f} to {:.0f} cSt, such as \"silicone 1000 cSt\"; for "
     "others give balancer.oil_viscosity";
 // Empty, or did_you_mean_grade.
 inline constexpr char unknown_oil[] =
@@ -64,7 +65,8 @@ inline constexpr char did_you_mean_grade[] = "did you mean \"ISO VG {:.0f}\"? ";
 inline constexpr char too_thin_for_index[] =
     "is thinner than viscosity indices are defined for; give viscosity_100, such as \"1.1 cSt\"";
 // Viscosity at 40 degC.
-inline constexpr char viscosity_at_100[] = "must be from 0.5 cSt to less than at 40 degC, {:.6g} cSt";
+inline constexpr char viscosity_at_100[] =
+    "must be at least 0.5 cSt and less than the viscosity at 40 degC, {:.6g} cSt";
 inline constexpr char only_with_oil[] = "has a meaning only with balancer.oil_viscosity or balancer.oil";
 inline constexpr char needs_oil_density[] =
     "is a kinematic viscosity and needs balancer.oil_density, such as \"900 kg/m3\"";
@@ -80,7 +82,7 @@ inline constexpr char run_up_or_duration[] = "give either speed.run_up or speed.
 // Key, number of the entry, the entry before.
 inline constexpr char out_of_order[] = "{} out of order: entry {} must be greater than {}";
 // Number of entries, what each belongs to, how many must be there.
-inline constexpr char one_entry_each[] = "has {} entries; must have one a {}, {}";
+inline constexpr char one_entry_each[] = "has {} entries; must have one per {}, {}";
 // The key before, its value.
 inline constexpr char must_be_greater_than[] = "must be greater than {}, {}";
 inline constexpr char first_time[] = "the first time must be 0";
@@ -90,7 +92,8 @@ inline constexpr char torque_missing[] = "missing; must be a table, as { constan
 // Number of points, the most.
 inline constexpr char points_of_curve[] = "has {} entries; must have 2 to {}";
 inline constexpr char target_missing[] = "missing; must be a table like { profile = \"ramp\", ... }";
-inline constexpr char speed_of_load_missing[] = "missing; must be the speed at which linear and quadratic are so large";
+inline constexpr char speed_of_load_missing[] =
+    "missing; must be the speed at which the load takes linear and quadratic";
 inline constexpr char belongs_to_motor[] = "belongs to a motor: needs speed.torque";
 inline constexpr char law_of_driven_rotor[] =
     "must be \"kinematic\": the speed of a driven rotor follows from its motor";
@@ -103,7 +106,7 @@ inline constexpr char inertia_of_driven_rotor_in_units[] =
 // Motor by its nameplate.
 inline constexpr char synchronous_above_rated[] = "must be greater than speed.torque.rated_speed";
 inline constexpr char no_synchronous_speed_fits[] =
-    "is less than a tenth below no synchronous speed at 50 or 60 Hz; give speed.torque.synchronous_speed too";
+    "is not within 10 % below a synchronous speed at 50 or 60 Hz; give speed.torque.synchronous_speed too";
 inline constexpr char several_synchronous_speeds[] =
     "fits several synchronous speeds; give speed.torque.synchronous_speed, one of {}";
 inline constexpr char belongs_to_nameplate[] = "belongs to a nameplate, which needs speed.torque.power or rated_torque";
@@ -115,6 +118,6 @@ inline constexpr char torque_contradicts_power[] =
 inline constexpr char breakdown_ratio_missing[] =
     "missing; must be the breakdown torque over the rated torque, such as 2.5";
 inline constexpr char no_such_locked_rotor_ratio[] =
-    "cannot be had: at this rated speed and breakdown ratio the torque falls from rest on; leave it out";
+    "is not possible: at this rated speed and breakdown ratio the torque falls from standstill on; leave it out";
 
 }  // namespace equipoise::words::machine

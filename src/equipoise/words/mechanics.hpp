@@ -9,12 +9,12 @@ inline constexpr char unbalance_too_large[] = "the unbalance is larger than all 
 inline constexpr char one_ball_outweighs[] = "one ball outweighs the unbalance and the other balls together";
 inline constexpr char comes_to_rest[] = "the rotor comes to rest: nothing balances it";
 inline constexpr char race_off_centre[] =
-    "a race off its centre makes the supports take from a speed that no motor holds";
+    "with the race off centre the supports' damping slows a coasting rotor: no speed is held";
 // Vibration can absorb a torque that never vanishes; a balanced rotor cannot.
 inline constexpr char no_speed_is_held[] =
     "a balanced rotor needs no torque, and the motor's never vanishes: balanced, it would speed up without end";
 // Follows "the" or "the motor's".
-inline constexpr char holds_no_speed[] = "last torque acts for ever, and a balanced rotor needs none: no speed is held";
+inline constexpr char holds_no_speed[] = "last torque never ends, and a balanced rotor needs none: no speed is held";
 
 // Balls in contact: why they cannot cancel the unbalance.
 inline constexpr char balls_do_not_fit[] = "the balls do not fit into the race";
@@ -35,7 +35,7 @@ inline constexpr char no_gravity[] = "gravity 0";
 inline constexpr char turning[] =
     "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
 inline constexpr char linear_torque[] = "a motor whose torque is linear in the speed, without a load";
-inline constexpr char lasting_drive[] = "a rotor that something turns for good";
+inline constexpr char lasting_drive[] = "a drive that lasts";
 
 // Values that cannot be read.
 inline constexpr char step_leads_away[] =

@@ -61,15 +61,15 @@ inline constexpr char share_at_values[] =
     "Share of the starts that ends balanced at every value tried, with its 95 % interval.";
 // Key, percentage, what starts do.
 inline constexpr char largest_at_which[] =
-    "The largest {} at which {:.4g} % of starts {}; strokes: up to their lower end that is sure, from their upper end "
-    "on it surely fails.";
+    "The largest {} at which {:.4g} % of starts {}. A stroke is its 95 % interval: below its lower end that is shown, "
+    "above its upper end it is shown to fail.";
 inline constexpr char no_state_attracts[] = "no balanced state attracts";
 inline constexpr char all_values_tried[] = "All values that were tried.";
 inline constexpr char json_tells_all[] = "the JSON answer tells all of them";
 // Key, lowest, highest, unit, finest step.
 inline constexpr char values_halved[] =
-    "Values of {} from {:.4g} to {:.4g}{} in steps of an eighth of that until one is surely too large, then halved to "
-    "{:.3g}; a share that falls short between two of them and recovers is not seen. ";
+    "Values of {} from {:.4g} to {:.4g}{} in steps of an eighth of that until one is shown to be too large, then "
+    "halved to {:.3g}; a dip of the share between two of them would be missed. ";
 // Starts, how drawn.
 inline constexpr char starts_a_value[] = "{} starts a value {}, the same in all.";
 inline constexpr char trials_from_file[] = "; {} trials from an earlier run's file";
@@ -90,9 +90,9 @@ inline constexpr char slope_at_most[] = ", at most {:.4g}{} a {}";
 inline constexpr char unit_of_time[] = "unit of time";
 // Points, plural, lowest, highest speed, unit, last time, unit, slope.
 inline constexpr char points_from[] = "{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}";
-inline constexpr char what_for_what[] = "What can be had for what";
+inline constexpr char what_for_what[] = "Trade-offs";
 inline constexpr char front_caption[] =
-    "Candidates that no other beats in every objective; bars are 95 % intervals of what stands upright.";
+    "Candidates that no other beats in every objective; bars are 95 % intervals of the vertical axis.";
 inline constexpr char margin_caption[] = "What becomes of it as one number moves and all others stay.";
 inline constexpr char how_found[] = "How it was found";
 inline constexpr char history_caption[] = "The best that was known after so many trajectories.";
@@ -114,27 +114,27 @@ inline constexpr char limits_and_standards[] = "Limits and standards";
 inline constexpr char on_the_way[] = "On the way";
 
 // One machine: where starts end.
-inline constexpr char stopped_machine[] = "Stopped before all starts were done: this is of those that were.";
+inline constexpr char stopped_machine[] = "Stopped early: all figures are of the starts that were done.";
 inline constexpr char all_starts[] = ", all starts";
 inline constexpr char speed_over_time[] = "Speed over time";
 inline constexpr char ends_caption[] =
     "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the turning rotor, "
     "with a wedge at its heavy side and arrows where balls move; right, the path of the rotor's centre as seen from "
     "beside the machine, all to one scale";
-inline constexpr char limit_dashed[] = ", the limit dashed if it is within.";
+inline constexpr char limit_dashed[] = ", the limit dashed if it lies within the drawing.";
 inline constexpr char rarer_not_drawn[] = " {} rarer not drawn.";
 inline constexpr char first_starts_only[] = " Peaks and runs are of the first {} starts.";
 inline constexpr char ends_table_caption[] =
-    "Displacement and velocity in the end, means over the starts of the outcome";
+    "Displacement and velocity at the end, means over the starts of the outcome";
 inline constexpr char grade_to_compare[] =
-    "; balance quality as ISO 21940-11 grades what unbalance is left, to compare by only";
+    "; balance quality: ISO 21940-11's grade of the unbalance that is left, for comparison only";
 
 // One machine: a motion.
 inline constexpr char centre_on_axis[] = "The centre rests on the axis";
 inline constexpr char centre_is[] = "The centre is ";
 inline constexpr char off_the_axis[] = " off the axis";
 inline constexpr char drawn_from_one[] = " Drawn from the end of one start.";
-inline constexpr char one_of_continuum[] = " One of a continuum of such.";
+inline constexpr char one_of_continuum[] = " One of a continuum of such motions.";
 inline constexpr char rests_in_race[] = "rests in the race";
 inline constexpr char rest_in_race[] = "rest in the race";
 inline constexpr char swings_about_place[] = "swings about its place";
@@ -152,7 +152,7 @@ inline constexpr char typical_one[] = "typical one";
 // Peak.
 inline constexpr char followed_again[] = " (followed again with smaller steps, {} within what is shown)";
 // Caption, which starts are shown.
-inline constexpr char of_this_seed[] = "{} Of this seed, {}.";
+inline constexpr char of_this_seed[] = "{} With this seed, {}.";
 inline constexpr char all_starts_title[] = "all starts";
 inline constexpr char exceeded_by[] = "exceeded by";
 inline constexpr char no_balls_one_run[] = "No balls: one run of the same rotor. ";
@@ -169,10 +169,10 @@ inline constexpr char starts_from_file[] = "; {} starts from an earlier run's fi
 // A map.
 inline constexpr char stopped_map[] =
     "Stopped before all points were done: white ones are missing, shares are of the others.";
-inline constexpr char plays_no_part[] = "in the study; of what varies here its value plays no part";
+inline constexpr char plays_no_part[] = "in the study; its values of what varies here are not used";
 // Axes, angles that stay.
 inline constexpr char start_at_every_point[] = "One start at every point: {}; {}{}.";
-inline constexpr char lines_mean[] = " Lines: where balance ends to exist (dashed), where it changes stability.";
+inline constexpr char lines_mean[] = " Lines: where balance ceases to exist (dashed), where its stability changes.";
 inline constexpr char one_of_points[] = " One of {0} x {0} points is drawn.";
 inline constexpr char of_the_points[] = "of the points";
 inline constexpr char points_on_grid[] = "Points lie on a grid; the interval is that of as many random ones.";
@@ -200,7 +200,7 @@ inline constexpr char peaks_along[] = "Peaks along the parameter";
 inline constexpr char with_intervals[] = "With 95 % intervals.";
 // Values, key.
 inline constexpr char more_not_drawn[] = " {} more values of {} are not drawn.";
-inline constexpr char bounds_hold[] = "Bounds: they hold whatever becomes of the undecided starts.";
+inline constexpr char bounds_hold[] = "Bounds hold however the undecided starts end.";
 // In a cell.
 inline constexpr char least_to_most_starts[] = "{} to {} starts";
 // Cells, starts each, starts in all, how drawn.

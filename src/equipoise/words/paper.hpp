@@ -62,7 +62,7 @@ inline constexpr char starts_in_box[] = "starts in the box";
 inline constexpr char not_computed[] = "not computed under the published law";
 inline constexpr char stopped_early[] = "stopped before all starts were done";
 inline constexpr char table_7_stopped[] = "stopped before table 7 was observed";
-inline constexpr char folder_must_be_writable[] = "must be a folder that can be written";
+inline constexpr char folder_must_be_writable[] = "must be a folder that can be written to";
 
 // The report in the terminal.
 

@@ -49,8 +49,8 @@ inline constexpr char table_7_lead[] =
     "Best lead: kinematic law, balls released when the ramp reaches 2.2, balanced if r < 0.00134 from t = 630 to 730; "
     "computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.";
 inline constexpr char table_7_fits[] =
-    "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors; 95 % "
-    "of a true reading's lie below 6.0 on two free cells, less the freedom that choosing among protocols adds";
+    "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors. A true "
+    "reading stays below 6.0 in 95 % of cases (two free cells); choosing among protocols adds freedom";
 
 // Tables.
 inline constexpr char table_opening[] = "{}. Shares in percent of starts with random ball angles.";

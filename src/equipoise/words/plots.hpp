@@ -40,10 +40,10 @@ inline constexpr char rotor_displacement[] = "rotor displacement r, smallest to 
 inline constexpr char trajectories_followed[] = "trajectories followed";
 
 // Legends.
-inline constexpr char balance_ends[] = "balance ends to exist";
+inline constexpr char balance_ends[] = "balance ceases to exist";
 inline constexpr char dashed_unstable[] = "dashed: unstable";
 inline constexpr char balanced_interval[] = "balanced: 95 % interval";
-inline constexpr char balance_changes[] = "balance changes stability";
+inline constexpr char balance_changes[] = "stability of balance changes";
 inline constexpr char balanced_share[] = "balanced share";
 inline constexpr char must_hold[] = "must hold";
 inline constexpr char not_beaten[] = "not beaten by any";

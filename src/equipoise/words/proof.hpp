@@ -33,8 +33,8 @@ inline constexpr char not_linearly_stable[] =
     "the balanced state exists but is not linearly stable at speed {} (largest rate 0)";
 // What (one of the three below), how much of it in percent, "it" or "both".
 inline constexpr char motion_lost[] =
-    "no balanced motion was found: the one that the balanced state becomes as {} switched on can be followed to {:.2g} "
-    "% of {}";
+    "no balanced motion was found: the motion that grows out of the balanced state as {} switched on can be followed "
+    "to {:.2g} % of {}";
 inline constexpr char gravity_and_supports[] = "gravity and the supports' difference are";
 inline constexpr char gravity_is[] = "gravity is";
 inline constexpr char supports_are[] = "the supports' difference is";
@@ -58,7 +58,8 @@ inline constexpr char box_does_not_prove[] = "the box at tau = ({:.4g}, {:.4g}) 
 inline constexpr char form_frame_level[] = "form, frame or level do not fit the number of balls";
 inline constexpr char motor_at_limit[] = "the motor is at its limit in balance";
 inline constexpr char other_speed[] = "the speed is not that of balance";
-inline constexpr char one_ball_balances[] = "one ball balances only what weighs exactly as much as itself";
+inline constexpr char one_ball_balances[] =
+    "one ball balances only if it weighs as much as the unbalance and the race is centred";
 inline constexpr char angle_encloses_none[] = "the ball angle does not enclose a balanced state";
 inline constexpr char angles_enclose_none[] = "the ball angles do not enclose a balanced state";
 inline constexpr char form_not_symmetric[] = "the form is not symmetric";

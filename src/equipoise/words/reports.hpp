@@ -13,8 +13,8 @@ inline constexpr char missed_with_probability[] =
 inline constexpr char undecided_may_hide[] =
     "{} of all starts stayed undecided: attractors missing here may hold up to that share.\n";
 inline constexpr char in_one_period[] = "in one period";
-inline constexpr char never_the_same_again[] = "and so on, never the same again";
-inline constexpr char a_strobe_is[] = "A strobe is {} of the rotor";
+inline constexpr char never_the_same_again[] = "and so on, without repeating";
+inline constexpr char a_strobe_is[] = "One strobe is {} of the rotor";
 inline constexpr char half_a_revolution[] = "half a revolution";
 // Height, unit.
 inline constexpr char displacement_from_rest[] = "; r is measured from where the rotor would rest, Y = {:.5g}{}";
@@ -35,7 +35,7 @@ inline constexpr char above_the_resonance[] = "Above the resonance in the end";
 inline constexpr char through_the_resonance[] = "Came through the resonance";
 inline constexpr char held_below[] = "; held below: {}";
 inline constexpr char passage_not_known[] = "; not known yet: {}, undecided and slower when last seen";
-inline constexpr char surely_through[] = "; surely through: ";
+inline constexpr char surely_through[] = "; through, whatever the others do: ";
 inline constexpr char no_contact[] =
     "Contact: in no start did balls touch before its fate was known, so contact decided none.\n";
 // Share, interval.
@@ -51,8 +51,8 @@ inline constexpr char partial_no_shares[] =
     "PARTIAL: stopped before the first start was decided; there are no shares.\n";
 
 // Basin: the rotor alone.
-inline constexpr char one_run_tells_all[] = "There are no balls: nothing is drawn, and one run tells all.";
-inline constexpr char runs_draw_the_rest[] = "There are no balls: {} runs draw what else is uncertain.";
+inline constexpr char one_run_tells_all[] = "There are no balls: nothing is random, so one run is enough.";
+inline constexpr char runs_draw_the_rest[] = "There are no balls: {} runs draw the uncertain values.";
 
 // Basin: outcomes.
 inline constexpr char stalled_below[] = "stalled below ";
@@ -60,8 +60,8 @@ inline constexpr char came_to[] = "came to ";
 inline constexpr char was_undecided[] = "was undecided";
 inline constexpr char no_start[] = "No start ";
 // "each " or nothing, share.
-inline constexpr char at_most_whatever_undecided[] = " ({}at most {}, whatever the undecided starts come to).";
-inline constexpr char bounds_hold[] = "Bounds: 95 % limits that hold whatever becomes of the undecided starts.";
+inline constexpr char at_most_whatever_undecided[] = " ({}at most {}, however the undecided starts end).";
+inline constexpr char bounds_hold[] = "Bounds: 95 % limits that hold however the undecided starts end.";
 // Unit of a dimensionless study, or nothing.
 inline constexpr char known_after_means[] =
     "Known after: mean time until the outcome is certain, from when the drive no longer changes and the balls are "
@@ -80,9 +80,9 @@ inline constexpr char seen_not_followed[] = "seen {}{}, not followed further{}";
 inline constexpr char along[] = "along {} ({}): {:.12g} to {:.12g}, {} values\n\n";
 // First value, last value, starts.
 inline constexpr char range_may_go_on[] =
-    "\nA range that begins at {:.12g} or ends at {:.12g} may go on beyond. At every value and half-way between, {} "
-    "random starts and the pilot were searched: an attractor to which fewer come, or that lives between two of these "
-    "values only, is not listed; states of one's own are followed too.\n";
+    "\nA range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way between, "
+    "{} random starts and the pilot were searched. Attractors to which fewer come are not listed, nor those that exist "
+    "only between two of these values. States that you give are followed too.\n";
 inline constexpr char partial_branches[] =
     "PARTIAL: stopped before every branch was followed to its ends; there may be others, and events beyond.\n";
 // Seconds, threads, plural, target, version.
@@ -96,14 +96,14 @@ inline constexpr char csv_event[] = "# event: id {}, {}, {}, between {} and {}\n
 // Capacities.
 inline constexpr char undecided_at_most[] = "undecided at most";
 inline constexpr char between_means[] =
-    "Between: at the first value the share is large enough with 95 % confidence, whatever becomes of the undecided "
-    "starts; at the second it is too small with 95 % confidence.";
+    "Between: at the first value the share is large enough with 95 % confidence, however the undecided starts end; at "
+    "the second it is too small with 95 % confidence.";
 inline constexpr char open_means[] =
     " Of an open one the capacity is not known between the two values; ?: no value tried says so.";
 // Key, percentage, what starts do, range searched.
 inline constexpr char largest_at_which[] = "The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n";
 inline constexpr char located_to[] =
-    "Located to {}; a share that falls short between two of the values tried and recovers is not seen.\n";
+    "Located to {}; a dip of the share between two of the values tried would be missed.\n";
 inline constexpr char partial_cells[] = "PARTIAL: stopped before all cells were done.\n";
 inline constexpr char trials_from_earlier[] = "{} trials from an earlier run. ";
 // Starts, seed, how it was computed, version.
@@ -163,7 +163,7 @@ inline constexpr char means_of[] = "Means and 95 % intervals of {}.{}";
 inline constexpr char differences_by_start[] = "differences start by start";
 inline constexpr char independent_samples[] = "independent samples";
 inline constexpr char open_figures[] =
-    " Open: starts of the first and of the second whose figure has no end; the means are of the others.";
+    " Open: starts of the first and of the second whose figure is without bound; the means are of the others.";
 inline constexpr char nothing_to_compare[] =
     "No start of both is done: there is nothing to compare (basin -o keeps what it has done).";
 inline constexpr char neither_balances[] = "No start of either ends balanced.";
@@ -191,8 +191,7 @@ inline constexpr char search_thought[] = "; on the {} starts of the search it wa
 inline constexpr char was_optimistic[] = "which was optimistic";
 inline constexpr char was_pessimistic[] = "which was pessimistic";
 inline constexpr char chosen_is_marked[] =
-    "The chosen one is marked: the nearest to what would be best in every objective, each measured by the front's own "
-    "range.";
+    "The chosen one is marked: it lies nearest to the best of every objective, each scaled by the front's own range.";
 // Starts, which, seed, what the search thought.
 inline constexpr char over_starts[] = "With 95 % intervals, over {} starts{}, seed {}{}.";
 inline constexpr char search_did_not_see[] = " that the search did not see";
@@ -201,7 +200,7 @@ inline constexpr char choices_have_no_ends[] = "choices have no ends";
 // What ends them, the first objective.
 inline constexpr char margins_mean[] =
     "{} Near it: by how much {} changes at most within a tenth of the range; what matters most comes first.";
-inline constexpr char until_objective_worse[] = "Until the first objective is surely worse.";
+inline constexpr char until_objective_worse[] = "Until the first objective is shown to be worse.";
 inline constexpr char until_requirement_fails[] = "Until a requirement fails.";
 inline constexpr char must_be_title[] = "must be";
 inline constexpr char varied_alone[] = "varied alone";
@@ -237,22 +236,24 @@ inline constexpr char final_speed[] = "final speed";
 inline constexpr char times_the_critical[] = "{}, {:.3g} times the {}critical speed{}";
 inline constexpr char and_with_balls[] = " with balls";
 // Time, speed, inertia.
-inline constexpr char run_up_without_losses[] = "{} to {}, 95 % of that, without losses; rotor and balls have {}";
+inline constexpr char run_up_without_losses[] =
+    "{} to {}, 95 % of that, without losses; the moment of inertia of rotor and balls is {}";
 // Speed.
 inline constexpr char motor_fails[] = "the motor does not bring the rotor to {}, 95 % of that";
 // Time, what is left out.
-inline constexpr char run_up_shaken[] = "{} with what the rotor's own unbalance takes up to sqrt(2) critical speeds{}";
+inline constexpr char run_up_shaken[] =
+    "{} with the torque that the rotor's own unbalance absorbs up to sqrt(2) critical speeds{}";
 inline constexpr char balls_left_out[] = "; what the balls add to that is left out";
 // Speed.
 inline constexpr char stalls_in_resonance[] =
-    "never with what the rotor's own unbalance takes up to sqrt(2) critical speeds: it stalls at {}";
+    "never with the torque that the rotor's own unbalance absorbs up to sqrt(2) critical speeds: it stalls at {}";
 
 // Explanations: balance.
 
 // Unbalance, least, most, " side by side".
 inline constexpr char cancels[] = "unbalance {}; these balls cancel from {} to {}{}";
 inline constexpr char own_unbalance[] =
-    "the rotor's own is {}; the race off the shaft makes that of it at the final speed";
+    "the rotor's own is {}; the off-centre race changes it to that at the final speed";
 inline constexpr char static_sag[] = "static sag";
 // Sag, weight.
 inline constexpr char sags_under[] =
@@ -278,7 +279,7 @@ inline constexpr char rate_by_multipliers[] = "rate, by multipliers";
 inline constexpr char time_constant[] = "time constant";
 inline constexpr char growth_rate[] = "growth rate {:.3g}";
 inline constexpr char yes_not_stable[] = "yes, but balance is not stable at the final speed";
-inline constexpr char yes_by_mass[] = "yes by mass and room, but ";
+inline constexpr char yes_by_mass[] = "the balls have the mass and the room, but ";
 inline constexpr char yes_but_gravity[] = "yes, apart from what gravity adds";
 
 // Explanations: without balls, rules, cost.
@@ -301,8 +302,7 @@ inline constexpr char the_first_starts[] = "the first starts";
 inline constexpr char the_search[] = "the search for attractors";
 // Seconds, seconds of the search, microseconds a start, starts, starts measured.
 inline constexpr char takes_about[] =
-    "about {:.2g} s of CPU: {:.2g} s for the search for attractors, {:.2g} us for each of {} starts, by {} that were "
-    "followed";
+    "about {:.2g} s of CPU: {:.2g} s for the search for attractors, {:.2g} us for each of {} starts, measured on {}";
 
 // Files.
 inline constexpr char of_version[] = ", of equipoise {}";
@@ -336,7 +336,7 @@ inline constexpr char figures_mean[] =
     "log 2 = 0.693 indicates a fractal boundary.\n\n";
 // Open pixels, all.
 inline constexpr char partial_map[] =
-    "PARTIAL: stopped with {} of {} pixels open. Of the map: from none of those to all of them.\n";
+    "PARTIAL: stopped with {} of {} pixels open. Shares of the map: from none of those to all of them.\n";
 // Pixels, how it was computed, pixels a second, version.
 inline constexpr char map_made_with[] = "{} pixels; {}{}; equipoise {}\n";
 

@@ -69,7 +69,7 @@ inline constexpr char clamped_not_integrated[] = "the clamped spin-up could not 
 // Notes of an ensemble.
 inline constexpr char without_balls[] = "there are no balls";
 inline constexpr char unknown_end[] =
-    "no torque acts in the end, and which speed the rotor keeps is not known beforehand";
+    "no torque acts in the end, and the speed that the rotor then keeps is not known beforehand";
 // Share, why.
 inline constexpr char many_undecided[] = "{} are undecided: {}";
 // How near the rotor came to the release.
@@ -98,15 +98,17 @@ inline constexpr char examined[] = "of {} examined: {}";
 inline constexpr char followed_for[] = "they were followed for {} ({})";
 inline constexpr char never_settle[] = "balls without drag never settle";
 // One of the three below, its rate, the horizon that it needs.
-inline constexpr char slow[] = "{} at a rate of {:.2g}, which asks for a horizon of {:.2g}";
+inline constexpr char slow[] = "{} at a rate of {:.2g}, so the horizon must be about {:.2g}";
 inline constexpr char drag_damps[] = "drag damps the balls";
 inline constexpr char balance_left[] = "balance is left";
 inline constexpr char balance_approached[] = "balance is approached";
 // The speed of the motor. After the speeds that were seen.
-inline constexpr char aimed_at[] = " when last seen, of {} that the motor aims at";
-inline constexpr char stalls_alone[] = "; by itself the rotor stalls at {} under what its own unbalance takes";
+inline constexpr char aimed_at[] = " when last seen; the motor's target is {}";
+inline constexpr char stalls_alone[] =
+    "; even without balls the rotor stalls at {}, where its own unbalance takes the motor's power";
 // Speed, time, what follows or nothing.
-inline constexpr char run_up_takes[] = "; a run-up to {} takes about {} with what the rotor's own unbalance takes{}";
+inline constexpr char run_up_takes[] =
+    "; a run-up to {} takes about {} with the power that the rotor's own unbalance takes{}";
 inline constexpr char longer_than_followed[] = ", longer than they were followed";
 
 // Results that are compared, or read back.
@@ -114,18 +116,18 @@ inline constexpr char different_balls[] = "they have different numbers of balls"
 inline constexpr char different_starts[] = "they were not given the same starts";
 inline constexpr char different_seeds[] = "their seeds differ";
 inline constexpr char different_methods[] = "their sampling methods differ";
-inline constexpr char different_room[] = "their balls take different room";
+inline constexpr char different_room[] = "their contact angles differ";
 inline constexpr char different_boxes[] = "their sampling boxes differ";
 // Start, instruction sets of the file, the one in use.
 inline constexpr char other_results[] =
-    "start {}, computed with {}, comes out otherwise in this program with {}; must be a new file, or one that this "
+    "start {}, computed with {}, has another result in this program with {}; must be a new file, or one that this "
     "program and instruction set made";
-inline constexpr char not_an_outcome[] = "must be what basin() told";
+inline constexpr char not_an_outcome[] = "must be an outcome that basin() returned";
 inline constexpr char not_all_starts[] = "of {} starts; must be all (keep_starts), and one or more";
 
 // Attractors from elsewhere.
 inline constexpr char map_of_one_rotor[] =
-    "of one rotor, and the study draws its own for every start; must be left out";
+    "was made for one rotor, and this study draws a rotor for every start; must be left out";
 inline constexpr char map_not_searched[] =
     "starts of a rotor that coasts are followed without a search; must be left out";
 inline constexpr char map_of_another_search[] =

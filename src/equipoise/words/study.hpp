@@ -45,9 +45,9 @@ inline constexpr char array_of[] = "an array, each entry {}";
 // What an entry must be.
 inline constexpr char must_be_array_of[] = "must be an array, each entry {}";
 // What one must be, number of entries, what an entry belongs to.
-inline constexpr char one_or_each[] = "{}, or an array of {}, one a {}";
+inline constexpr char one_or_each[] = "{}, or an array of {}, one per {}";
 // Number of entries, then as in one_or_each.
-inline constexpr char entries_for_each[] = "has {} entries; must be {}, or an array of {}, one a {}";
+inline constexpr char entries_for_each[] = "has {} entries; must be {}, or an array of {}, one per {}";
 // Number of entries, form: "[low, high]".
 inline constexpr char two_numbers[] = "has {} entries; must be two finite numbers, {}";
 inline constexpr char bounds_out_of_order[] = "bounds out of order; must be [low, high] with low at most high";
@@ -60,7 +60,7 @@ inline constexpr char mass_makes_it_physical[] = "missing; must be {}, for {} ma
 inline constexpr char quantity_needed[] = "is {} and rotor.mass makes this a study in physical units; must be {}";
 inline constexpr char mass_states_physical[] = " (a study in physical units states rotor.mass)";
 // What it must be, smallest, largest.
-inline constexpr char size_in_si[] = "must be {}; in SI units from {} to {} in size";
+inline constexpr char size_in_si[] = "must be {}; its size in SI units must be {} to {}";
 inline constexpr char one_quantity[] = "is an array; must be one quantity";
 inline constexpr char units_of_dimensionless_study[] =
     "belongs to a dimensionless study; here the units follow from rotor.mass, balancer.race_radius and rotor.stiffness";
@@ -88,7 +88,7 @@ inline constexpr char two_entries[] = "{} has {} entries; must have two, {}";
 inline constexpr char negative_deviation[] = "the standard deviation must be 0 or more";
 inline constexpr char distribution_out_of_order[] = "{} bounds out of order; must be [low, high] with low at most high";
 inline constexpr char loguniform_above_0[] = "loguniform bounds must be greater than 0";
-inline constexpr char between_of_normal[] = "between goes with normal alone";
+inline constexpr char between_of_normal[] = "between can be used only with normal";
 inline constexpr char between_two_numbers[] = "between must be two numbers, [low, high] with low less than high";
 inline constexpr char between_far_from_mean[] = "between must begin or end within {} standard deviations of the mean";
 inline constexpr char draws_of_changed_study[] =

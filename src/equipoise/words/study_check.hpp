@@ -30,7 +30,7 @@ inline constexpr char the_unbalance[] = "the unbalance";
 inline constexpr char the_stiffness[] = "the stiffness of the supports";
 inline constexpr char the_damping[] = "the damping of the supports";
 inline constexpr char the_drag[] = "the drag of the balls";
-inline constexpr char of_a_formula[] = ", here of a formula";
+inline constexpr char of_a_formula[] = ", here from a formula";
 inline constexpr char the_ball_mass[] = "the mass of the balls";
 
 // What such a change does.
@@ -46,7 +46,7 @@ inline constexpr char drag_enough_to_pass[] = "gives the balls the drag that tak
 inline constexpr char changes_capacity[] = "lets the balls cancel {:.3g} instead of {:.3g} times what there is";
 inline constexpr char changes_settling[] =
     "lets a deviation from balance fade with a time constant of {} instead of {}";
-inline constexpr char nothing_matters[] = "nothing that these rules see";
+inline constexpr char nothing_matters[] = "none of these, by these rules";
 inline constexpr char how_judged[] =
     " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
     "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
@@ -62,11 +62,11 @@ inline constexpr char balls_slide[] = "balls are points that slide";
 inline constexpr char no_rolling_resistance[] = "no rolling resistance";
 inline constexpr char race_centred[] = "race centred on the shaft";
 inline constexpr char typical_density[] = "typical density of {}";
-inline constexpr char silicone_oil[] = "oil of {}, a silicone's law";
+inline constexpr char silicone_oil[] = "oil of {}, by the law of silicone oils";
 inline constexpr char oil_of_middle[] = "oil of {}, in the middle of its class";
 inline constexpr char oil_of_middle_and_index[] = "oil of {}, in the middle of its class, viscosity index 95";
 inline constexpr char drag_in_a_tube[] = "drag of a ball on the axis of a tube";
-inline constexpr char drag_of_stokes[] = "drag of Stokes, without walls";
+inline constexpr char drag_of_stokes[] = "Stokes drag, without walls";
 inline constexpr char supports_alike[] = "supports alike in x and y";
 inline constexpr char viscous_damping[] = "viscous damping";
 inline constexpr char no_gravity[] = "no gravity across the shaft";

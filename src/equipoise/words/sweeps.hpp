@@ -16,7 +16,7 @@ inline constexpr char repeats[] = "has a value twice; must be different ones";
 inline constexpr char zipped_sizes[] = "has {} value{}, {} has {}; zipped parameters must have as many each";
 inline constexpr char too_many_cells[] = "makes more than {} cells; must be fewer";
 inline constexpr char number_of_axes[] = "must be 1 to {} parameters, or more that vary together";
-inline constexpr char shard_range[] = "must be one of as many as there are";
+inline constexpr char shard_range[] = "must be less than the number of shards";
 
 // Files and messages of a sweep.
 inline constexpr char no_sweep_named[] = "does not say which sweep it is of";
@@ -30,11 +30,11 @@ inline constexpr char no_trials[] = "a message between processes holds no trials
 inline constexpr char states_another_key[] = "the study states {0}; must be {0}, or another key";
 inline constexpr char range_missing[] =
     "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study in physical "
-    "units, have a range of their own)";
+    "units, have a default range)";
 inline constexpr char range_form[] =
     "must be LOW:HIGH, two numbers or quantities of one unit, the first below the second, e.g. 0.001:0.1 or \"20 g "
     "mm:400 g mm\"";
-inline constexpr char must_rise[] = "must rise";
+inline constexpr char must_rise[] = "must have its lower end first";
 inline constexpr char share_range[] = "must be between 0 and 1";
 inline constexpr char precision_range[] = "must be from 0.0001 to 0.1";
 inline constexpr char one_of[] = "must be one of: {}";

@@ -104,7 +104,8 @@ inline constexpr char held_until_speed[] = "balls held until the rotor comes to 
 inline constexpr char held_until_time[] = "balls held until t = ";
 inline constexpr char at_speed[] = ", at speed ";
 inline constexpr char start_in_one_place[] =
-    " are alike and start in one place, which equal numbers never leave and real balls do: set about 1e-9 rad apart";
+    " are alike and start in one place; computed exactly they would stay together, and real ones part: they are set "
+    "about 1e-9 rad apart";
 
 // The study: speed.
 
@@ -191,7 +192,7 @@ inline constexpr char never_over_on_the_way[] = ", and is never over one on the 
 inline constexpr char over_on_the_way[] = ", and is over one on the way";
 // Share, on the way.
 inline constexpr char bare_runs_end_within[] = "without balls {} of the runs end within all limits{}";
-inline constexpr char bare_runs_never_over[] = ", and {} never are over one on the way";
+inline constexpr char bare_runs_never_over[] = ", and {} are never over one on the way";
 // Runs with it, all.
 inline constexpr char in_runs[] = " in {} of {} runs";
 inline constexpr char e_omega[] = "e omega of that, mm/s";

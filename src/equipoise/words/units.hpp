@@ -11,7 +11,7 @@ inline constexpr char no_number_with_unit[] = "is not a number with a unit; {}";
 // What reads units, the unit, the units that are allowed.
 inline constexpr char unknown_unit[] = "{} cannot read the unit \"{}\"; {}";
 // The unit, the units that are allowed.
-inline constexpr char measures_something_else[] = "\"{}\" does not measure that; {}";
+inline constexpr char measures_something_else[] = "\"{}\" is a unit of something else; {}";
 
 // Behind them, of speeds of rotation.
 inline constexpr char speed_units[] = "; in rpm, 1/min, rad/s or Hz (turns a second)";
@@ -26,7 +26,7 @@ inline constexpr char torque_for_a_speed[] = "a torque for a speed of rotation";
 inline constexpr char weight_inertia[] = "a weight times a diameter squared";
 
 // A plain number in a field of the guide.
-inline constexpr char no_plain_number[] = "is no plain number";
+inline constexpr char no_plain_number[] = "is not a plain number";
 
 // A study in TOML.
 inline constexpr char too_many_key_parts[] = "a key has more than {} parts; no key of a study does";
