@@ -102,7 +102,7 @@ def test_pictures_are_small_and_have_captions(name):
 def test_they_begin_with_a_question_and_end_with_what_to_read_next():
     for name in CHECKS:
         told = [cell.source for cell in notebooks.read(name).cells if cell.cell_type == "markdown"]
-        assert re.match(r"# \d\. .*\n\n\*\*[^*]*\?\*\*|(?s:.{0,700}\?\*\*)", told[0]) and "**Next:**" in told[-1], name
+        assert re.match(r"# \d\. ", told[0]) and "?**" in told[0] and "**Next:**" in told[-1], name
 
 
 @pytest.mark.parametrize("name", CHECKS)
