@@ -49,7 +49,7 @@ def captioned(body, page):
     def figure(match):
         words = " ".join(match[2].split())
         said = re.sub(r"[$\\*`\[\]]", "", words)
-        return f"```{{figure}} {match[1]}\n:alt: {json.dumps(said)}\n:align: left\n\n{words}\n```\n\n"
+        return f"```{{figure}} {match[1]}\n:alt: {json.dumps(said)}\n\n{words}\n```\n\n"
 
     body = CAPTION.sub(figure, body)
     if "![picture]" in body:
