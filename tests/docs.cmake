@@ -28,7 +28,7 @@ if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON 
   set_tests_properties(docs.lessons_run PROPERTIES LABELS docs TIMEOUT ${longest_test} COST 100)
 
   # The site, where Sphinx and what it needs are there (./dev docs installs them).
-  execute_process(COMMAND ${docs_python} -c "import sphinx, myst_parser, breathe, furo, xarray" RESULT_VARIABLE no_sphinx
+  execute_process(COMMAND ${docs_python} -c "import sphinx, myst_parser, breathe, furo, xarray, nbconvert" RESULT_VARIABLE no_sphinx
     OUTPUT_QUIET ERROR_QUIET)
   find_program(EQUIPOISE_DOXYGEN doxygen)
   mark_as_advanced(EQUIPOISE_DOXYGEN)
@@ -38,6 +38,6 @@ if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON 
         ${CMAKE_CURRENT_BINARY_DIR}/site)
     set_tests_properties(docs.site PROPERTIES LABELS docs TIMEOUT ${longest_test} COST 100)
   else()
-    message(STATUS "Sphinx, Doxygen or KaTeX not found (./dev docs installs them): the documentation site is not built by the tests")
+    message(STATUS "Sphinx, nbconvert, Doxygen or KaTeX not found (./dev docs installs them): the documentation site is not built by the tests")
   endif()
 endif()

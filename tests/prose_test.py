@@ -3,11 +3,12 @@
 
     prose_test.py SOURCE [--renew]
 
-Words are looked for in the pages, in help texts and messages (string literals of src, apps and the Python package). What was
+Words are looked for in the pages, the notebooks' text, in help texts and messages (string literals of src, apps and the Python package). What was
 there before the rule is listed below, file by file, and may only become less; so may the mean length of sentences of pages that
 are above the limit. --renew writes both lists anew where something became less, and never more.
 """
 import collections
+import json
 import pathlib
 import re
 import sys
@@ -62,13 +63,22 @@ def literals(text):
 
 
 def pages(source):
-    return sorted([source / "README.md", source / "CONTRIBUTING.md", *(source / "docs").rglob("*.md")])
+    return sorted([source / "README.md", source / "CONTRIBUTING.md", *(source / "docs").rglob("*.md"),
+                   *(source / "python/notebooks").glob("*.ipynb")])
+
+
+def prose_of(page):
+    """A page's text; of a notebook that of its cells of text."""
+    text = page.read_text()
+    if page.suffix != ".ipynb":
+        return text
+    return "\n\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"] if cell["cell_type"] == "markdown")
 
 
 def found_words(source):
     words = {word: re.compile(r"\b" + word.replace(" ", r"\s+") + r"\b", re.IGNORECASE) for word in table_of_words(source)}
     found = collections.defaultdict(dict)
-    texts = {page: plain(page.read_text()) for page in pages(source) if page.name != "style.md"}
+    texts = {page: plain(prose_of(page)) for page in pages(source) if page.name != "style.md"}
     for folder, endings in (("src", (".cpp", ".hpp")), ("apps", (".cpp", ".hpp")), ("python/equipoise", (".py",))):
         for file in sorted((source / folder).rglob("*")):
             if file.suffix in endings:
@@ -81,7 +91,7 @@ def found_words(source):
 
 
 def lengths_above(source):
-    measured = {str(page.relative_to(source)): mean_length(page.read_text()) for page in pages(source)}
+    measured = {str(page.relative_to(source)): mean_length(prose_of(page)) for page in pages(source)}
     return measured
 
 

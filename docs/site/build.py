@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 import cpp_pages
+import notebook_pages
 import reference_pages
 
 OUTSIDE = {"CONTRIBUTING.md": "project/contributing.md", "CHANGELOG.md": "project/changelog.md",
@@ -57,6 +58,13 @@ class Gathering:
         self.kept.add(self.root / name)
         put(self.root / name, text)
 
+    def put_bytes(self, name, data):
+        place = self.root / name
+        self.kept.add(place)
+        if not place.exists() or place.read_bytes() != data:
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(data)
+
     def link(self, page, name, match):
         """A link of the page docs/..., as it is right for the copy `name`."""
         words, target = match.groups()
@@ -64,13 +72,17 @@ class Gathering:
             return match.group(0)
         path, _, anchor = target.partition("#")
         goal = pathlib.Path(os.path.normpath(page.parent / path))
+        if not goal.exists():  # of the page itself: a picture beside it
+            return match.group(0)
         if goal.is_dir() or goal.suffix in {".cpp", ".hpp"}:  # of the repository: not on the site
             return words.strip("![]")
         if goal.is_relative_to(self.docs):
             place = self.root / goal.relative_to(self.docs)
         elif str(goal.relative_to(self.source)) in OUTSIDE:
             place = self.root / OUTSIDE[str(goal.relative_to(self.source))]
-        else:  # a study, a notebook: a file to be taken along
+        elif goal.suffix == ".ipynb" and goal.stem != pathlib.Path(name).stem:
+            place = self.root / "notebooks" / f"{goal.stem}.md"
+        else:  # a study, the notebook that a page shows: a file to be taken along
             place = self.root / "files" / goal.relative_to(self.source)
             self.kept.add(place)
             copied(goal, place)
@@ -78,7 +90,10 @@ class Gathering:
         return f"{words}({there}{'#' + anchor if anchor else ''})"
 
     def page(self, page, name):
-        text = page.read_text()
+        self.text(page, name, page.read_text())
+
+    def text(self, page, name, text):
+        """The page `name` of the text of a file, whose links start from there."""
         text = re.sub(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\])\(([^()\s]+)\)", lambda match: self.link(page, name, match), text)
         text = re.sub(r"^( *)```math$", r"\1```{math}", text, flags=re.MULTILINE)
         text = re.sub(r"^```pycon$", "```python", text, flags=re.MULTILINE)
@@ -117,6 +132,7 @@ def main():
     source, build, site = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
     gathering = Gathering(source, site)
     gathering.gather()
+    notebook_pages.write(gathering)
     gathering.static()
     xml = cpp_pages.write(source, build, site, gathering.put)
     reference_pages.write(source, build, site, gathering.put)
