@@ -123,7 +123,7 @@ def same_within(kept, shown):
     for one, other in zip(NUMBER.findall(kept), NUMBER.findall(shown)):
         digits = len(one.partition("e")[0].partition(".")[2])
         last = 10.0 ** -digits * (10.0 ** float(one.partition("e")[2]) if "e" in one else 1.0)
-        if abs(float(one) - float(other)) > max(2.01 * last, 0.02 * abs(float(one))):
+        if abs(float(one) - float(other)) > max(2.01 * last, 0.05 * abs(float(one))):
             return False
     return True
 

@@ -206,8 +206,8 @@ class OtherPages(Case):
                  "0.08:0.14", "--precision", "0.1", "--starts", "200"]
         page, found = self.page_of(*quick)
         cell = found["cells"][0]
-        self.assertEqual(page.lead, f"Up to eccentricity {cell['value']:.4g} R, 90 % of starts end balanced: surely up to "
-                                    f"{cell['low']:.4g}, surely fewer from {cell['high']:.4g} on (95 % confidence).")
+        self.assertEqual(page.lead, f"Up to eccentricity {cell['value']:.4g} R, 90 % of starts end balanced: shown up to "
+                                    f"{cell['low']:.4g}, shown to be fewer from {cell['high']:.4g} on (95 % confidence).")
         self.assertEqual(page.tags["svg"], 1)
         for trial in cell["trials"]:
             self.assertIn(f"{trial['value']:.6g}", page.cells)

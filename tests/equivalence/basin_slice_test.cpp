@@ -586,7 +586,7 @@ TEST(BasinSlice, PictureNamesWhatItShows) {
   const std::string script = map_plot_script(map, "Where the rotor ends", "map.png");
   for (const OutcomeShare& c : map.codes)
     EXPECT_EQ(script.find("'" + (c.alias.empty() ? "" : c.alias + ": ") + c.name) != script.npos, c.share.count > 0);
-  EXPECT_NE(script.find("balance ends to exist"), script.npos);
+  EXPECT_NE(script.find("balance ceases to exist"), script.npos);
   EXPECT_NE(script.find("eccentricity λ"), script.npos);
   EXPECT_NE(script.find("μ"), script.npos);
 }

@@ -249,7 +249,7 @@ TEST(UndecidedMachines, SayWhatTheyDo) {
   EXPECT_NE(brief.find("followed for 100 (numerics.horizon)"), std::string::npos) << brief;
   EXPECT_NE(rising.find("whose rotor still speeds up (at "), std::string::npos) << rising;
   // Inertia times speed over torque would be 6000 units of time: vibration absorbs all of the torque at resonance.
-  EXPECT_NE(rising.find(" of 3 that the motor aims at; by itself the rotor stalls at "), std::string::npos) << rising;
+  EXPECT_NE(rising.find("; the motor's target is 3; even without balls the rotor stalls at "), std::string::npos) << rising;
 }
 
 // Notes on balance concern its linear stability.
@@ -333,7 +333,7 @@ torque = { stall = "0.006 N m", no_load_speed = "3000 rpm" }
     EXPECT_NE(told.find("whose rotor still speeds up (at "), std::string::npos) << told;
     // As explain says of the same motor, 7860 s: three e-foldings of the way to its no-load speed.
     const double run_up = *equipoise::explain(study).run_up->shaken * study.scales->time();
-    EXPECT_NE(told.find(fmt::format(" of 3000 rpm that the motor aims at; a run-up to 2850 rpm takes about {:.0f} s",
+    EXPECT_NE(told.find(fmt::format("; the motor's target is 3000 rpm; a run-up to 2850 rpm takes about {:.0f} s",
                                     run_up)),
               std::string::npos)
         << told << run_up;

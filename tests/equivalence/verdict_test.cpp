@@ -115,7 +115,7 @@ TEST(Verdict, AsksForTheShareThatLimitsState) {
 TEST(Verdict, ComesFirstInTextAndStandsInJson) {
   const BasinResult r = with_numbers(false, {.end = 0.1, .peak = 2.9});
   const std::string text = basin_text(r);
-  EXPECT_TRUE(text.starts_with("verdict  Fit it only if it may shake more on the way:"));
+  EXPECT_TRUE(text.starts_with("verdict  Fit it only if more vibration on the way is acceptable:"));
   EXPECT_EQ(nlohmann::json::parse(basin_json(r))["verdict"]["decision"], "caution");
   EXPECT_TRUE(holds(basin_text(r, {80, false, true}), "\x1b[33mverdict"));
   EXPECT_FALSE(holds(text, "\x1b["));
@@ -209,7 +209,7 @@ TEST(Changes, AreWhatTheirWordsSay) {
   expect("3 balls", {"balancer.balls=3"});
   expect("balls of 10 mm", {"balancer.ball_diameter=10 mm"});
   expect("balls of 6 mm", {"balancer.ball_diameter=6 mm"});
-  expect("a run-up in half the time", {"speed.run_up=2 s"});
+  expect("a run-up of half the time", {"speed.run_up=2 s"});
   // Halfway between sqrt(2) critical speeds and the last speed, in two digits.
   const double halfway = 0.5 * (std::sqrt(2.0) + study.speed.final) * study.scales->frequency * 30.0 / pi;
   ASSERT_GT(halfway, 100.0);

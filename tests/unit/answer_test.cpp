@@ -48,7 +48,7 @@ TEST(Answer, SaysHowSurelyItBalancesAndWhatIsExceeded) {
 
 TEST(Answer, SaysWhatIsNotKnown) {
   const std::string open = answer_sentence(result_of(constant_speed, 1000, 700, 100));
-  EXPECT_TRUE(holds(open, "surely 67.1 to 82.4 %")) << open;  // Wilson of 700 and of 800 in 1000
+  EXPECT_TRUE(holds(open, "bounds 67.1 to 82.4 %")) << open;  // Wilson of 700 and of 800 in 1000
   EXPECT_TRUE(holds(open, "; 10.0 % stay undecided.")) << open;
   EXPECT_EQ(answer_sentence(result_of(constant_speed, 0, 0)),
             "Nothing is known: stopped before any start was decided.");

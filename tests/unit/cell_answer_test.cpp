@@ -137,14 +137,14 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
   const CapacityCell inside{{}, 213.2, 201.0, 220.0, false, false};
   const CapacityCell always{{}, {}, 400.0, 400.0, true, false}, never{{}, {}, 20.0, 20.0, false, true};
   EXPECT_EQ(answer_sentence(capacity_of({inside})),
-            "Up to unbalance 213.2 g mm, 95 % of starts end balanced: surely up to 201, surely fewer from 220 on "
+            "Up to unbalance 213.2 g mm, 95 % of starts end balanced: shown up to 201, shown to be fewer from 220 on "
             "(95 % confidence).");
   EXPECT_TRUE(holds(answer_sentence(capacity_of({always})),
                     "Up to unbalance 400 g mm, the end of the range, 95 % of starts end balanced"));
   EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "Nowhere from unbalance 20 g mm on"));
   CapacityResult by_limits = capacity_of({inside});
   by_limits.by = "limits";
-  EXPECT_TRUE(holds(answer_sentence(by_limits), "95 % of starts keep every limit: surely up to 201"));
+  EXPECT_TRUE(holds(answer_sentence(by_limits), "95 % of starts keep every limit: shown up to 201"));
   EXPECT_EQ(answer_sentence(capacity_of({inside, never, always})),
             "The largest unbalance at which 95 % of starts end balanced is more than 400 g mm at final speed 4 ω_c; it "
             "is least at final speed 3 ω_c: less than 20 g mm (95 % confidence).");

@@ -215,7 +215,7 @@ TEST(DataSheet, KnowsMaterialsOfBalls) {
   const std::string said = refusal_of(oiled, {viscosity, "balancer.ball_material=stel"});
   EXPECT_TRUE(
       holds(said,
-            "is none whose density is known here (balancer.ball_density states any); did you mean \"steel\"? must "
+            "is not a material in the table (balancer.ball_density states any density); did you mean \"steel\"? must "
             "be one of: steel, stainless steel, tungsten carbide, ceramic, glass"))
       << said;
   EXPECT_TRUE(holds(refusal_of(oiled, {viscosity, "balancer.ball_material=steel", "balancer.mass=3 g"}),

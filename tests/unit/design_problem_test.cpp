@@ -260,11 +260,11 @@ TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
   EXPECT_NE(design_verdict(r).margins.find("not worked out"), std::string::npos);
   r.before = DesignSample{100, {{1.0, 0.97, 1.0}}, {}, ""};
   EXPECT_EQ(design_verdict(r).words,
-            "Leave it as it is: nothing found is surely better. Best found: 3 balls of 12 mm, "
+            "Leave it as it is: nothing found is shown to be better. Best found: 3 balls of 12 mm, "
             "ISO VG 46.");
   r.feasible = false;
   EXPECT_EQ(design_verdict(r).words,
-            "Nothing tried keeps all requirements surely; nearest: 3 balls of 12 mm, ISO VG 46.");
+            "Nothing tried is shown to keep all requirements; nearest: 3 balls of 12 mm, ISO VG 46.");
   r.partial = true;
   EXPECT_EQ(design_verdict(r).words.substr(0, 9), "PARTIAL: ");
   DesignMargin m;

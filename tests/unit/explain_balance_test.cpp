@@ -134,7 +134,7 @@ TEST(ExplainedBalance, SoftSpringsUnderGravityHaveABalancedMotionToo) {
 
 TEST(ExplainedBalance, GravityMayLeaveNoBalancedMotion) {
   const Explanation e = explained(constant_speed, {"rotor.gravity=1"});
-  EXPECT_EQ(verdict_text(e), "yes by mass and room, but no balanced motion was found with gravity");
+  EXPECT_EQ(verdict_text(e), "the balls have the mass and the room, but no balanced motion was found with gravity");
   // A ball that begins where it would balance without gravity does not stay: it moves by more than half a turn.
   Study study = e.study;
   const double phi = std::acos(-0.1);

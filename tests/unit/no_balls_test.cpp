@@ -73,7 +73,7 @@ TEST(NoBalls, BasinTellsOfOneRun) {
   EXPECT_EQ(r.without_balls->held.runs, 0u);
   const std::string text = basin_text(r);
   EXPECT_TRUE(holds(text, "no balls; rotor: eccentricity 0.01"));
-  EXPECT_TRUE(holds(text, "There are no balls: nothing is drawn, and one run tells all."));
+  EXPECT_TRUE(holds(text, "There are no balls: nothing is random, so one run is enough."));
   EXPECT_FALSE(holds(text, "balanced"));
   const auto json = nlohmann::json::parse(basin_json(r));
   EXPECT_NEAR(json["without_balls"]["no_balls"]["figures"]["rms_velocity"]["value"].get<double>(),
@@ -88,7 +88,7 @@ TEST(NoBalls, UncertainValuesAreDrawn) {
   const BasinResult r = basin(parse_study(text, "s"));
   EXPECT_EQ(r.without_balls->bare.runs, 50u);
   EXPECT_FALSE(r.without_balls->bare.one);
-  EXPECT_TRUE(holds(basin_text(r), "There are no balls: 50 runs draw what else is uncertain."));
+  EXPECT_TRUE(holds(basin_text(r), "There are no balls: 50 runs draw the uncertain values."));
 }
 
 TEST(NoBalls, ARunIsThatOfTheBareRotorOfTheSameStudyWithBalls) {

@@ -172,7 +172,7 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   const std::string open = basin_text(result_of(constant_speed, 734, 266)),
                     closed = basin_text(result_of(constant_speed, 1000, 0));
   EXPECT_TRUE(holds(open, "bounds"));
-  EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.42 %, whatever the undecided starts come to)."))
+  EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.42 %, however the undecided starts end)."))
       << open;                                       // Wilson's upper bound of 266 in 1000
   EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
   EXPECT_FALSE(holds(closed, "bounds"));
@@ -200,14 +200,14 @@ torque = { stall = "2 N m", no_load_speed = "3000 rpm" }
   for (const char* part :
        {"Came through the resonance: 60.0 % of all starts (50.2 to 69.1 %), turning faster than ",
         " rpm in their motion or when last seen; held below: 20.0 % (13.3 to 28.9 %); not known yet: 20 %, "
-        "undecided and slower when last seen; surely through: 50.2 to 86.7 %.\n"})
+        "undecided and slower when last seen; through, whatever the others do: 50.2 to 86.7 %.\n"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
   r.study.speed.initial = 100.0;
   EXPECT_NE(basin_text(r).find("Above the resonance in the end: 60.0 %"), std::string::npos);
   r.passed = open_share(100, 100, 100);
   r.not_passed = open_share(0, 0, 100);
   const std::string all = basin_text(r);
-  for (const char* part : {"held below", "not known yet", "surely through"})
+  for (const char* part : {"held below", "not known yet", "through, whatever the others do"})
     EXPECT_EQ(all.find(part), std::string::npos) << all;
 }
 

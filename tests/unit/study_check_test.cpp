@@ -58,7 +58,7 @@ TEST(StudyCheck, ListsWhatTheStudyLeavesOpen) {
   EXPECT_FALSE(assumes(ramp_machine, "typical density"));
   EXPECT_TRUE(assumes(checked, "oil of 27.8 mPa s, in the middle of its class, viscosity index 95"));
   EXPECT_FALSE(assumes(checked, "viscosity index", {"balancer.oil.viscosity_100=5.4 cSt"}));
-  EXPECT_TRUE(assumes(checked, "drag of Stokes, without walls"));
+  EXPECT_TRUE(assumes(checked, "Stokes drag, without walls"));
   EXPECT_TRUE(assumes(checked, "axis of a tube", {"balancer.channel_diameter=16 mm"}));
   EXPECT_FALSE(assumes(ramp_machine, "drag of"));
   EXPECT_TRUE(assumes(checked, "supports alike in x and y"));
@@ -95,7 +95,7 @@ TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
 
 TEST(StudyCheck, SaysWhereDragIsOfAFormula) {
   const std::string most = check_of(checked).most;
-  EXPECT_TRUE(holds(most, "the drag of the balls, here of a formula")) << most;
+  EXPECT_TRUE(holds(most, "the drag of the balls, here from a formula")) << most;
   EXPECT_FALSE(holds(check_of(ramp_machine).most, "of a formula"));
 }
 

@@ -227,7 +227,7 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
   EXPECT_EQ(model::lacking(driven, ResultKind::displacements)->reason,
             "observed displacements need a prescribed speed (simulate, basin, attractors and map take any)");
   EXPECT_EQ(model::lacking(coasting, ResultKind::maps)->reason,
-            "maps need a rotor that something turns for good (simulate and basin take any)");
+            "maps need a drive that lasts (simulate and basin take any)");
   EXPECT_EQ(model::lacking(still, ResultKind::shares)->reason,
             "shares need a rotor that turns in the end (other than 0) where supports are unequal or gravity acts "
             "(simulate takes any)");
