@@ -23,6 +23,7 @@ PROJECT = """# The project
 - [Contributing](contributing.md): how the house is laid out, and how to change it.
 - [Style](../style.md): words to use and words to avoid.
 - [Changelog](changelog.md)
+- [Notices](notices.md): whose work this site carries.
 
 ```{toctree}
 :hidden:
@@ -30,9 +31,17 @@ PROJECT = """# The project
 contributing
 ../style
 changelog
+notices
 ```
 """
+NOTICES = """# Notices
+
+These pages carry work of others. Each file states whose it is, and under which licence.
+
+"""
 KATEX = pathlib.Path("/usr/share/javascript/katex")
+CARRIED = {"KaTeX": "libjs-katex", "Furo": "furo", "Sphinx": "python3-sphinx", "jQuery": "libjs-jquery",
+           "Underscore": "libjs-underscore", "Pygments": "python3-pygments"}
 
 
 def put(path, text):
@@ -96,6 +105,12 @@ class Gathering:
                 copied(file, place)
 
         self.put("project/index.md", PROJECT)
+        notices = NOTICES
+        for name, package in CARRIED.items():
+            copyright_file = pathlib.Path(f"/usr/share/doc/{package}/copyright")
+            self.put(f"files/notices/{package}.txt", copyright_file.read_text())
+            notices += f"- [{name}](../files/notices/{package}.txt)\n"
+        self.put("project/notices.md", notices)
 
     def static(self):
         folder = self.root / "_static"
