@@ -16,24 +16,8 @@ import sys
 import cpp_pages
 import reference_pages
 
-OUTSIDE = {"CONTRIBUTING.md": "project/contributing.md", "CHANGELOG.md": "project/changelog.md",
+OUTSIDE = {"CONTRIBUTING.md": "project/contributing.md", "CHANGELOG.md": "project/changelog.md", "SECURITY.md": "project/security.md",
            "studies/paper/published/README.md": "project/published-tables.md"}
-PROJECT = """# The project
-
-- [Contributing](contributing.md): how the house is laid out, and how to change it.
-- [Style](../style.md): words to use and words to avoid.
-- [Changelog](changelog.md)
-- [Notices](notices.md): whose work this site carries.
-
-```{toctree}
-:hidden:
-
-contributing
-../style
-changelog
-notices
-```
-"""
 NOTICES = """# Notices
 
 These pages carry work of others. Each file states whose it is, and under which licence.
@@ -104,7 +88,6 @@ class Gathering:
                 self.kept.add(place)
                 copied(file, place)
 
-        self.put("project/index.md", PROJECT)
         notices = NOTICES
         for name, package in CARRIED.items():
             copyright_file = pathlib.Path(f"/usr/share/doc/{package}/copyright")
