@@ -1,16 +1,10 @@
-# Installing and exporting: find_package(equipoise) from an outside project.
+# What other projects link, and what is installed: find_package(equipoise) gives the same names as add_subdirectory.
+# Components of an installation: program, library (a shared one), development.
 include(CMakePackageConfigHelpers)
 
-set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/equipoise)
-install(TARGETS equipoise equipoise_paper EXPORT equipoise_targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-if(EQUIPOISE_BUILD_PROGRAM)
-  install(TARGETS equipoise_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
-
-# The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and what they include. Templates and kernels stay inside.
-foreach(header
+# The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and what they include. They are installed,
+# and what they declare is what the shared library shows. Templates and kernels stay inside.
+set(equipoise_public_headers
     equipoise.hpp paper.hpp
     base/error.hpp base/stop_flag.hpp
     running/run_options.hpp
@@ -68,16 +62,68 @@ foreach(header
     literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp
     reproduction/open_questions.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
       reproduction/reproduction.hpp)
+
+if(EQUIPOISE_SHARED)
+  include(cmake/shared.cmake)
+  set(libraries equipoise_shared equipoise_shared_paper)
+else()
+  set(libraries equipoise equipoise_paper)
+  set_target_properties(equipoise_paper PROPERTIES EXPORT_NAME paper)
+endif()
+list(GET libraries 0 library)
+list(GET libraries 1 paper)
+add_library(equipoise::equipoise ALIAS ${library})
+add_library(equipoise::paper ALIAS ${paper})
+
+if(NOT EQUIPOISE_INSTALL)
+  return()
+endif()
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/equipoise)
+install(TARGETS ${libraries} EXPORT equipoise_targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+foreach(header IN LISTS equipoise_public_headers)
   get_filename_component(folder ${header} DIRECTORY)
-  install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder})
+  install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder} COMPONENT development)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/base/version.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/base)
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/base COMPONENT development)
 
-install(EXPORT equipoise_targets NAMESPACE equipoise:: DESTINATION ${config_dir})
+# For CMake. While the first number of the version is 0, its second one breaks what was; afterwards the first alone does.
+set(compatible SameMajorVersion)
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(compatible SameMinorVersion)
+endif()
+install(EXPORT equipoise_targets NAMESPACE equipoise:: DESTINATION ${config_dir} COMPONENT development)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/equipoise-config.cmake.in
   ${PROJECT_BINARY_DIR}/equipoise-config.cmake INSTALL_DESTINATION ${config_dir})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/equipoise-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/equipoise-config.cmake ${PROJECT_BINARY_DIR}/equipoise-config-version.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/udunits2.cmake
-  DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/equipoise-config-version.cmake COMPATIBILITY ${compatible})
+set(config_files ${PROJECT_BINARY_DIR}/equipoise-config.cmake ${PROJECT_BINARY_DIR}/equipoise-config-version.cmake)
+if(NOT EQUIPOISE_SHARED)
+  list(APPEND config_files ${CMAKE_CURRENT_LIST_DIR}/udunits2.cmake)
+endif()
+install(FILES ${config_files} DESTINATION ${config_dir} COMPONENT development)
+
+# For all else: pkg-config. A static library names what it needs.
+set(pkg_config_libraries -lequipoise)
+set(pkg_config_requires eigen3)
+if(NOT EQUIPOISE_SHARED)
+  set(pkg_config_libraries "-lequipoise_paper -lequipoise -ludunits2 -pthread")
+  string(APPEND pkg_config_requires ", tbb, fmt, tomlplusplus, libhwy, netcdf")
+  if(EQUIPOISE_PAGMO)
+    string(APPEND pkg_config_libraries " -lpagmo -lboost_serialization")
+  endif()
+endif()
+set(pkg_config_prefix ${CMAKE_INSTALL_PREFIX})
+if(NOT CMAKE_INSTALL_PREFIX STREQUAL /usr)  # may be moved
+  file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  set(pkg_config_prefix "\${pcfiledir}/${up}")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/equipoise.pc.in ${PROJECT_BINARY_DIR}/equipoise.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/equipoise.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+if(EQUIPOISE_BUILD_PROGRAM)
+  include(cmake/install_program.cmake)
+endif()

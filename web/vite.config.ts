@@ -19,6 +19,13 @@ function packed(): Plugin {
   };
 }
 
+/** The licences of what others wrote and the page carries. */
+function notices(): string {
+  const folder = new URL("../packaging/notices/", import.meta.url);
+  const text = ["explorer.txt", "mit.txt", "random123.txt"].map((name) => readFileSync(new URL(name, folder), "utf8"));
+  return `<!--\n${text.join("\n")}-->`;
+}
+
 /** Scripts and style sheets written into the page that asks for them. */
 function singleFile(): Plugin {
   return {
@@ -41,7 +48,7 @@ function singleFile(): Plugin {
         else this.error(`${name} is asked for by nobody`);
         delete bundle[name];
       }
-      page.source = html;
+      page.source = html.replace("</html>", () => `</html>\n${notices()}`);
     },
   };
 }

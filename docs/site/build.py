@@ -17,23 +17,16 @@ import cpp_pages
 import notebook_pages
 import reference_pages
 
-OUTSIDE = {"CONTRIBUTING.md": "project/contributing.md", "CHANGELOG.md": "project/changelog.md",
+OUTSIDE = {"CONTRIBUTING.md": "project/contributing.md", "CHANGELOG.md": "project/changelog.md", "SECURITY.md": "project/security.md",
            "studies/paper/published/README.md": "project/published-tables.md"}
-PROJECT = """# The project
+NOTICES = """# Notices
 
-- [Contributing](contributing.md): how the house is laid out, and how to change it.
-- [Style](../style.md): words to use and words to avoid.
-- [Changelog](changelog.md)
+These pages carry work of others. Each file states whose it is, and under which licence.
 
-```{toctree}
-:hidden:
-
-contributing
-../style
-changelog
-```
 """
 KATEX = pathlib.Path("/usr/share/javascript/katex")
+CARRIED = {"KaTeX": "libjs-katex", "Furo": "furo", "Sphinx": "python3-sphinx", "jQuery": "libjs-jquery",
+           "Underscore": "libjs-underscore", "Pygments": "python3-pygments"}
 
 
 def put(path, text):
@@ -110,7 +103,12 @@ class Gathering:
                 self.kept.add(place)
                 copied(file, place)
 
-        self.put("project/index.md", PROJECT)
+        notices = NOTICES
+        for name, package in CARRIED.items():
+            copyright_file = pathlib.Path(f"/usr/share/doc/{package}/copyright")
+            self.put(f"files/notices/{package}.txt", copyright_file.read_text())
+            notices += f"- [{name}](../files/notices/{package}.txt)\n"
+        self.put("project/notices.md", notices)
 
     def static(self):
         folder = self.root / "_static"

@@ -22,7 +22,7 @@ ROOMS = {  # in the order in which a reader meets them; a room that is not here 
 
 def headers(source):
     text = (source / "cmake/install.cmake").read_text()
-    listed = text[text.index("foreach(header") + len("foreach(header"):]
+    listed = text[text.index("set(equipoise_public_headers"):]
     return re.findall(r"[\w./-]+\.hpp", listed[:listed.index(")\n")])
 
 

@@ -1,12 +1,10 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
-add_library(equipoise_paper
+add_library(equipoise_paper STATIC
   literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
   reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
     reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
     reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp
 )
-add_library(equipoise::paper ALIAS equipoise_paper)
-set_target_properties(equipoise_paper PROPERTIES EXPORT_NAME paper)
 
 # What the libraries carry inside themselves: how pages look and move; the published tables and the studies of their rows.
 include(${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
@@ -15,8 +13,8 @@ foreach(name document.css document.js sheet.css)
   list(APPEND page_files ${name}=${CMAKE_CURRENT_SOURCE_DIR}/drawing/${name})
 endforeach()
 include(${PROJECT_SOURCE_DIR}/cmake/plotly.cmake)
-if(EQUIPOISE_PLOTLY)
-  list(APPEND page_files plotly.js=${EQUIPOISE_PLOTLY})
+if(plotly_embedded)
+  list(APPEND page_files plotly.js=${plotly_embedded})
 endif()
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp ARCHIVE page_files FILES ${page_files})
 target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp)

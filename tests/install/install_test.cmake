@@ -1,5 +1,6 @@
-# Installs the build into a scratch prefix, then configures, builds and runs an outside project against it.
-# Arguments: BUILD (this build), SOURCE (tests/install), SCRATCH, GENERATOR, COMPILER, FLAGS.
+# Installs the build into a scratch prefix, then configures, builds and runs outside projects against it: one that uses all
+# that the guide shows, and the example, which is built by pkg-config too.
+# Arguments: BUILD (this build), SOURCE (tests/install), EXAMPLE, SCRATCH, GENERATOR, COMPILER, FLAGS.
 file(REMOVE_RECURSE ${SCRATCH})
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -10,8 +11,24 @@ function(step)
   endif()
 endfunction()
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-step(${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-  -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
-step(${CMAKE_COMMAND} --build ${SCRATCH}/build)
-step(${SCRATCH}/build/outside)
+function(built folder project)
+  step(${CMAKE_COMMAND} -S ${folder} -B ${SCRATCH}/${project} -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+  step(${CMAKE_COMMAND} --build ${SCRATCH}/${project})
+endfunction()
+built(${SOURCE} outside)
+step(${SCRATCH}/outside/outside)
+built(${EXAMPLE} ball_mass)
+set(question ${EXAMPLE}/machine.toml 0.05 0.1)
+step(${SCRATCH}/ball_mass/ball_mass ${question})
+
+find_program(PKG_CONFIG pkg-config REQUIRED)
+file(GLOB_RECURSE description ${SCRATCH}/prefix/equipoise.pc)
+get_filename_component(description ${description} DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${description})
+execute_process(COMMAND ${PKG_CONFIG} --cflags --libs equipoise OUTPUT_VARIABLE words COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(words UNIX_COMMAND "${words}")
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+step(${COMPILER} ${flags} ${EXAMPLE}/main.cpp -o ${SCRATCH}/by_pkg_config ${words})
+step(${SCRATCH}/by_pkg_config ${question})
 step(${SCRATCH}/prefix/bin/equipoise --version)
