@@ -111,8 +111,9 @@ int evaluate_derivatives(const model::Parameters& p, double speed, long count, d
 
 std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
 
-// Kernels do the same operations in the same order on every instruction set. Only fused multiply-add rounds differently:
-// where a set has it, the written ones are fused; with EQUIPOISE_KERNELS_CONTRACTED also those that GCC chooses.
+// Kernels do the same operations in the same order on every instruction set. Only fused multiply-add rounds
+// differently: where a set has it, the written ones are fused; with EQUIPOISE_KERNELS_CONTRACTED also those that GCC
+// chooses.
 std::string cpu_arithmetic(const std::string& target) {
 #if !(defined(EQUIPOISE_KERNELS_CONTRACTED) && defined(__FMA__))  // GCC would fuse in portable code, too
   if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
