@@ -1,7 +1,7 @@
 # Tests of ensembles: lanes, windows, deciding, same bits; the program; the published tables.
 equipoise_test(pack_test unit unit/pack_test.cpp)
 target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_compile_definitions(pack_test PRIVATE "HWY_DISABLED_TARGETS=(${equipoise_kernels_left_out})")
+target_compile_definitions(pack_test PRIVATE ${equipoise_kernel_definitions})
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp LIBRARIES equipoise_paper)
 target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/standards_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp

@@ -1,8 +1,6 @@
 // Options that several commands share.
 #include "options.hpp"
 
-#include <unistd.h>
-
 #include <cstdlib>
 #include <string_view>
 #include <algorithm>
@@ -104,7 +102,7 @@ void add_text_style(CLI::App& app) {
 TextStyle text_style() {
   TextStyle style = asked_style();
   const char *off = std::getenv("NO_COLOR"), *terminal = std::getenv("TERM");
-  style.colour = isatty(STDOUT_FILENO) && !(off && *off) && terminal && std::string_view(terminal) != "dumb";
+  style.colour = output_is_terminal() && !(off && *off) && terminal && std::string_view(terminal) != "dumb";
   return style;
 }
 

@@ -4,23 +4,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {
-
-namespace {
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-}  // namespace
 
 std::string duration_text(double seconds) {
   if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
@@ -30,9 +19,9 @@ std::string duration_text(double seconds) {
 }
 
 ProgressLine::ProgressLine(bool quiet)
-    : style_(quiet                   ? Style::none
-             : isatty(STDERR_FILENO) ? Style::bar
-                                     : Style::lines),
+    : style_(quiet                 ? Style::none
+             : error_is_terminal() ? Style::bar
+                                   : Style::lines),
       begin_(Clock::now()),
       last_(begin_) {}
 

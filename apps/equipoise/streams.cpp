@@ -10,6 +10,7 @@
 #include <streambuf>
 
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "commands.hpp"
@@ -73,6 +74,15 @@ void put_error(const std::string& text) {
 }
 
 void say(const std::string& line) { put_error("equipoise: " + line + "\n"); }
+
+bool output_is_terminal() { return isatty(STDOUT_FILENO) != 0; }
+
+bool error_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
 
 int close_output(int code) {
   std::cout.flush();

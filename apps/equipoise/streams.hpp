@@ -1,6 +1,7 @@
 // Standard output and standard error: lost output is always reported, and never ends the work.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,6 +25,11 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 
 /// Writes to standard error verbatim, with the same rule.
 void put_error(const std::string& text);
+
+/// Whether somebody watches these streams, and how wide the terminal of standard error is: 80 if it does not say.
+bool output_is_terminal();
+bool error_is_terminal();
+std::size_t terminal_width();
 
 /// Flushes and closes standard output. Returns `code`; if anything was lost, by put() or by others, 1 after a line
 /// that says so; 128 + SIGPIPE silently if the reader has gone.

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "commands.hpp"
 #include "equipoise/plots/sweep_plot.hpp"
@@ -100,7 +99,7 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
   options.progress = progress.listener();
   using Clock = std::chrono::steady_clock;
   Clock::time_point told;  // not yet
-  if (!a.quiet && !isatty(STDERR_FILENO))
+  if (!a.quiet && !error_is_terminal())
     options.cell = [&](std::size_t index, const SweepCell& cell) {
       if (told != Clock::time_point{} && Clock::now() - told < lines_apart) return;
       told = Clock::now();

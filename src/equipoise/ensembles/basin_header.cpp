@@ -12,21 +12,6 @@
 
 namespace equipoise {
 
-namespace {
-
-// On x86 kernels do the same operations in the same order on every instruction set. Where fused multiply-add exists,
-// compilers use it. So bits agree among the sets that have it (AVX2, AVX-512) and among those that lack it. Nothing is
-// known of other machines.
-std::string arithmetic_of(const std::string& target) {
-  if (target == "AVX-512" || target == "AVX2") return words::runs::fused;
-#if defined(__x86_64__)
-  if (target == "SSE4" || target == "scalar") return words::runs::not_fused;
-#endif
-  return "of " + target;
-}
-
-}  // namespace
-
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& own_starts,
                                   const std::string& target) {
   Study identity = with_horizon(study);  // everything that decides the fate of start i
@@ -36,7 +21,7 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
   header.study = to_toml(identity);
   header.balls = study.parameters.balls;
   header.cpu_target = target;
-  header.arithmetic = arithmetic_of(target);
+  header.arithmetic = cpu_arithmetic(target);
   header.angles = angles;
   header.driven = study.speed.driven();
   header.touches = study.parameters.balls_collide();

@@ -1,15 +1,9 @@
-// The journal's file, written by system calls that are all checked.
+// The journal's file: header, records, damage cut off.
 #include "equipoise/io/journal.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -40,25 +34,11 @@ constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
 constexpr std::chrono::seconds sync_every{1};
 constexpr int sync_rest = 100;
 
-// False at the end of the file, or on an error.
-bool read_at(int file, std::uint64_t offset, void* data, std::size_t size) {
-  char* at = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t got = pread(file, at, size, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    at += got;
-    offset += static_cast<std::uint64_t>(got);
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-bool add_to(Checksum& sum, int file, std::uint64_t offset, std::uint64_t size) {
+bool add_to(Checksum& sum, const DiskFile& file, std::uint64_t offset, std::uint64_t size) {
   std::vector<char> part(std::min<std::uint64_t>(size, 1 << 20));
   for (std::uint64_t at = 0; at < size; at += part.size()) {
     part.resize(std::min<std::uint64_t>(part.size(), size - at));
-    if (!read_at(file, offset + at, part.data(), part.size())) return false;
+    if (!file.read_at(offset + at, part.data(), part.size())) return false;
     sum.add(part.data(), part.size());
   }
   return true;
@@ -69,46 +49,37 @@ bool add_to(Checksum& sum, int file, std::uint64_t offset, std::uint64_t size) {
 Journal::Journal(const std::string& path, const std::string& output, const std::string& identity)
     : path_(path), synced_(std::chrono::steady_clock::now()) {
   open_locked(output);
-  struct stat now {};
+  const auto there = file_.size();
+  if (!there) throw RunError(path_ + ": cannot be read");
+  const std::uint64_t size = *there;
   try {
-    if (fstat(file_, &now) != 0) throw RunError(fmt::format("{}: cannot be read: {}", path_, error_text(errno)));
-    read_header(identity, static_cast<std::uint64_t>(now.st_size));
-    if (end_ > 0) read_records(static_cast<std::uint64_t>(now.st_size));
+    read_header(identity, size);
+    if (end_ > 0) read_records(size);
   } catch (...) {
-    if (now.st_size == 0) unlink(path_.c_str());
-    close(file_);
+    if (size == 0) (void)remove_file(path_);
     throw;
   }
-  spoilt_ = static_cast<std::uint64_t>(now.st_size) > end_;
+  spoilt_ = size > end_;
 }
 
 Journal::~Journal() {
-  if (file_ < 0) return;
-  if (records_.empty()) unlink(path_.c_str());
-  close(file_);
+  if (file_.is_open() && records_.empty()) (void)remove_file(path_);
 }
 
 // The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened anew.
 void Journal::open_locked(const std::string& output) {
   for (;;) {
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0)
-      throw InputError("output", "", "", fmt::format(words::files::file_must_be_writable, path_, error_text(errno)));
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors: this file system has no locks
-      close(file_);
-      throw InputError(output, "", "", words::files::written_by_another);
-    }
-    struct stat locked {
-    }, named{};
-    if (fstat(file_, &locked) == 0 && stat(path_.c_str(), &named) == 0 && locked.st_ino == named.st_ino) return;
-    close(file_);
+    if (const int error = file_.open(path_, DiskFile::Open::update))
+      throw InputError("output", "", "", fmt::format(words::files::file_must_be_writable, path_, error_text(error)));
+    if (!file_.lock()) throw InputError(output, "", "", words::files::written_by_another);
+    if (file_.is_named(path_)) return;
   }
 }
 
 void Journal::read_header(const std::string& identity, std::uint64_t size) {
   FileHeader header;
   const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
-  if (!read_at(file_, 0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
+  if (!file_.read_at(0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
     throw InputError(path_, "", "", words::files::no_results_or_damaged);
   const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
   if (begun) {  // new, or its writer was killed at once
@@ -117,7 +88,7 @@ void Journal::read_header(const std::string& identity, std::uint64_t size) {
   }
   identity_.resize(std::min(header.bytes, size - there));
   Checksum sum;
-  const bool read = read_at(file_, sizeof header, identity_.data(), identity_.size());
+  const bool read = file_.read_at(sizeof header, identity_.data(), identity_.size());
   sum.add(identity_.data(), identity_.size());
   if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
     throw InputError(path_, "", "", words::files::owner_is_damaged);
@@ -139,7 +110,7 @@ void Journal::write_header() {
 
 void Journal::read_records(std::uint64_t size) {
   RecordHeader header;
-  while (size > end_ && size - end_ >= sizeof header && read_at(file_, end_, &header, sizeof header)) {
+  while (size > end_ && size - end_ >= sizeof header && file_.read_at(end_, &header, sizeof header)) {
     const std::uint64_t payload = end_ + sizeof header;
     if (header.mark != record_mark || header.bytes > size - payload) return;
     Checksum sum;
@@ -152,7 +123,7 @@ void Journal::read_records(std::uint64_t size) {
 }
 
 void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
-  if (offset > record.bytes || bytes > record.bytes - offset || !read_at(file_, record.payload + offset, data, bytes))
+  if (offset > record.bytes || bytes > record.bytes - offset || !file_.read_at(record.payload + offset, data, bytes))
     throw RunError(path_ + ": cannot be read");
 }
 
@@ -183,35 +154,28 @@ void Journal::append(Record record, const void* payload, std::size_t bytes) {
 
 // A partial write is undone.
 void Journal::write(const std::vector<char>& bytes) {
-  int error = 0;
-  if (spoilt_ && ftruncate(file_, static_cast<off_t>(end_)) != 0) error = errno;
-  for (std::size_t at = 0; error == 0 && at < bytes.size();) {
-    const ssize_t written = pwrite(file_, bytes.data() + at, bytes.size() - at, static_cast<off_t>(end_ + at));
-    if (written >= 0)
-      at += static_cast<std::size_t>(written);
-    else if (errno != EINTR)
-      error = errno;
-  }
+  int error = spoilt_ ? file_.cut(end_) : 0;
+  if (error == 0) error = file_.write_at(end_, bytes.data(), bytes.size());
   spoilt_ = false;
   if (error == 0) {
     end_ += bytes.size();
     return;
   }
-  (void)!ftruncate(file_, static_cast<off_t>(end_));
+  (void)file_.cut(end_);
   throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(error)));
 }
 
 void Journal::sync() {
   const auto begin = std::chrono::steady_clock::now();
-  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(errno)));
+  if (const int error = file_.to_disk(false))
+    throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(error)));
   synced_ = std::chrono::steady_clock::now();
   sync_took_ = synced_ - begin;
 }
 
 void Journal::remove() {
-  unlink(path_.c_str());
-  close(file_);
-  file_ = -1;
+  (void)remove_file(path_);
+  (void)file_.close();
 }
 
 void Journal::keep_only(Kind kind) {

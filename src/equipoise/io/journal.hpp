@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/io/disk_file.hpp"
+
 namespace equipoise::io {
 
 /// A header with the identity of the results, then records with checksums. One write appends a record. A record that
@@ -68,7 +70,7 @@ class Journal {
   void sync();
 
   std::string path_, identity_;
-  int file_ = -1;
+  DiskFile file_;
   std::uint64_t end_ = 0;  ///< after the last whole record
   bool spoilt_ = false;    ///< invalid bytes follow
   std::vector<Record> records_;

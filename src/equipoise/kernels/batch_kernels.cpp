@@ -59,9 +59,12 @@ HWY_EXPORT(evaluate_target);
 HWY_EXPORT(target_code);
 
 namespace {
-// The usual names: Highway calls AVX-512 "AVX3".
+// The usual names: Highway calls AVX-512 "AVX3", and says of NEON what else it asks of a processor.
 std::string name_of(std::int64_t target) {
-  return target == HWY_AVX3 ? "AVX-512" : target == HWY_SCALAR ? "scalar" : hwy::TargetName(target);
+  if (target == HWY_AVX3) return "AVX-512";
+  if (target == HWY_SCALAR) return "scalar";
+  const std::string name = hwy::TargetName(target);
+  return name.rfind("NEON", 0) == 0 ? "NEON" : name;
 }
 
 bool run_kind(const BatchJob& job) {
@@ -107,6 +110,22 @@ int evaluate_derivatives(const model::Parameters& p, double speed, long count, d
 }
 
 std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
+
+// Kernels do the same operations in the same order on every instruction set. Only fused multiply-add rounds
+// differently: where a set has it, the written ones are fused; with EQUIPOISE_KERNELS_CONTRACTED also those that GCC
+// chooses.
+std::string cpu_arithmetic(const std::string& target) {
+#if !(defined(EQUIPOISE_KERNELS_CONTRACTED) && defined(__FMA__))  // GCC would fuse in portable code, too
+  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+#endif
+#ifdef EQUIPOISE_KERNELS_CONTRACTED
+  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+#else
+  if (target == "AVX-512" || target == "AVX2" || target == "NEON")
+    return "with fused multiply-add where it is written (AVX2, AVX-512, NEON)";
+#endif
+  return "of " + target;
+}
 
 // Found before the first choice, since a choice hides all other targets from Highway.
 static const std::vector<std::int64_t>& all_targets() {

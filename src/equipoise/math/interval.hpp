@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/math/proven_sine.hpp"
+
 #ifdef __FAST_MATH__
 #error interval.hpp: -ffast-math breaks the outward rounding that proofs rest on
 #endif
@@ -79,20 +81,24 @@ inline Interval square_root(Interval a) {
   return {std::max(0.0, rounded_down(std::sqrt(std::max(0.0, a.low)))), rounded_up(std::sqrt(a.high))};
 }
 
-/// Sine and cosine of one double. The C library's error is at most 1 ulp (glibc manual, "Known Maximum Errors in Math
-/// Functions"); two outward steps of an ulp each allow for it.
+/// Sine and cosine of one double: -1 to 1 beyond most_for_proven_sine. Two outward steps hold an error of 2^-52, and
+/// what rounding them may take.
 inline void sin_cos_of_number(double a, Interval& sine, Interval& cosine) {
-  const auto enclosed = [](double v) {
-    return Interval{std::max(-1.0, rounded_down(rounded_down(v))), std::min(1.0, rounded_up(rounded_up(v)))};
+  sine = cosine = {-1.0, 1.0};
+  if (!(std::fabs(a) <= most_for_proven_sine)) return;
+  const ProvenSine proven = proven_sine(a);
+  const auto enclosed = [&](double v) {
+    return Interval{std::max(-1.0, rounded_down(rounded_down(v - proven.absolute))),
+                    std::min(1.0, rounded_up(rounded_up(v + proven.absolute)))};
   };
-  sine = enclosed(std::sin(a));
-  cosine = enclosed(std::cos(a));
+  sine = enclosed(proven.sine);
+  cosine = enclosed(proven.cosine);
 }
 
 /// The hull of the values at both ends and of every extremum k pi/2 that may lie between them.
 inline void sin_cos(Interval a, Interval& sine, Interval& cosine) {
   constexpr double quarter_low = 0x1.921fb54442d18p+0, quarter_high = 0x1.921fb54442d19p+0;  // enclose pi/2
-  constexpr double largest = 0x1p40;  // beyond this, k pi/2 is known only to 1e-4
+  constexpr double largest = most_for_proven_sine;
   sine = cosine = {-1.0, 1.0};
   if (!(a.low >= -largest && a.high <= largest && a.high - a.low < 6.0)) return;
   Interval sine_high, cosine_high;

@@ -28,16 +28,16 @@ class StudyValue {
     std::string kind, text;
   };
 
-  StudyValue() = default;  ///< an empty table
-  StudyValue(bool value) : value_(value) {}
-  StudyValue(double value) : value_(value) {}
+  StudyValue();  ///< an empty table
+  StudyValue(bool value);
+  StudyValue(double value);
   template <std::integral T>
   StudyValue(T value) : StudyValue(whole(value)) {}
-  StudyValue(const char* text) : value_(std::string(text)) {}
-  StudyValue(std::string text) : value_(std::move(text)) {}
+  StudyValue(const char* text);
+  StudyValue(std::string text);
   StudyValue(Array entries);
   StudyValue(const std::vector<double>& entries);
-  StudyValue(Other other) : value_(std::move(other)) {}
+  StudyValue(Other other);
   StudyValue(std::initializer_list<Member> members);  ///< a table; of equal keys the last one counts
 
   const bool* boolean() const { return std::get_if<bool>(&value_); }
@@ -76,6 +76,14 @@ struct StudyValue::Member {
   std::string key;
   StudyValue value;
 };
+
+// Here a member is complete, as what a constructor must be able to destroy has to be.
+inline StudyValue::StudyValue() = default;
+inline StudyValue::StudyValue(bool value) : value_(value) {}
+inline StudyValue::StudyValue(double value) : value_(value) {}
+inline StudyValue::StudyValue(const char* text) : value_(std::string(text)) {}
+inline StudyValue::StudyValue(std::string text) : value_(std::move(text)) {}
+inline StudyValue::StudyValue(Other other) : value_(std::move(other)) {}
 
 template <std::integral T>
 StudyValue StudyValue::whole(T value) {
