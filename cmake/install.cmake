@@ -78,5 +78,4 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/equipoise-config.cmake.i
   ${PROJECT_BINARY_DIR}/equipoise-config.cmake INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/equipoise-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/equipoise-config.cmake ${PROJECT_BINARY_DIR}/equipoise-config-version.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/udunits2.cmake
   DESTINATION ${config_dir})
