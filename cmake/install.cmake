@@ -41,7 +41,7 @@ foreach(header
       result_files/trajectory_file.hpp
     cell_files/sweep_file.hpp
     ensembles/basin.hpp ensembles/write_basin.hpp
-    analyses/attractors.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
+    analyses/attractors.hpp analyses/basin_cost.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
       analyses/observation.hpp analyses/sensitivity.hpp
     continuation/continuation.hpp continuation/parameter_line.hpp
     basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
@@ -60,7 +60,7 @@ foreach(header
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
       design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
     plots/map_plot.hpp plots/sweep_plot.hpp
-    explain/explain.hpp explain/study_check.hpp
+    explain/explain.hpp explain/new_studies.hpp explain/study_check.hpp
     answers/answer.hpp
     html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
       html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
