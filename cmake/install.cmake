@@ -35,7 +35,7 @@ set(equipoise_public_headers
       result_files/trajectory_file.hpp
     cell_files/sweep_file.hpp
     ensembles/basin.hpp ensembles/write_basin.hpp
-    analyses/attractors.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
+    analyses/attractors.hpp analyses/basin_cost.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
       analyses/observation.hpp analyses/sensitivity.hpp
     continuation/continuation.hpp continuation/parameter_line.hpp
     basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
@@ -55,7 +55,7 @@ set(equipoise_public_headers
       reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
       design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
     plots/map_plot.hpp plots/sweep_plot.hpp
-    explain/explain.hpp explain/study_check.hpp
+    explain/explain.hpp explain/new_studies.hpp explain/study_check.hpp
     answers/answer.hpp
     html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
       html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
@@ -101,16 +101,13 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/equipoise-config.cmake.i
   ${PROJECT_BINARY_DIR}/equipoise-config.cmake INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/equipoise-config-version.cmake COMPATIBILITY ${compatible})
 set(config_files ${PROJECT_BINARY_DIR}/equipoise-config.cmake ${PROJECT_BINARY_DIR}/equipoise-config-version.cmake)
-if(NOT EQUIPOISE_SHARED)
-  list(APPEND config_files ${CMAKE_CURRENT_LIST_DIR}/udunits2.cmake)
-endif()
 install(FILES ${config_files} DESTINATION ${config_dir} COMPONENT development)
 
 # For all else: pkg-config. A static library names what it needs.
 set(pkg_config_libraries -lequipoise)
 set(pkg_config_requires eigen3)
 if(NOT EQUIPOISE_SHARED)
-  set(pkg_config_libraries "-lequipoise_paper -lequipoise -ludunits2 -pthread")
+  set(pkg_config_libraries "-lequipoise_paper -lequipoise -pthread")
   string(APPEND pkg_config_requires ", tbb, fmt, tomlplusplus, libhwy, netcdf")
   if(EQUIPOISE_PAGMO)
     string(APPEND pkg_config_libraries " -lpagmo -lboost_serialization")

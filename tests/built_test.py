@@ -60,7 +60,7 @@ def unbuilt(root, builds, target="all"):
 
 
 def of_the_browser(line):
-    return any(part in line for part in ("web/engine/", "_serial.cpp", "unit_library_table.cpp"))
+    return any(part in line for part in ("web/engine/", "_serial.cpp"))
 
 
 def main(arguments):

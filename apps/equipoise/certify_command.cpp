@@ -51,11 +51,7 @@ std::string read_certificates(const std::string& path) {
 }
 
 int check_file(const std::string& path, bool as_json) {
-  const std::string name = display_text(path);
-  const std::string text = read_certificates(path);
-  CertificateFile checked{name, certificates_from_json(text, name), {}, members_from_json(text, name), {}};
-  for (const Certificate& certificate : checked.certificates) checked.checks.push_back(check_certificate(certificate));
-  for (const MemberCertificate& member : checked.members) checked.member_checks.push_back(check_member(member));
+  const CertificateFile checked = checked_certificates(read_certificates(path), display_text(path));
   put(as_json ? check_json(checked) : check_text(checked));
   return checked.proved() ? done : check_failed;
 }

@@ -13,8 +13,6 @@ inline constexpr char unknown_command[] = "unknown command \"{}\"{}; {}";
 inline constexpr char unknown_option[] = "{}unknown option \"{}\"{}; {} --help lists all";
 inline constexpr char meant[] = " (is \"{}\" meant?)";
 inline constexpr char one_of[] = "must be one of: {}";
-// A guess or nothing, the list.
-inline constexpr char one_of_machines[] = "{}must be one of: {}";
 inline constexpr char unexpected[] = "{}unexpected \"{}\"; one study is enough, and options begin with --";
 // Command, option, times, values.
 inline constexpr char given_twice[] = "{}: {}: given {} times ({}); must be given once";

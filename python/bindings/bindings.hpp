@@ -16,6 +16,8 @@ void bind_mapper(py::module_& module);
 void bind_equations(py::module_& module);
 void bind_motions(py::module_& module);
 void bind_planes(py::module_& module);
+void bind_designs(py::module_& module);
+void bind_files(py::module_& module);
 void bind_paper(py::module_& module);
 
 }  // namespace equipoise::python

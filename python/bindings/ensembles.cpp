@@ -1,17 +1,24 @@
 // Ensembles: shares, comparisons, sensitivity.
+#include <variant>
+
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
+#include "equipoise/answers/answer.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/analyses/comparison.hpp"
 #include "equipoise/analyses/mapped_search.hpp"
 #include "equipoise/analyses/sensitivity.hpp"
+#include "equipoise/changes/try_changes.hpp"
 #include "equipoise/ensembles/write_basin.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/machine_html.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/reports/comparison_report.hpp"
+#include "equipoise/shown/machine_page.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
@@ -20,9 +27,20 @@ namespace equipoise::python {
 
 namespace {
 
-using Basin = Kept<BasinResult>;
+/// An ensemble, what changes were tried on it, and what its page says.
+struct JudgedBasin {
+  BasinResult basin;
+  std::vector<TriedChange> tried;
+  std::string page, sentences;
+};
+using Basin = Kept<JudgedBasin>;
 
-Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients,
+// Transients are gathered where the command line gathers them.
+std::optional<bool> gathered(const PyStudy& s, std::optional<bool> asked) {
+  return asked || !s.source.physical() ? asked : std::optional(true);
+}
+
+Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients, bool changes,
                 const std::string& output, bool keep, const std::optional<py::array>& initial,
                 std::optional<std::uint64_t> sensitivity_rows, const Mapper* mapper, const py::dict& settings) {
   Call call(settings);
@@ -30,7 +48,7 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
   call.set(options);
   options.half_width = half_width;
   options.limit_given = limit_given;
-  options.transients = transients;
+  options.transients = gathered(s, transients);
   options.output = output;
   options.keep_starts = keep;
   AttractorSearchCache searched;
@@ -46,12 +64,60 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
     depends.rows = *sensitivity_rows;
     check_sensitivity(s.study);
   }
-  BasinResult result = Call::run([&] {
-    BasinResult made = basin(s.study, options);
-    if (sensitivity_rows && !made.partial) made.sensitivity = sensitivity(s.study, depends);
+  JudgedBasin result = Call::run([&] {
+    JudgedBasin made;
+    made.basin = basin(s.study, options);
+    if (changes) made.tried = changes_asked_for(made.basin, options);
+    if (sensitivity_rows && !made.basin.partial) made.basin.sensitivity = sensitivity(s.study, depends);
     return made;
   });
-  return {std::move(result), call.interrupted()};
+  return {std::move(result), call.interrupted(), s.source};
+}
+
+// The page for one machine, and the ensemble that it tells of.
+Basin run_report(const PyStudy& s, bool changes, const py::dict& settings) {
+  Call call(settings);
+  BasinOptions options;
+  call.set(options);
+  JudgedBasin result = Call::run([&] {
+    MachinePage page = machine_page(s.study, given_machine(s.source.toml, s.source.name, s.source.overrides), options);
+    JudgedBasin made;
+    if (changes) made.tried = changes_asked_for(page.basin, options);
+    made.page = machine_html(page, made.tried);
+    made.basin = std::move(page.basin);
+    const auto verdict = verdict_of(made.basin, made.tried);
+    made.sentences = (verdict ? verdict_text(*verdict) : "") + answer_sentence(made.basin) + "\n";
+    return made;
+  });
+  return {std::move(result), call.interrupted(), s.source};
+}
+
+// One start by itself, as the ensemble decides it.
+py::dict replay(const PyStudy& s, std::uint64_t index, std::optional<bool> transients, const py::dict& settings) {
+  Call call(settings);
+  BasinOptions options;
+  call.set(options);
+  options.transients = gathered(s, transients);
+  const StartReplay replayed = Call::run([&] { return replay_start(s.study, index, options); });
+  const InitialState& start = replayed.start;
+  const auto balls = static_cast<std::size_t>(s.study.parameters.balls);
+  py::dict result, state, figures;
+  for (const auto& [name, number] :
+       {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot}, {"y_dot", start.y_dot}, {"psi", start.psi}})
+    state[name] = number;
+  state["phi"] = array_of(std::vector<double>(start.phi.begin(), start.phi.begin() + balls));
+  state["phi_dot"] = array_of(std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + balls));
+  if (replayed.transients)
+    for (const TransientFigure& f : transient_figures) figures[f.name] = (*replayed.transients).*f.value;
+  const Fate& fate = replayed.fate;
+  result["state"] = state;
+  result["drawn"] = array_of(std::vector<double>(replayed.drawn));
+  result["outcome"] = fate.outcome == Outcome::attracted ? replayed.name : std::string(name_of(fate.outcome));
+  result["decided_by"] = decided_by_names[static_cast<std::size_t>(fate.by)];
+  result["decision_time"] = fate.time;
+  result["mean_speed"] = s.study.speed.driven() ? py::object(py::float_(fate.mean_speed)) : py::none();
+  result["transients"] = figures;
+  return result;
 }
 
 template <class T>
@@ -64,8 +130,8 @@ py::object column(const std::vector<T>& values, std::size_t starts) {
 
 // Every start, if they were kept.
 py::object arrays_of(const Basin& kept) {
-  if (!kept.result.every_start) return py::none();
-  const StartArrays& a = *kept.result.every_start;
+  if (!kept.result.basin.every_start) return py::none();
+  const StartArrays& a = *kept.result.basin.every_start;
   const auto starts = static_cast<std::size_t>(a.starts);
   py::dict arrays;
   // One ball's angles are a column of one as well.
@@ -93,7 +159,7 @@ py::object arrays_of(const Basin& kept) {
 // What is kept of every start, by name: along what it stands beside "start", and its attributes.
 py::dict columns_of_starts(const Basin& kept) {
   py::dict columns;
-  for (const io::StartColumn& c : start_columns(kept.result))
+  for (const io::StartColumn& c : start_columns(kept.result.basin))
     columns[c.name] = py::make_tuple(c.along, attributes_of(c));
   return columns;
 }
@@ -140,19 +206,38 @@ py::list grounds_of_decision() {
 
 using Compared = Kept<ComparisonResult>;
 
-Compared compare_studies(const PyStudy& first, const PyStudy& second, std::optional<bool> transients,
+// A study, or the file of an ensemble that was finished.
+struct Side {
+  std::optional<BasinOutcomes> stored;
+  const Study* study = nullptr;
+
+  explicit Side(const std::variant<const PyStudy*, std::string>& given) {
+    if (const auto* path = std::get_if<std::string>(&given)) {
+      stored = read_basin_outcomes(*path);
+    } else {
+      study = &std::get<const PyStudy*>(given)->study;
+      check_comparable(*study);
+    }
+  }
+  bool has_transients() const { return study ? study->limits.any() : !stored->transients[0].empty(); }
+  BasinOutcomes outcomes(const RunOptions& options, bool gather) {
+    return stored ? std::move(*stored) : basin_outcomes(*study, options, gather);
+  }
+};
+
+Compared compare_studies(const std::variant<const PyStudy*, std::string>& first_given,
+                         const std::variant<const PyStudy*, std::string>& second_given, std::optional<bool> transients,
                          const py::dict& settings) {
   Call call(settings);
   RunOptions options;
   call.set(options);
-  check_comparable(first.study);
-  check_comparable(second.study);
+  Side first(first_given), second(second_given);
   RunOptions of_first = options;
-  of_first.stop_asked = [&] { return call.half_over() || options.stop_asked(); };
+  if (second.study) of_first.stop_asked = [&] { return call.half_over() || options.stop_asked(); };
   ComparisonResult result = Call::run([&] {
-    const bool gather = transients.value_or(first.study.limits.any() || second.study.limits.any());
-    const BasinOutcomes one = basin_outcomes(first.study, of_first, gather);
-    return compare(one, basin_outcomes(second.study, options, gather));
+    const bool gather = transients.value_or(first.has_transients() || second.has_transients());
+    const BasinOutcomes one = first.outcomes(of_first, gather);
+    return compare(one, second.outcomes(options, gather));
   });
   return {std::move(result), call.interrupted()};
 }
@@ -160,17 +245,21 @@ Compared compare_studies(const PyStudy& first, const PyStudy& second, std::optio
 }  // namespace
 
 void bind_ensembles(py::module_& module) {
-  bind_kept<BasinResult>(
-      module, "Basin", [](const BasinResult& r) { return basin_text(r); },
-      [](const BasinResult& r) { return basin_json(r); })
+  bind_kept<JudgedBasin>(
+      module, "Basin", [](const JudgedBasin& r) { return basin_text(r.basin, wide_style, r.tried); },
+      [](const JudgedBasin& r) { return basin_json(r.basin, r.tried); })
+      .def("page", [](const Basin& b) { return b.result.page; })
+      .def("sentences", [](const Basin& b) { return b.result.sentences; })
       .def("arrays", &arrays_of)
       .def("columns", &columns_of_starts)
-      .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result); })
-      .def_property_readonly("seconds", [](const Basin& b) { return b.result.seconds; })
-      .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.cpu_seconds; });
+      .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result.basin); })
+      .def_property_readonly("seconds", [](const Basin& b) { return b.result.basin.seconds; })
+      .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.basin.cpu_seconds; });
   module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
-             py::arg("transients"), py::arg("output"), py::arg("keep"), py::arg("initial"), py::arg("sensitivity_rows"),
-             py::arg("mapper").none(true), py::arg("settings"));
+             py::arg("transients"), py::arg("changes"), py::arg("output"), py::arg("keep"), py::arg("initial"),
+             py::arg("sensitivity_rows"), py::arg("mapper").none(true), py::arg("settings"));
+  module.def("replay", &replay, py::arg("study"), py::arg("index"), py::arg("transients"), py::arg("settings"));
+  module.def("report", &run_report, py::arg("study"), py::arg("changes"), py::arg("settings"));
   module.def("shown_units", &shown_units, py::arg("study"));
   module.def("figures_of_transients", &figures_of_transients);
   module.def("no_attractors", [] {
@@ -180,7 +269,10 @@ void bind_ensembles(py::module_& module) {
   });
   module.def("grounds_of_decision", &grounds_of_decision);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
-      .def("verdict", [](const Compared& c) { return verdict(c.result); });
+      .def("verdict", [](const Compared& c) { return verdict(c.result); })
+      .def("study", [](const Compared& c) {
+        return PyStudy({to_toml(c.result.first), c.result.first.name, {}});
+      });
   module.def("compare", &compare_studies, py::arg("first"), py::arg("second"), py::arg("transients").none(true),
              py::arg("settings"));
 }

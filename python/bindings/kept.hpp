@@ -6,17 +6,19 @@
 
 #include <pybind11/pybind11.h>
 
+#include "equipoise/sweeps/sweep_plan.hpp"
 #include "equipoise/text/table_text.hpp"
 
 namespace equipoise::python {
 
 namespace py = pybind11;
 
-/// What a call answered, and whether Ctrl-C cut it short.
+/// What a call answered, whether Ctrl-C cut it short, and the study as written, for the machine of its page.
 template <class Result>
 struct Kept {
   Result result;
   bool interrupted = false;
+  StudySource source{};
 };
 
 /// Its class, with what all results have: text, json, interrupted.

@@ -22,5 +22,7 @@ PYBIND11_MODULE(_core, module) {
   python::bind_equations(module);
   python::bind_motions(module);
   python::bind_planes(module);
+  python::bind_designs(module);
+  python::bind_files(module);
   python::bind_paper(module);
 }

@@ -6,6 +6,10 @@
 #include "convert.hpp"
 #include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/html/capacity_html.hpp"
+#include "equipoise/html/given_machine.hpp"
+#include "equipoise/html/map_html.hpp"
+#include "equipoise/html/sweep_html.hpp"
 #include "equipoise/reports/capacity_report.hpp"
 #include "equipoise/reports/map_report.hpp"
 #include "equipoise/reports/sweep_report.hpp"
@@ -22,6 +26,13 @@ namespace equipoise::python {
 namespace {
 
 using Map = Kept<BasinSlice>;
+
+// The machine of a page: from the study as it was given, or as a file of results has it.
+template <class Result>
+GivenMachine machine_of(const Kept<Result>& kept) {
+  if (kept.source.toml.empty()) return given_machine(kept.result.study);
+  return given_machine(kept.source.toml, kept.source.name, kept.source.overrides);
+}
 
 /// An axis as Python gives it: key, range as text (empty: a whole turn), pixels.
 struct AxisRequest {
@@ -48,7 +59,7 @@ Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std
   how.output = output;
   how.from = from;
   BasinSlice map = Call::run([&] { return basin_slice(study, how); });
-  return {std::move(map), call.interrupted()};
+  return {std::move(map), call.interrupted(), s.source};
 }
 
 py::array_t<double> centres(const SliceAxis& axis) {
@@ -102,7 +113,8 @@ py::dict summary_of(const Map& kept) {
 using Sweep = Kept<SweepResult>;
 
 Sweep run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip, double half_width, bool limit_given,
-                std::optional<bool> transients, const std::string& output, const py::dict& settings) {
+                std::optional<bool> transients, const std::string& output, std::size_t shard, std::size_t shards,
+                const py::dict& settings) {
   CellRequest request;
   request.half_width = half_width;
   request.limit_given = limit_given;
@@ -112,8 +124,10 @@ Sweep run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip
   SweepOptions options;
   call.set(options);
   options.output = output;
+  options.shard = shard;
+  options.shards = shards;
   SweepResult result = Call::run([&] { return sweep(plan, options); });
-  return {std::move(result), call.interrupted()};
+  return {std::move(result), call.interrupted(), s.source};
 }
 
 // What [sweep] says.
@@ -141,7 +155,7 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
   options.precision = precision;
   options.output = output;
   CapacityResult result = Call::run([&] { return capacity(plan, options); });
-  return {std::move(result), call.interrupted()};
+  return {std::move(result), call.interrupted(), plan.source()};
 }
 
 }  // namespace
@@ -156,18 +170,25 @@ void bind_planes(py::module_& module) {
   bind_kept<BasinSlice>(module, "Map", &map_text, &map_json)
       .def("arrays", &arrays_of)
       .def("summary", &summary_of)
+      .def("page", [](const Map& m) { return map_html(m.result, machine_of(m)); })
       .def("save", [](const Map& m, const std::string& path) { write_map_file(path, m.result); });
   module.def("map", &draw_map, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("ties"), py::arg("block"),
              py::arg("output"), py::arg("from_file"), py::arg("settings"));
   bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
       .def("csv", [](const Sweep& s) { return sweep_csv(s.result); })
+      .def("page", [](const Sweep& s) { return sweep_html(s.result, machine_of(s)); })
+      .def("study",
+           [](const Sweep& s) {
+             return PyStudy({to_toml(s.result.study), s.result.study.name, {}});
+           })
       .def("save", [](const Sweep& s, const std::string& path) { write_sweep_file(path, s.result); });
   module.def("sweep_setting", &sweep_setting, py::arg("study"));
   module.def("sweep", &run_sweep, py::arg("study"), py::arg("over"), py::arg("zip"), py::arg("half_width"),
-             py::arg("limit_given"), py::arg("transients"), py::arg("output"), py::arg("settings"));
-  bind_kept<CapacityResult>(module, "Capacity", &capacity_text, &capacity_json).def("csv", [](const Capacity& c) {
-    return capacity_csv(c.result);
-  });
+             py::arg("limit_given"), py::arg("transients"), py::arg("output"), py::arg("shard"), py::arg("shards"),
+             py::arg("settings"));
+  bind_kept<CapacityResult>(module, "Capacity", &capacity_text, &capacity_json)
+      .def("csv", [](const Capacity& c) { return capacity_csv(c.result); })
+      .def("page", [](const Capacity& c) { return capacity_html(c.result, machine_of(c)); });
   module.def("capacity", &find_capacity, py::arg("study"), py::arg("of"), py::arg("between"), py::arg("at_least"),
              py::arg("by"), py::arg("precision"), py::arg("over"), py::arg("zip"), py::arg("output"),
              py::arg("settings"));

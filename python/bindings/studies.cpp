@@ -2,10 +2,15 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "call.hpp"
 #include "convert.hpp"
+#include "equipoise/analyses/basin_cost.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/new_studies.hpp"
+#include "equipoise/explain/study_check.hpp"
 #include "equipoise/reports/explain_report.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/overrides.hpp"
 #include "equipoise/echo/physical_echo.hpp"
@@ -83,11 +88,31 @@ py::list uncertain_of(const PyStudy& s) {
   return values;
 }
 
-py::dict explained(const PyStudy& s) {
-  const Explanation e = explain(with_medians(s.study), s.balls());
+py::dict explained(const PyStudy& s, const std::optional<std::string>& cost_within, const py::dict& settings) {
+  Explanation e = explain(with_medians(s.study), s.balls());
+  Call call(settings);
+  if (cost_within) {
+    RunOptions options;
+    call.set(options);
+    const double patience = cost_within->empty() ? cost_patience : read_time_limit("within", *cost_within);
+    e.cost = Call::run([&] { return measure_cost(s.study, options, patience); });
+  }
   py::dict result;
   result["text"] = explain_text(e);
   result["json"] = explain_json(e);
+  result["interrupted"] = call.interrupted();
+  return result;
+}
+
+py::dict checked(const PyStudy& s) {
+  const StudyCheck check = check_study(s.source.toml, s.source.name, s.source.overrides);
+  py::dict result;
+  result["machine"] = check.machine;
+  result["unbalance"] = check.unbalance;
+  result["balls"] = check.balls;
+  result["assumed"] = check.assumed;
+  result["matters_most"] = check.most;
+  result["text"] = lines_filled(check.text(), wide_style);
   return result;
 }
 
@@ -95,6 +120,9 @@ py::dict explained(const PyStudy& s) {
 
 void bind_studies(py::module_& module) {
   module.attr("overrides_name") = overrides_name;
+  module.def("new_machines", &new_machines);
+  module.def(
+      "new_study", [](const std::string& machine) { return new_study(machine, "machine"); }, py::arg("machine"));
   py::class_<PyStudy>(module, "Study")
       .def(py::init([](const std::string& toml, const std::string& name, const std::vector<std::string>& overrides) {
              return PyStudy({toml, name, overrides});
@@ -109,7 +137,9 @@ void bind_studies(py::module_& module) {
       .def("to_toml", [](const PyStudy& s) { return to_toml(s.study); })
       .def("to_physical_toml", [](const PyStudy& s) { return to_physical_toml(s.study); })
       .def("tree", [](const PyStudy& s) { return to_python(to_tree(s.study)); })
-      .def("explain", &explained)
+      .def("explain", &explained, py::arg("cost_within"), py::arg("settings"))
+      .def("check", &checked)
+      .def_property_readonly("physical", [](const PyStudy& s) { return s.source.physical(); })
       .def_property_readonly("parameters_text", [](const PyStudy& s) { return parameters_text(s.study, {}); })
       .def_property_readonly("toml", [](const PyStudy& s) { return s.source.toml; })
       .def_property_readonly("name", [](const PyStudy& s) { return s.source.name; })

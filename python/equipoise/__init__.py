@@ -15,12 +15,17 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from .capacities import CapacityResult, capacity
-from .ensembles import AttractorShare, BasinResult, Comparison, Difference, basin, compare
+from .comparisons import Comparison, Difference, compare
+from .designs import DesignResult, design
+from .ensembles import AttractorShare, BasinResult, basin
 from .errors import Interrupted, RunError, StudyError, UndecidedWarning
+from .explanations import Explanation, StudyCheck, check, explain, machines, new
+from .files import CertificateCheck, Inspection, check_certificates, inspect, merge
 from .maps import MapResult, map
 from .model import Mapper, Model
 from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
-from .paper import Explanation, Reproduction, explain, reproduce, reproducible
+from .pages import Replay, Report, replay, report
+from .paper import Reproduction, reproduce, reproducible
 from .state import State
 from .study import Study, paper_studies, paper_study
 from .sweeps import SweepResult, sweep
@@ -33,10 +38,12 @@ __version__: str = _core.version
 
 __all__ = [
     "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
-    "CertifyResult", "Comparison", "Difference", "Explanation", "Interrupted", "MapResult", "Mapper", "Model",
-    "Reproduction", "RunError", "State", "Study", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors",
-    "basin", "capacity", "certify", "compare", "cpu_targets", "explain", "follow", "map", "paper_studies",
-    "paper_study", "plot", "reproduce", "reproducible", "simulate", "sweep",
+    "CertificateCheck", "CertifyResult", "Comparison", "DesignResult", "Difference", "Explanation", "Inspection",
+    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "State", "Study",
+    "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin", "capacity",
+    "certify", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
+    "machines", "map", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
+    "reproducible", "simulate", "sweep",
 ]
 
 

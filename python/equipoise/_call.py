@@ -45,6 +45,11 @@ class _Bar:
             self._bar = None
 
 
+def time_limit(within: WithinArgument) -> Optional[str]:
+    """As --within takes it."""
+    return None if within is None else within if isinstance(within, str) else repr(real("within", within, *LIMIT))
+
+
 @contextmanager
 def settings(
     threads: int, progress: ProgressArgument, cpu: Optional[str], within: WithinArgument = None
@@ -60,7 +65,7 @@ def settings(
     threads = whole("threads", threads, 0, MOST_THREADS, ", 0 for all cores")
     if cpu is not None and not isinstance(cpu, str):
         refuse("cpu", cpu, "one of equipoise.cpu_targets()")
-    limit = None if within is None else within if isinstance(within, str) else repr(real("within", within, *LIMIT))
+    limit = time_limit(within)
     try:
         yield {"threads": threads, "progress": listener, "cpu": cpu, "within": limit}
     finally:

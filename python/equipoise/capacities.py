@@ -15,7 +15,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import table
 from ._ranges import Range, Values, over_texts, path_text, range_text
 from .ensembles import with_starts
-from .results import Result
+from .results import Result, WithPage, write_text
 from .study import Study
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def _shown(number: Optional[float]) -> str:
     return "?" if number is None else f"{number:.5g}"
 
 
-class CapacityResult(Result):
+class CapacityResult(Result, WithPage):
     """How large a parameter may become before the balancer fails.
 
     Attributes
@@ -85,8 +85,7 @@ class CapacityResult(Result):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the program's CSV."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._saved_core().csv())
+        write_text(path, self._saved_core().csv())
 
     def __repr__(self) -> str:
         return f"<CapacityResult of {self.study.name}: {self.of}, {len(self.cells)} cells: {self.value.tolist()} {self.unit}>"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any, Optional
@@ -88,6 +87,9 @@ class BasinResult(Result):
     without_balls : dict or None
         With transients: the same rotor without balls (``["no_balls"]``) and with balls held where they start
         (``["balls_held"]``); of each ``["figures"]`` by the names of `transients`, in the units that they name.
+    verdict : dict or None
+        With transients: whether to fit the balancer. ``["decision"]`` ("fit", "not_needed", "caution", "change",
+        "do_not_fit", "open"), ``["words"]``, ``["because"]``, ``["change"]`` and the changes ``["tried"]``.
     within_limits : dict[str, dict]
         With limits: the shares of all starts that are within them ``at_end``, ``on_the_way`` and ``both``, with intervals.
     arrays : dict[str, ndarray]
@@ -98,7 +100,7 @@ class BasinResult(Result):
         Stopped before all starts were done.
     """
 
-    _lasting = ("data", "text")
+    _lasting: tuple[str, ...] = ("data", "text")
 
     def __init__(self, core: _core.Basin, study: Study) -> None:
         super().__init__(core, study)
@@ -203,6 +205,10 @@ class BasinResult(Result):
         return self.data.get("without_balls")
 
     @property
+    def verdict(self) -> Optional[dict[str, Any]]:
+        return self.data.get("verdict")
+
+    @property
     def within_limits(self) -> dict[str, Any]:
         groups = self.data.get("transients", {}).get("groups")
         return groups[0]["within"] if groups else {}
@@ -291,6 +297,7 @@ def basin(
     half_width: Optional[float] = None,
     method: Optional[str] = None,
     transients: Optional[bool] = None,
+    changes: bool = False,
     initial: Optional[StateLike] = None,
     frame: Optional[Frame] = None,
     sensitivity: bool | int = False,
@@ -316,7 +323,11 @@ def basin(
     method : {"random", "sobol", "grid"}, optional
         How starts are chosen.
     transients : bool, optional
-        Gather peak displacement, force, settling time and other transients; default: if the study has limits.
+        Gather peak displacement, force, settling time and other transients; default: if the study has limits, standards
+        or physical units.
+    changes : bool
+        If the balancer falls short, try changes to it, 100 starts each (at most half a minute of CPU time):
+        ``verdict["tried"]``. The command line does so unless it is told ``--no-changes``.
     initial : State, or array_like (n, balls) or (n, 4 + 2 balls), optional
         Starts of your own in place of drawn ones: states, ball angles, or with `frame` rows of x, y, two velocities,
         ball angles, ball rates. The intervals are those of random starts.
@@ -370,118 +381,7 @@ def basin(
     with settings(threads, progress, cpu, within) as how:
         core = _core.basin(
             asked._core, half_width_of(half_width), starts is not None, flag("transients", transients),
-            "" if output is None else os.fspath(output), bool(keep), states, rows,
+            bool(flag("changes", changes)), "" if output is None else os.fspath(output), bool(keep), states, rows,
             searched, how,
         )
     return unless_interrupted(BasinResult(core, asked), core.interrupted)
-
-
-@dataclass(frozen=True)
-class Difference:
-    """How much more often an outcome happens in the second ensemble: fractions, with a 95 % interval."""
-
-    name: str
-    difference: float
-    low: float
-    high: float
-    first: float
-    second: float
-
-
-class Comparison(Result):
-    """Two ensembles side by side.
-
-    Attributes
-    ----------
-    differences : list[Difference]
-        Second less first.
-    changed : int or None
-        Of common starts, those that ended otherwise.
-    verdict : str
-        What the difference in balanced starts amounts to.
-    """
-
-    def __init__(self, core: _core.Comparison, study: Study) -> None:
-        super().__init__(core, study)
-        self.verdict: str = core.verdict()
-
-    @property
-    def differences(self) -> list[Difference]:
-        return [
-            Difference(d["name"], d["difference"], d["low"], d["high"], d["first"]["share"], d["second"]["share"])
-            for d in self.data["differences"]
-        ]
-
-    @property
-    def figures(self) -> list[dict[str, Any]]:
-        """A transient figure each: ``name``, ``unit``, means ``first`` and ``second``, their ``difference`` with ``low``
-        and ``high`` (95 %), ``counts`` and ``open`` starts of both; empty without transients."""
-        return list(self.data["figures"])
-
-    @property
-    def changed(self) -> Optional[int]:
-        return self.data["changed"]
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        _write_json(path, self.data)
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """A row an outcome."""
-        import pandas
-
-        return pandas.DataFrame([vars(d) for d in self.differences]).set_index("name")
-
-    def __repr__(self) -> str:
-        return f"<Comparison: {self.verdict}>"
-
-    def _repr_html_(self) -> str:
-        rows = [
-            (d.name, f"{100 * d.first:.2f} %", f"{100 * d.second:.2f} %", percent(d.difference, d.low, d.high))
-            for d in self.differences
-        ]
-        return f"<b>{escape(self.verdict)}</b>" + table(("ends", "first", "second", "difference (95 %)"), rows)
-
-
-def _write_json(path: str | os.PathLike[str], data: Mapping[str, Any]) -> None:
-    import json
-
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(data, file, indent=1, ensure_ascii=False)
-
-
-def compare(
-    first: Study,
-    second: Study,
-    starts: Optional[int] = None,
-    *,
-    seed: Optional[int] = None,
-    transients: Optional[bool] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
-) -> Comparison:
-    """Two studies on common starts: how much more often does each outcome happen in the second?
-
-    Parameters
-    ----------
-    first, second : Study
-    starts, seed : int, optional
-        Of both.
-    transients : bool, optional
-        Compare peaks, forces and settling times too; by default where either study has limits.
-    threads, progress, cpu, within
-        As for :func:`basin`.
-
-    Raises
-    ------
-    StudyError
-        For studies whose starts cannot be compared (grids).
-    """
-    checked_study(first, "first")
-    checked_study(second, "second")
-    one, other = with_starts(first, starts, seed), with_starts(second, starts, seed)
-    with settings(threads, progress, cpu, within) as how:
-        core = _core.compare(one._core, other._core, transients, how)
-    return unless_interrupted(Comparison(core, one), core.interrupted)

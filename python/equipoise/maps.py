@@ -16,7 +16,7 @@ from ._arguments import checked_study, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Range, path_text, range_text
-from .results import Result
+from .results import Result, WithPage
 from .study import Study
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def _axis(study: Study, name: str, key: str) -> str:
     return key
 
 
-class MapResult(Result):
+class MapResult(Result, WithPage):
     """The outcome of one start at every pixel of a plane.
 
     Attributes

@@ -15,9 +15,9 @@ from . import _core
 from ._arguments import MOST_STARTS, checked_study, real, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
-from .ensembles import _write_json, with_starts
+from .ensembles import with_starts
 from .errors import RunError
-from .results import Result
+from .results import Result, write_json
 from .state import Frame, State, StateLike, seeds_of, state_on
 from .study import Study, option_value
 
@@ -171,7 +171,7 @@ class AttractorsResult(Result):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``data`` as JSON."""
-        _write_json(path, self.data)
+        write_json(path, self.data)
 
 
 def attractors(

@@ -1,57 +1,14 @@
-"""What formulas alone say of a study, and Wright and Peng (2019) computed again."""
+"""Wright and Peng (2019) computed again."""
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any, Optional
 
 from . import _core
-from ._arguments import MOST_STARTS, checked_study, refuse, whole
+from ._arguments import MOST_STARTS, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
-from .ensembles import _write_json
-from .results import Answer
-from .study import Study
-
-
-class Explanation:
-    """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
-
-    def __init__(self, study: Study) -> None:
-        self.study = checked_study(study)
-        made = study._core.explain()
-        self.text: str = made["text"]
-        self.data: dict[str, Any] = json.loads(made["json"])
-
-    @property
-    def warnings(self) -> list[str]:
-        """What to beware of."""
-        return self.data["warnings"]
-
-    @property
-    def advice(self) -> dict[str, dict[str, Any]]:
-        """Rules of thumb by their ``id``: ``kept``, ``words``, ``figures``, ``formula``, ``source``; estimates, not results."""
-        return {rule["id"]: rule for rule in self.data["advice"]}
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        _write_json(path, self.data)
-
-    def __str__(self) -> str:
-        return self.text
-
-    def __repr__(self) -> str:
-        return self.text
-
-    def _repr_html_(self) -> str:
-        from html import escape
-
-        return f"<pre>{escape(self.text)}</pre>"
-
-
-def explain(study: Study) -> Explanation:
-    """What a study's numbers mean: critical speeds, balanced states and their rates, rules of thumb, warnings. Milliseconds."""
-    return Explanation(study)
+from .results import Answer, write_json
 
 
 class Reproduction(Answer):
@@ -75,7 +32,7 @@ class Reproduction(Answer):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``data`` as JSON."""
-        _write_json(path, self.data)
+        write_json(path, self.data)
 
     def __repr__(self) -> str:
         verdicts = ", ".join(f"table {t['table']}: {t['agrees']} agree, {t['differs']} differ" for t in self.tables)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import os
+from collections.abc import Mapping
 from functools import cached_property
 from html import escape
 from typing import Any
@@ -69,6 +70,26 @@ class Answer:
         for name in self._lasting:
             getattr(self, name)
         return {**self.__dict__, "_core": None}
+
+
+def write_text(path: str | os.PathLike[str], text: str) -> None:
+    """Write a text as it is."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+
+
+def write_json(path: str | os.PathLike[str], data: Mapping[str, Any]) -> None:
+    """Write data as JSON."""
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(data, file, indent=1, ensure_ascii=False)
+
+
+class WithPage(Answer):
+    """An answer that has a page."""
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Write the page that the command line writes with ``--report``: one HTML file that needs nothing else."""
+        write_text(path, self._saved_core().page())
 
 
 class Result(Answer):

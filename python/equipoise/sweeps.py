@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 import itertools
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -13,12 +13,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import flag
+from ._arguments import flag, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Values, over_texts, path_text
 from .ensembles import half_width_of, with_starts
-from .results import Result
+from .results import Result, WithPage
 from .study import Study
 
 if TYPE_CHECKING:
@@ -27,8 +27,10 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
+MOST_CELLS = 1_000_000  # the command line's, too
 
-class SweepResult(Result):
+
+class SweepResult(Result, WithPage):
     """An ensemble at every combination of some parameters' values.
 
     Attributes
@@ -161,6 +163,15 @@ class SweepResult(Result):
         return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
 
 
+def _shard(given: Optional[tuple[int, int]]) -> tuple[int, int]:
+    if given is None:
+        return 1, 1
+    if not isinstance(given, Sequence) or isinstance(given, str) or len(given) != 2:
+        refuse("shard", given, "a pair (I, N) with I from 1 to N, such as (2, 8)")
+    parts = whole("shard", given[1], 1, MOST_CELLS)
+    return whole("shard", given[0], 1, parts), parts
+
+
 def sweep(
     study: Study,
     over: Optional[Mapping[str, Values]] = None,
@@ -170,6 +181,7 @@ def sweep(
     seed: Optional[int] = None,
     half_width: Optional[float] = None,
     transients: Optional[bool] = None,
+    shard: Optional[tuple[int, int]] = None,
     output: Optional[str | os.PathLike[str]] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
@@ -189,16 +201,21 @@ def sweep(
         Of every cell.
     half_width : float, optional
         As for :func:`basin`, in every cell.
+    shard : (int, int), optional
+        (2, 8): only the second of eight parts of the work, to be joined by :func:`merge`; needs `output`.
     output : path, optional
         NetCDF file that is written cell by cell; the same call resumes it.
     transients, threads, progress, cpu, within
         As for :func:`basin`.
     """
     asked = with_starts(study, starts, seed)
+    part, parts = _shard(shard)
+    if parts > 1 and output is None:
+        refuse("shard", shard, "given with output", "is merged from files")
     texts, zipped = _core.sweep_setting(asked._core) if over is None else (over_texts(over), zip)
     with settings(threads, progress, cpu, within) as how:
         core = _core.sweep(
             asked._core, texts, bool(zipped), half_width_of(half_width), starts is not None, flag("transients", transients),
-            path_text(output), how,
+            path_text(output), part - 1, parts, how,
         )
     return unless_interrupted(SweepResult(core, asked), core.interrupted)

@@ -26,6 +26,7 @@ SMALLER = {
     "1.4, 6.5, 0.05": "2.9, 3.0, 0.1",
     "1.5:6:0.1": "2.4:2.6:0.2",
     "size=(512, 512)": "size=(32, 32)",
+    'within="60s"': "trajectories=4000",
     "at_least=0.95": "at_least=0.95, starts=200, precision=0.1",
 }
 
@@ -83,7 +84,9 @@ def test_the_first_ten_minutes_run(tmp_path, monkeypatch):
 def test_every_picture_and_call_is_on_the_page():
     for name in eq.plot.__all__:
         assert f"eq.plot.{name}(" in PAGE, name
-    for name in ("simulate", "basin", "compare", "attractors", "follow", "certify", "map", "sweep", "capacity", "explain"):
+    calls = [name for name in eq.__all__ if name[0].islower() and name != "plot"]
+    assert len(calls) == 24
+    for name in calls:
         assert f"eq.{name}(" in PAGE, name
 
 

@@ -70,7 +70,7 @@ def test_quantities_are_text_with_units_or_of_pint():
     as_pint = machine.replace(
         {"speed.final": 900 * units.rpm, "rotor.unbalance": 150 * units.gram * units.millimeter}
     )
-    # Units are converted by pint in one and by UDUNITS in the other: alike to rounding.
+    # Units are converted by pint in one and by the library in the other: alike to rounding.
     for key in ("speed.final", "rotor.eccentricity"):
         assert as_pint[key] == pytest.approx(as_text[key], rel=1e-12)
     assert as_text["speed.final"] != machine["speed.final"]

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "equipoise/analyses/attractors.hpp"
+#include "equipoise/analyses/basin_cost.hpp"
 #include "equipoise/analyses/certify.hpp"
 #include "equipoise/analyses/comparison.hpp"
 #include "equipoise/analyses/mapper.hpp"
@@ -32,6 +33,7 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/ensembles/write_basin.hpp"
 #include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/new_studies.hpp"
 #include "equipoise/explain/study_check.hpp"
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/html/capacity_html.hpp"

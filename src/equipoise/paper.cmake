@@ -6,7 +6,7 @@ add_library(equipoise_paper STATIC
     reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp
 )
 
-# What the libraries carry inside themselves: how pages look and move; the published tables and the studies of their rows.
+# What the libraries carry inside themselves: how pages look and move; studies to begin with; the published tables and the studies of their rows.
 include(${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 set(page_files "")
 foreach(name document.css document.js sheet.css)
@@ -18,6 +18,13 @@ if(plotly_embedded)
 endif()
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp ARCHIVE page_files FILES ${page_files})
 target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp)
+# Studies to begin with, in the order of the command's list.
+set(new_studies "")
+foreach(name washing-machine grinder centrifuge drive fan blank)
+  list(APPEND new_studies ${name}=${PROJECT_SOURCE_DIR}/studies/new/${name}.toml)
+endforeach()
+equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/new_studies.cpp ARCHIVE new_studies FILES ${new_studies})
+target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/new_studies.cpp)
 set(paper_files "")
 file(GLOB published CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/paper/published/*.csv)
 file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/paper/*.toml)

@@ -343,7 +343,7 @@ TEST(TransientText, BoundsWhatUndecidedStartsMayExceed) {
   EXPECT_EQ(all.count, 100u);
   EXPECT_EQ(all.least, 0.0);  // the velocity at the end of an undecided start is not known
   EXPECT_EQ(all.most, wilson_share(300, 1000).high);
-  EXPECT_TRUE(holds(transient_text(r, c.study), "surely below 32.9 %")) << transient_text(r, c.study);
+  EXPECT_TRUE(holds(transient_text(r, c.study), "bounds below 32.9 %")) << transient_text(r, c.study);
 }
 
 TEST(TransientText, SaysWhichFiguresHoldTheWeight) {

@@ -19,7 +19,7 @@
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/study/table_reader.hpp"
-#include "equipoise/units/unit_library.hpp"
+#include "equipoise/units/unit_table.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/design_study.hpp"
 
@@ -48,9 +48,8 @@ double number_in(const StudyValue& value, const std::string& unit) {
   if (!value.is_number() && written.empty()) return none;
   if (written == unit) return number_of(value);
   if (written.empty() || unit.empty()) return none;
-  const study::UnitLibraryUse use;
-  const study::Unit from(written), to(unit);
-  return from.is_known() && to.is_known() ? number_of(value) * from.worth_in(to) : none;
+  const auto from = study::table_unit(written), to = study::table_unit(unit);
+  return from && to ? number_of(value) * from->worth_in(*to) : none;
 }
 
 FigureSource read_figure(const Document& document, const std::string& where, const StudyValue* value,

@@ -6,6 +6,7 @@
 
 #include "equipoise/kernels/batch_job.hpp"
 #include "equipoise/model/ball_count.hpp"
+#include "equipoise/words/runs.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "equipoise/kernels/batch_kernels.cpp"
@@ -116,13 +117,12 @@ std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); 
 // chooses.
 std::string cpu_arithmetic(const std::string& target) {
 #if !(defined(EQUIPOISE_KERNELS_CONTRACTED) && defined(__FMA__))  // GCC would fuse in portable code, too
-  if (target == "SSE4" || target == "scalar") return "without fused multiply-add (SSE4, scalar)";
+  if (target == "SSE4" || target == "scalar") return words::runs::not_fused;
 #endif
 #ifdef EQUIPOISE_KERNELS_CONTRACTED
-  if (target == "AVX-512" || target == "AVX2") return "with fused multiply-add (AVX2, AVX-512)";
+  if (target == "AVX-512" || target == "AVX2") return words::runs::fused;
 #else
-  if (target == "AVX-512" || target == "AVX2" || target == "NEON")
-    return "with fused multiply-add where it is written (AVX2, AVX-512, NEON)";
+  if (target == "AVX-512" || target == "AVX2" || target == "NEON") return words::runs::fused_where_written;
 #endif
   return "of " + target;
 }

@@ -320,4 +320,11 @@ std::vector<MemberCertificate> members_from_json(const std::string& text, const 
   return entries(file_from(text, where), "members", where, member_from);
 }
 
+CertificateFile checked_certificates(const std::string& text, const std::string& where) {
+  CertificateFile file{where, certificates_from_json(text, where), {}, members_from_json(text, where), {}};
+  for (const Certificate& certificate : file.certificates) file.checks.push_back(check_certificate(certificate));
+  for (const MemberCertificate& member : file.members) file.member_checks.push_back(check_member(member));
+  return file;
+}
+
 }  // namespace equipoise

@@ -22,4 +22,7 @@ std::string certificates_json(const CertifyResult& result);
 std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where);
 std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where);
 
+/// Reads such a text and checks each certificate from its own data. Throws what certificates_from_json() throws.
+CertificateFile checked_certificates(const std::string& text, const std::string& where);
+
 }  // namespace equipoise

@@ -87,7 +87,7 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
     text += fmt::format(
         "  {} above {:.4g} {}: {} ({}){}\n", l.measured, *(study.limits.*l.limit) * unit.size, unit.name,
         percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s),
-        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; surely " + bounds_text(s) : "");
+        group.id != undecided_code && (s.least < s.low || s.most > s.high) ? "; bounds " + bounds_text(s) : "");
   }
   const std::optional<double> grade = left_grade(group, study);
   if (grade) text += fmt::format(words::text::residual_unbalance, *grade);

@@ -1,4 +1,5 @@
-// The table, and products of its units. Numbers are multiplied in the same order as in UDUNITS-2.
+// The table, and products of its units. What is not metric is exact by definition: A. Thompson and B. N. Taylor, NIST
+// SP 811 (2008), appendix B [SP811].
 #include "equipoise/units/unit_table.hpp"
 
 #include <array>
@@ -29,9 +30,11 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     pound{0.45359237, 1, 0, 0, 0}, tonne{1000.0, 1, 0, 0, 0}, minute{60.0, 0, 0, 1, 0}, hour{3600.0, 0, 0, 1, 0},
     turn{2.0 * pi, 0, 0, 0, 1}, rpm{2.0 * pi / 60.0, 0, 0, -1, 1}, rps{2.0 * pi, 0, 0, -1, 1}, hertz{1.0, 0, 0, -1, 0},
     newton{1.0, 1, 1, -2, 0}, pascal{1.0, 1, -1, -2, 0}, joule{1.0, 1, 2, -2, 0}, watt{1.0, 1, 2, -3, 0},
-    stokes{1e-4, 0, 2, -1, 0}, kilogram_force{9.80665, 1, 1, -2, 0}, pound_force{0.45359237 * 9.80665, 1, 1, -2, 0};
+    stokes{1e-4, 0, 2, -1, 0}, kilogram_force{9.80665, 1, 1, -2, 0}, pound_force{0.45359237 * 9.80665, 1, 1, -2, 0},
+    ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
+    litre{1e-3, 0, 3, 0, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
 
-constexpr std::array<NamedUnit, 51> units{{
+constexpr std::array<NamedUnit, 83> units{{
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
@@ -76,20 +79,52 @@ constexpr std::array<NamedUnit, 51> units{{
     {"St", stokes, Form::symbol},
     {"stokes", stokes, Form::alone},
     {"micron", {1e-6, 0, 1, 0, 0}, Form::word},
-    {"bar", {1e5, 1, -1, -2, 0}, Form::alone},
+    {"bar", {1e5, 1, -1, -2, 0}, Form::symbol},
     {"kmh", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
     {"kgf", kilogram_force, Form::alone},
     {"lbf", pound_force, Form::alone},
     {"psi", {0.45359237 * 9.80665 / ((2.54 * 0.01) * (2.54 * 0.01)), 1, -1, -2, 0}, Form::alone},
     {"poise", {0.1, 1, -1, -1, 0}, Form::word},
     {"gravity", {9.80665, 0, 1, -2, 0}, Form::alone},
+    {"lbs", pound, Form::alone},
+    {"oz", ounce, Form::alone},  // of mass
+    {"ounce", ounce, Form::word},
+    {"ozf", ounce_force, Form::alone},
+    {"ounce_force", ounce_force, Form::alone},
+    {"pound_force", pound_force, Form::alone},
+    {"kilogram_force", kilogram_force, Form::alone},
+    {"kp", kilogram_force, Form::alone},
+    {"gf", {0.001 * 9.80665, 1, 1, -2, 0}, Form::alone},
+    {"dyn", {1e-5, 1, 1, -2, 0}, Form::alone},
+    {"dyne", {1e-5, 1, 1, -2, 0}, Form::word},
+    {"erg", {1e-7, 1, 2, -2, 0}, Form::word},
+    {"hp", horsepower, Form::alone},
+    {"horsepower", horsepower, Form::alone},
+    {"slug", {0.45359237 * 9.80665 / (12.0 * (2.54 * 0.01)), 1, 0, 0, 0}, Form::word},
+    {"mil", {0.001 * (2.54 * 0.01), 0, 1, 0, 0}, Form::word},
+    {"yd", {36.0 * (2.54 * 0.01), 0, 1, 0, 0}, Form::alone},
+    {"yard", {36.0 * (2.54 * 0.01), 0, 1, 0, 0}, Form::word},
+    {"l", litre, Form::symbol},
+    {"L", litre, Form::symbol},
+    {"liter", litre, Form::word},
+    {"litre", litre, Form::word},
+    {"d", {86400.0, 0, 0, 1, 0}, Form::alone},
+    {"day", {86400.0, 0, 0, 1, 0}, Form::word},
+    {"rev", turn, Form::alone},
+    {"r", turn, Form::alone},
+    {"rotation", turn, Form::word},
+    {"cycle", turn, Form::word},
+    {"P", {0.1, 1, -1, -1, 0}, Form::alone},
+    {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
+    {"arcmin", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
+    {"arcsec", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
 }};
 
 struct Prefix {
   std::string_view symbol, word;
   double factor;
 };
-constexpr std::array<Prefix, 11> prefixes{{{"k", "kilo", 1e3},
+constexpr std::array<Prefix, 14> prefixes{{{"k", "kilo", 1e3},
                                            {"m", "milli", 1e-3},
                                            {"c", "centi", 1e-2},
                                            {"d", "deci", 1e-1},
@@ -99,7 +134,10 @@ constexpr std::array<Prefix, 11> prefixes{{{"k", "kilo", 1e3},
                                            {"n", "nano", 1e-9},
                                            {"M", "mega", 1e6},
                                            {"G", "giga", 1e9},
-                                           {"h", "hecto", 1e2}}};
+                                           {"h", "hecto", 1e2},
+                                           {"da", "deca", 1e1},
+                                           {"p", "pico", 1e-12},
+                                           {"T", "tera", 1e12}}};
 
 std::optional<TableUnit> named(std::string_view name) {
   for (const NamedUnit& u : units) {
@@ -202,5 +240,10 @@ class ProductReader {
 }  // namespace
 
 std::optional<TableUnit> table_unit(const std::string& text) { return ProductReader(text).read(); }
+
+double TableUnit::worth_in(const TableUnit& other) const {
+  const double one = si / other.si;
+  return same_kind(other) && one > 0.0 && std::isfinite(one) ? one : 0.0;
+}
 
 }  // namespace equipoise::study

@@ -1,4 +1,4 @@
-// Usual units for builds without UDUNITS-2: the same names, bit-identical values.
+// The units that studies may use.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,10 @@ struct TableUnit {
   bool same_kind(const TableUnit& other) const {  ///< angles count as pure numbers
     return kilogram == other.kilogram && metre == other.metre && second == other.second;
   }
+  /// One of this unit in the other; 0 if that measures something else.
+  double worth_in(const TableUnit& other) const;
+  /// Whether it contains radians to the first power: speeds of rotation do, frequencies do not.
+  bool counts_radians() const { return radian == 1; }
 };
 
 /// Reads a name, or a product as defined by UnitText; empty if a name is not in the table.

@@ -27,15 +27,6 @@ constexpr std::array<std::pair<std::string_view, char>, 11> raised{{{"⁰", '0'}
 constexpr std::array<std::pair<std::string_view, char>, 5> signs{
     {{"\u00B7", '.'}, {"\u22C5", '.'}, {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '}}};
 
-// Names of workshops, in the library's.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> workshop_names{{{"oz", "(lb/16)"},
-                                                                                       {"ozf", "(lbf/16)"},
-                                                                                       {"lbs", "lb"},
-                                                                                       {"rev", "revolution"},
-                                                                                       {"r", "revolution"},
-                                                                                       {"kp", "kgf"},
-                                                                                       {"cP", "centipoise"}}};
-
 template <class Table>
 char meaning(const Table& table, std::string_view character) {
   const auto at = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == character; });
@@ -71,20 +62,6 @@ class UnitGrammar {
     return text_.size() <= longest && product(0) && at_ == text_.size();
   }
   const std::vector<std::string>& names() const { return names_; }
-  // The text with the library's names.
-  std::string translated() const {
-    std::string text;
-    std::size_t from = 0;
-    for (std::size_t k = 0; k < names_.size(); ++k) {
-      const auto known = std::find_if(workshop_names.begin(), workshop_names.end(),
-                                      [&](const auto& entry) { return entry.first == names_[k]; });
-      if (known == workshop_names.end()) continue;
-      text += text_.substr(from, places_[k] - from);
-      text += known->second;
-      from = places_[k] + names_[k].size();
-    }
-    return text.append(text_.substr(from));
-  }
 
  private:
   bool product(int depth) {
@@ -124,14 +101,13 @@ class UnitGrammar {
     if (at_ == begin) return take("%");
     std::string word(text_.substr(begin, at_ - begin));
     names_.push_back(word);
-    places_.push_back(begin);
     for (char& c : word) c = static_cast<char>(c | 0x20);
     constexpr std::array<std::string_view, 5> grammar{"per", "after", "from", "since", "ref"};
     return std::find(grammar.begin(), grammar.end(), word) == grammar.end();
   }
 
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  // Bytes of the letter here; 0 if there is none. Everything beyond ASCII counts as a letter: UDUNITS knows µ, ° and Ω.
+  // Bytes of the letter here; 0 if there is none. Everything beyond ASCII counts as a letter: units have µ and °.
   std::size_t letter() const {
     const std::size_t length = at_ < text_.size() ? character_length(text_, at_) : 0;
     const char c = length == 1 ? text_[at_] : 'a';
@@ -150,7 +126,6 @@ class UnitGrammar {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<std::string> names_;
-  std::vector<std::size_t> places_;  // of the names
 };
 
 }  // namespace
@@ -161,10 +136,6 @@ UnitText::UnitText(std::string_view given) : text(in_plain_signs(given)) {
   is_product = grammar.holds();
   if (!is_product) return;
   names = grammar.names();
-  std::erase_if(names, [](const std::string& name) {
-    return std::any_of(workshop_names.begin(), workshop_names.end(), [&](const auto& n) { return n.first == name; });
-  });
-  text = grammar.translated();
 }
 
 }  // namespace equipoise::study

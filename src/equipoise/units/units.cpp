@@ -13,7 +13,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/nearest_name.hpp"
 #include "equipoise/base/read_number.hpp"
-#include "equipoise/units/unit_library.hpp"
+#include "equipoise/units/unit_table.hpp"
 #include "equipoise/units/unit_text.hpp"
 #include "equipoise/words/units.hpp"
 
@@ -67,10 +67,10 @@ constexpr std::array<TemperatureScale, 6> temperature_scales{{{"degC", 1.0, 273.
                                                               {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
                                                               {"K", 1.0, 0.0}}};
 
-// One `unit` in the dimension's SI unit; 0 if it measures something else. The library treats angles as pure numbers, so
-// a frequency would otherwise pass for a speed.
-double factor(const Unit& unit, std::string_view unit_text, Dimension wanted) {
-  const double one = unit.worth_in(Unit(words(wanted).si));
+// One `unit` in the dimension's SI unit; 0 if it measures something else. The table treats angles as pure numbers, so a
+// frequency would otherwise pass for a speed.
+double factor(const TableUnit& unit, std::string_view unit_text, Dimension wanted) {
+  const double one = unit.worth_in(*table_unit(words(wanted).si));
   if (one == 0.0) return 0.0;
   if (wanted == Dimension::angle && !unit.counts_radians()) return 0.0;
   if (wanted == Dimension::speed && !unit.counts_radians())
@@ -230,25 +230,23 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
         result.dimension = Dimension::temperature;
         return result;
       }
-  const UnitLibraryUse use;
   const UnitText checked(unit_text);
   if (!checked.is_product) {
     result.problem = fmt::format(words::units::no_number_with_unit, must_be);
     return result;
   }
   for (const std::string& name : checked.names) {
-    if (Unit(name).is_known()) continue;
-    result.problem =
-        fmt::format("{} knows no unit \"{}\"{}; {}", Unit::reader(), display_text(name), unit_hint(name), must_be);
+    if (table_unit(name)) continue;
+    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(name), unit_hint(name), must_be);
     return result;
   }
-  const Unit unit(checked.text);
-  if (!unit.is_known()) {
-    result.problem = fmt::format(words::units::unknown_unit, Unit::reader(), unit_text, must_be);
+  const std::optional<TableUnit> unit = table_unit(checked.text);
+  if (!unit) {
+    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
     return result;
   }
   for (const Dimension dimension : wanted) {
-    const double one = factor(unit, checked.text, dimension);
+    const double one = factor(*unit, checked.text, dimension);
     if (one == 0.0) continue;
     result.value *= one;
     result.dimension = dimension;
@@ -260,8 +258,7 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
 }
 
 std::string quantity_text(double si, Dimension dimension) {
-  const UnitLibraryUse use;
-  const Unit shown(words(dimension).shown);
+  const TableUnit shown = *table_unit(words(dimension).shown);
   return fmt::format("{} {}", si / factor(shown, words(dimension).shown, dimension), words(dimension).shown);
 }
 

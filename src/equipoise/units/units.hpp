@@ -1,4 +1,4 @@
-// Values with units, such as "48 kN/m". A library reads the units; this file says what each quantity must measure.
+// Values with units, such as "48 kN/m": what each quantity must measure.
 #pragma once
 
 #include <optional>
@@ -78,9 +78,8 @@ NumberAndUnit split_quantity(std::string_view text);
 std::optional<double> percentage(std::string_view text);
 
 /// Reads "number unit" as a value of the first of `wanted` that the unit measures. Speeds: rad/s, rpm, Hz as turns per
-/// second (UDUNITS would read 1 rad/s) and 1/min or min-1 as turns a minute; a bare 1/s is refused. Temperatures: degC,
-/// degF and K, all to K. Any finite number passes: callers check ranges. Throws RunError if the library of units cannot
-/// be used.
+/// second and 1/min or min-1 as turns a minute; a bare 1/s is refused. Temperatures: degC, degF and K, all to K. Any
+/// finite number passes: callers check ranges.
 Measured measure(const std::string& text, const std::vector<Dimension>& wanted);
 
 /// The value in the dimension's display unit, with all its digits: "0.2 mm" from 0.0002 m.

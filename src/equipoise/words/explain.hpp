@@ -3,6 +3,9 @@
 
 namespace equipoise::words::explain {
 
+// Studies to begin with. A guess or nothing, the list of machines.
+inline constexpr char one_of_machines[] = "{}must be one of: {}";
+
 // Rules of thumb: why one says nothing.
 inline constexpr char below_resonance[] =
     "at or below the critical speed balls gather on the heavy side, whatever their drag";

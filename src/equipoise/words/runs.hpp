@@ -160,6 +160,7 @@ inline constexpr char sensitivity_rows[] = "rows of the sensitivity";
 
 // How an instruction set rounds. Files of results hold these words: with others, older files are of another machine.
 inline constexpr char fused[] = "with fused multiply-add (AVX2, AVX-512)";
+inline constexpr char fused_where_written[] = "with fused multiply-add where it is written (AVX2, AVX-512, NEON)";
 inline constexpr char not_fused[] = "without fused multiply-add (SSE4, scalar)";
 
 }  // namespace equipoise::words::runs

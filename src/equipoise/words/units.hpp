@@ -8,18 +8,11 @@ inline constexpr char no_number[] = "does not begin with a number; {}";
 inline constexpr char number_out_of_range[] = "the number is out of range; {}";
 inline constexpr char no_unit[] = "has no unit; {}";
 inline constexpr char no_number_with_unit[] = "is not a number with a unit; {}";
-// What reads units, the unit, the units that are allowed.
-inline constexpr char unknown_unit[] = "{} cannot read the unit \"{}\"; {}";
 // The unit, the units that are allowed.
 inline constexpr char measures_something_else[] = "\"{}\" is a unit of something else; {}";
 
 // Behind them, of speeds of rotation.
 inline constexpr char speed_units[] = "; in rpm, 1/min, rad/s or Hz (turns a second)";
-
-// What reads units, and why it cannot.
-inline constexpr char table_of_usual_units[] = "the table of usual units";
-inline constexpr char no_udunits_database[] =
-    "the unit database of UDUNITS-2 cannot be read (Debian package libudunits2-data)";
 
 // What a quantity is.
 inline constexpr char torque_for_a_speed[] = "a torque for a speed of rotation";

@@ -1,16 +1,16 @@
-"""The wheel: CMake builds the module, setuptools packs it."""
+"""The wheel: CMake builds the module, setuptools packs it. All else is in pyproject.toml."""
 
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-here = pathlib.Path(__file__).resolve().parent
-root = here.parent
+root = pathlib.Path(__file__).resolve().parent
 
 
 class CMakeBuild(build_ext):
@@ -23,7 +23,7 @@ class CMakeBuild(build_ext):
             subprocess.check_call(
                 ["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                  "-DEQUIPOISE_BUILD_PYTHON=ON", "-DEQUIPOISE_BUILD_PROGRAM=OFF", f"-DPython_EXECUTABLE={sys.executable}",
-                 *os.environ.get("EQUIPOISE_CMAKE_ARGS", "").split()]
+                 *shlex.split(os.environ.get("EQUIPOISE_CMAKE_ARGS", ""))]
             )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "equipoise_python"])
         built = next((folder / "python" / "equipoise").glob("_core*.so"))

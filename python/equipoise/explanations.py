@@ -1,0 +1,148 @@
+"""What formulas alone say of a study, and what was understood of it."""
+
+from __future__ import annotations
+
+import json
+import os
+from html import escape
+from typing import Any, Optional
+
+from . import _core
+from ._arguments import checked_study
+from ._call import WithinArgument, settings, time_limit, unless_interrupted
+from .results import write_json
+from .study import Study
+
+
+class _Told:
+    """Text and data that are there from the begin."""
+
+    study: Study
+    text: str
+    data: dict[str, Any]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        write_json(path, self.data)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+class Explanation(_Told):
+    """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
+
+    def __init__(self, study: Study, made: dict[str, Any]) -> None:
+        self.study = study
+        self.text: str = made["text"]
+        self.data: dict[str, Any] = json.loads(made["json"])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to beware of."""
+        return self.data["warnings"]
+
+    @property
+    def advice(self) -> dict[str, dict[str, Any]]:
+        """Rules of thumb by their ``id``: ``kept``, ``words``, ``figures``, ``formula``, ``source``; estimates, not results."""
+        return {rule["id"]: rule for rule in self.data["advice"]}
+
+    @property
+    def cost(self) -> Optional[dict[str, Any]]:
+        """How long :func:`basin` takes, if it was asked for: measured on a part of it, in seconds."""
+        return self.data.get("cost")
+
+
+def explain(study: Study, *, cost: bool = False, within: WithinArgument = None) -> Explanation:
+    """What a study's numbers mean: critical speeds, balanced states and their rates, rules of thumb, warnings. Milliseconds.
+
+    Parameters
+    ----------
+    cost : bool
+        Also how long :func:`basin` takes, measured on a part of it: the search for attractors and the first starts.
+    within : float or str, optional
+        Of the cost: the longest that this may take; default 10 s. As for :func:`basin`.
+    """
+    checked_study(study)
+    patience = None if not cost else time_limit(within) or ""
+    with settings(0, None, None) as how:
+        made = study._core.explain(patience, how)
+    return unless_interrupted(Explanation(study, made), made["interrupted"])
+
+
+class StudyCheck(_Told):
+    """What was understood of a study, what was assumed, and which estimate matters most.
+
+    Attributes
+    ----------
+    machine, unbalance, balls : str
+        As understood, in the study's units.
+    assumed : list[str]
+        What the study does not state and what matters, each a few words.
+    matters_most : str
+        Which of the estimated quantities matters most, and how that was judged.
+    """
+
+    def __init__(self, study: Study) -> None:
+        self.study = checked_study(study)
+        self.data: dict[str, Any] = study._core.check()
+        self.text: str = self.data.pop("text")
+
+    @property
+    def machine(self) -> str:
+        return self.data["machine"]
+
+    @property
+    def unbalance(self) -> str:
+        return self.data["unbalance"]
+
+    @property
+    def balls(self) -> str:
+        return self.data["balls"]
+
+    @property
+    def assumed(self) -> list[str]:
+        return self.data["assumed"]
+
+    @property
+    def matters_most(self) -> str:
+        return self.data["matters_most"]
+
+
+def check(study: Study) -> StudyCheck:
+    """What was understood of a study, what was assumed, and which estimate matters most. Milliseconds."""
+    return StudyCheck(study)
+
+
+def machines() -> list[str]:
+    """What :func:`new` takes."""
+    return list(_core.new_machines())
+
+
+def new(machine: str, output: Optional[str | os.PathLike[str]] = None) -> Study:
+    """A study to begin with.
+
+    Parameters
+    ----------
+    machine : str
+        One of ``machines()``: "washing-machine", "grinder", "centrifuge", "drive", "fan", "blank".
+    output : path, optional
+        Write it there with its comments; must be a new file, for no study is overwritten (``FileExistsError``).
+
+    Raises
+    ------
+    StudyError
+        For other machines.
+    """
+    text = _core.new_study(str(machine))
+    if output is None:
+        return Study.from_toml(text, str(machine))
+    with open(output, "x", encoding="utf-8", newline="") as file:
+        file.write(text)
+    return Study.from_file(output)

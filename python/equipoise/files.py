@@ -1,0 +1,153 @@
+"""Files of results: what they hold, whether they are sound, joined."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import Any, Optional
+
+from . import _core
+from ._arguments import refuse
+from .results import Answer, write_json
+from .study import Study
+from .sweeps import SweepResult
+
+LARGEST_CERTIFICATES = 64 << 20  # certificates take some kilobytes
+
+
+class Inspection(Answer):
+    """What a file of results holds, how complete and whether damaged.
+
+    Attributes
+    ----------
+    path : str
+    kind : str
+        "basin", "sweep", "capacity", "design", "map", "branches", "trajectory" or "unfinished results"; "": unknown.
+    version : str
+        Of the program that wrote it.
+    bytes : int
+    damage : str
+        In words; "" of a sound file.
+    sound : bool
+    complete : bool or None
+        Whether all is there that was asked for; None where the file does not say.
+    facts : dict[str, str]
+        Starts, cells, what varies.
+    study : Study or None
+        What was asked.
+    """
+
+    @property
+    def path(self) -> str:
+        return self.data["path"]
+
+    @property
+    def kind(self) -> str:
+        return self.data["kind"]
+
+    @property
+    def version(self) -> str:
+        return self.data["version"]
+
+    @property
+    def bytes(self) -> int:
+        return self.data["bytes"]
+
+    @property
+    def damage(self) -> str:
+        return self.data["damage"]
+
+    @property
+    def sound(self) -> bool:
+        return not self.damage
+
+    @property
+    def complete(self) -> Optional[bool]:
+        return self.data["complete"]
+
+    @property
+    def facts(self) -> dict[str, str]:
+        return {fact["name"]: fact["value"] for fact in self.data["facts"]}
+
+    @property
+    def study(self) -> Optional[Study]:
+        return Study.from_toml(self.data["study"], self.path) if self.data["study"] else None
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        write_json(path, self.data)
+
+    def __repr__(self) -> str:
+        state = f"DAMAGED: {self.damage}" if self.damage else "sound"
+        return f"<Inspection of {self.path}: {self.kind or 'results'}{', not complete' * (self.complete is False)}, {state}>"
+
+
+def inspect(path: str | os.PathLike[str]) -> Inspection:
+    """What a file of results (.nc), or the unfinished part of one (.nc.part), holds. Changes nothing.
+
+    Damage is told, not raised.
+
+    Raises
+    ------
+    StudyError
+        For files that cannot be read, are in use, or hold no results.
+    """
+    return Inspection(_core.inspect(os.fspath(path)))
+
+
+def merge(files: Iterable[str | os.PathLike[str]], output: str | os.PathLike[str]) -> SweepResult:
+    """Join the files of one sweep from several machines or runs (``sweep(shard=, output=)``).
+
+    Parameters
+    ----------
+    files : iterable of paths
+        Files (.nc), or unfinished parts of them (.nc.part).
+    output : path
+        The merged file (.nc).
+
+    Raises
+    ------
+    StudyError
+        For files that do not belong to one sweep, or are damaged.
+    """
+    if isinstance(files, (str, os.PathLike)):
+        refuse("files", files, "a list of paths")
+    core = _core.merge([os.fspath(file) for file in files], os.fspath(output))
+    return SweepResult(core, Study._of(core.study()))
+
+
+class CertificateCheck(Answer):
+    """Certificates of a file, each checked from its own data.
+
+    Attributes
+    ----------
+    proved : bool
+        Whether all of them are valid.
+    """
+
+    @property
+    def proved(self) -> bool:
+        return self.data["proved"]
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        write_json(path, self.data)
+
+    def __repr__(self) -> str:
+        return f"<CertificateCheck: {'proved' if self.proved else 'NOT proved'}>"
+
+
+def check_certificates(path: str | os.PathLike[str]) -> CertificateCheck:
+    """Verify a file of certificates (``CertifyResult.save``, ``equipoise certify -o``) from its own data.
+
+    Raises
+    ------
+    StudyError
+        For files that hold no certificates, or are larger than 64 MiB.
+    """
+    name = os.fspath(path)
+    with open(path, encoding="utf-8", errors="replace") as file:
+        text = file.read(LARGEST_CERTIFICATES + 1)
+    if len(text) > LARGEST_CERTIFICATES:
+        refuse("path", name, "a file written by certify", "has more than 64 MiB")
+    return CertificateCheck(_core.check_certificates(text, name))
