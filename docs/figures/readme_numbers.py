@@ -30,7 +30,7 @@ def of_validation(told):
     return {
         "row-share": f"{100 * computed['share']:.2f} ± {half:.2f} %",
         "row-starts": grouped(row["published_law"]["starts"]),
-        "row-printed": f"{cell['printed']:.2f} %",
+        "row-printed": f"{float(cell['printed']):.2f} %",
         "cells-agree": f"{cells['agrees']} of {cells['agrees'] + cells['differs']}",
         "cells-not-comparable": str(cells["not_comparable"]),
         "starts-validated": f"{told['starts'] / 1e6:.1f} million",
@@ -47,7 +47,7 @@ def of_benchmark(told):
         "machine": f"{machine['cores']} cores of an {machine['processor']}, {machine['instruction_set']}",
         "times-odeint": f"{slower['Odeint dopri5']:.0f}",
         "times-sundials": f"{min(times for name, times in slower.items() if name.startswith('SUNDIALS')):.0f}",
-        "times-scipy": grouped(round(min(times for name, times in slower.items() if name.startswith("SciPy")), -1).__int__()),
+        "times-scipy": grouped(int(round(min(times for name, times in slower.items() if name.startswith("SciPy")), -1))),
     }
 
 
@@ -55,7 +55,7 @@ def main():
     source = pathlib.Path(sys.argv[1])
     evidence = source / "docs/evidence"
     numbers = of_validation(json.loads((evidence / "validation.json").read_text()))
-    numbers |= of_benchmark(json.loads((evidence / "benchmark.json").read_text()))
+    numbers |= of_benchmark(json.loads((evidence / "benchmark-avx2.json").read_text()))
     page = source / "README.md"
     text = page.read_text()
     named = [match[2] for match in NUMBER.finditer(text)]
