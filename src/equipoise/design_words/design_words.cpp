@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/text/text.hpp"
 
@@ -136,7 +137,7 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
     if (column == f.name) words = f.title;
   if (words.empty()) return figure.name;
   if (dot == std::string::npos) return words;
-  const double percents = 100.0 * std::strtod(figure.name.c_str() + dot + 1, nullptr);
+  const double percents = 100.0 * number_in(figure.name.substr(dot + 1));
   return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : " of starts below");
 }
 
