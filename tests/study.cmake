@@ -20,6 +20,19 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/layers_test.py ${PROJECT_SOURCE_DIR})
   add_test(NAME layers.faults_are_found
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/layers_test.py --self-test)
+  add_test(NAME one_way.systems_and_libraries_are_asked_in_one_place
+    COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/one_way_test.py ${PROJECT_SOURCE_DIR})
+  add_test(NAME one_way.faults_are_found
+    COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/one_way_test.py --self-test)
+  set_tests_properties(one_way.systems_and_libraries_are_asked_in_one_place one_way.faults_are_found PROPERTIES LABELS unit TIMEOUT 60)
+  find_program(EQUIPOISE_CLANG_TIDY clang-tidy)
+  if(EQUIPOISE_CLANG_TIDY)
+    add_test(NAME tidy.finds_nothing_of_its_list
+      COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/tidy_test.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+    set_tests_properties(tidy.finds_nothing_of_its_list PROPERTIES LABELS tidy TIMEOUT 600)
+  else()
+    message(STATUS "clang-tidy not found: its test is left out")
+  endif()
   add_test(NAME studies.of_the_paper_are_as_generated
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/studies/paper/generate.py --check)
   add_test(NAME docs.sentences_name_tests_that_exist

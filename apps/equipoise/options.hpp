@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "words.hpp"
@@ -25,8 +27,15 @@ template <class T>
 T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
   T value{};
   const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || !(value >= low && value <= high))
+  bool whole = false;
+  if constexpr (std::is_floating_point_v<T>) {
+    const NumberRead read = read_number(text.data(), end, value);
+    whole = read.error == std::errc() && read.end == end;
+  } else {
+    const auto read = std::from_chars(text.data(), end, value);
+    whole = read.ec == std::errc() && read.ptr == end;
+  }
+  if (!whole || !(value >= low && value <= high))
     throw InputError(option, "", display_text(text), fmt::format(words::must_be, allowed));
   return value;
 }

@@ -43,5 +43,12 @@ TEST(ReadNumber, RoundsToNearest) {
   }
 }
 
+TEST(ReadNumber, NumberInTakesWhatATextBeginsWith) {
+  EXPECT_EQ(number_in("2.5 mm"), 2.5);
+  EXPECT_EQ(number_in("-1e-3"), -1e-3);
+  EXPECT_EQ(number_in("mm"), 0.0);
+  EXPECT_EQ(number_in(""), 0.0);
+}
+
 }  // namespace
 }  // namespace equipoise

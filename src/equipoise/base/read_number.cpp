@@ -1,4 +1,4 @@
-// Uses std::from_chars() where it reads doubles, else strtod() on a copy of the number's text.
+// Uses std::from_chars() where it reads doubles, else the C library on a copy of the number's text, in the locale "C".
 #include "equipoise/base/read_number.hpp"
 
 #include <cerrno>
@@ -6,6 +6,11 @@
 #include <cstdlib>
 #include <string>
 #include <version>
+
+#include <locale.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
 
 namespace equipoise {
 
@@ -68,7 +73,8 @@ NumberRead read_number_by_c(const char* begin, const char* end, double& value) {
   const std::string text(begin, last);
   const int before = errno;
   errno = 0;
-  const double read = std::strtod(text.c_str(), nullptr);
+  static const locale_t plain = newlocale(LC_ALL_MASK, "C", static_cast<locale_t>(nullptr));
+  const double read = strtod_l(text.c_str(), nullptr, plain);
   const bool out_of_range = errno == ERANGE && (read == 0.0 || read > 1e300 || read < -1e300);
   errno = before;
   if (out_of_range) return {last, std::errc::result_out_of_range};
@@ -83,6 +89,12 @@ NumberRead read_number(const char* begin, const char* end, double& value) {
 #else
   return read_number_by_c(begin, end, value);
 #endif
+}
+
+double number_in(const std::string& text) {
+  double value = 0.0;
+  (void)read_number(text.data(), text.data() + text.size(), value);  // an error leaves 0
+  return value;
 }
 
 }  // namespace equipoise

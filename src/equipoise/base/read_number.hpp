@@ -1,6 +1,7 @@
 // Reads a double from text, also where the standard library cannot.
 #pragma once
 
+#include <string>
 #include <system_error>
 
 namespace equipoise {
@@ -10,11 +11,16 @@ struct NumberRead {
   std::errc error;  ///< invalid_argument: no number; result_out_of_range: too large or too small for a double
 };
 
+/// The one way in which this program reads a number from text: that of a locale plays no part.
+///
 /// Like std::from_chars() for a double in general form: digits, point and exponent, "inf" or "nan", without leading
 /// blank or plus sign, rounded to nearest. An error leaves `value` unchanged.
 NumberRead read_number(const char* begin, const char* end, double& value);
 
-/// The same with the C library, for standard libraries whose std::from_chars() reads no doubles.
+/// The number that `text` begins with; 0 if it begins with none. For texts that this program wrote or has checked.
+double number_in(const std::string& text);
+
+/// Like read_number() with the C library, for standard libraries whose std::from_chars() reads no doubles.
 NumberRead read_number_by_c(const char* begin, const char* end, double& value);
 
 }  // namespace equipoise

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/words/mechanics.hpp"
 
 namespace equipoise {
@@ -17,9 +17,7 @@ namespace equipoise {
 /// Rounded to twelve digits of the largest value, so that 1.4 + 20 * 0.05 is 2.4.
 inline double to_twelve_digits(double value, double largest) {
   const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
-  const std::string text = fmt::format("{:.12g}", std::round(value / unit) * unit);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+  return number_in(fmt::format("{:.12g}", std::round(value / unit) * unit));
 }
 
 /// Appends the values, at most `most`. Returns what is wrong with them, or an empty text.

@@ -11,6 +11,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/words/sweeps.hpp"
 
@@ -23,11 +24,7 @@ std::optional<double> part_of_pi(const std::string& text) {
   static const std::regex form(R"(([+-]?)(\d+(?:\.\d*)?|\.\d+)?\*?pi(?:/(\d+(?:\.\d*)?))?)");
   std::smatch m;
   if (!std::regex_match(text, m, form)) return std::nullopt;
-  const auto number = [](const std::string& digits) {
-    double value = 1.0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value;
-  };
+  const auto number = [](const std::string& digits) { return digits.empty() ? 1.0 : number_in(digits); };
   return (m[1] == "-" ? -1.0 : 1.0) * number(m[2].str()) * pi / number(m[3].str());
 }
 
@@ -86,8 +83,8 @@ AngleLink angle_link(const std::string& text, const std::string& option) {
   }
   const char* begin = offset.data() + (offset.front() == '+' ? 1 : 0);
   const char* end = offset.data() + offset.size();
-  const auto read = std::from_chars(begin, end, link.offset);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(link.offset)) reject();
+  const auto read = read_number(begin, end, link.offset);
+  if (read.error != std::errc() || read.end != end || !std::isfinite(link.offset)) reject();
   return link;
 }
 

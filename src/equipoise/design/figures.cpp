@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/design/settings.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
@@ -60,8 +60,8 @@ std::optional<FigureSource> quantile_source(const std::string& name, const Study
     return std::nullopt;
   }
   const std::string q = dot == std::string::npos ? "" : name.substr(dot + 1);
-  const auto read = std::from_chars(q.data(), q.data() + q.size(), source.quantile);
-  if (q.empty() || read.ec != std::errc() || read.ptr != q.data() + q.size() ||
+  const auto read = read_number(q.data(), q.data() + q.size(), source.quantile);
+  if (q.empty() || read.error != std::errc() || read.end != q.data() + q.size() ||
       !(source.quantile > 0.0 && source.quantile < 1.0))
     problem = fmt::format(words::design_study::must_end_in_quantile, column);
   else if (column == "settling_time" && !study.limits.settled)

@@ -2,12 +2,12 @@
 #include "equipoise/design/settings.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 
 namespace equipoise {
@@ -16,10 +16,10 @@ namespace {
 
 // The text after the number.
 std::string_view behind_number(const std::string& text, double& number) {
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  std::string_view rest(read.ptr, text.data() + text.size() - read.ptr);
+  const auto read = read_number(text.data(), text.data() + text.size(), number);
+  std::string_view rest(read.end, text.data() + text.size() - read.end);
   rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  return read.ec == std::errc() ? rest : std::string_view();
+  return read.error == std::errc() ? rest : std::string_view();
 }
 
 // speed.final names the final speed whatever the profile.
@@ -57,8 +57,7 @@ StudyValue value_of(double number, const std::string& unit, bool whole) {
   if (whole) return static_cast<std::int64_t>(std::llround(number));
   const std::string digits = fmt::format("{:.6g}", number);
   if (!unit.empty()) return digits + " " + unit;
-  std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return number;
+  return number_in(digits);
 }
 
 std::size_t nearest_allowed(const std::vector<double>& allowed, double number) {

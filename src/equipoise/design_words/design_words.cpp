@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/columns/transient_figures.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/design.hpp"
@@ -111,7 +112,7 @@ std::string figure_words(const DesignFigure& figure, bool brief) {
     if (column == f.name) words = f.title;
   if (words.empty()) return figure.name;
   if (dot == std::string::npos) return words;
-  const double percents = 100.0 * std::strtod(figure.name.c_str() + dot + 1, nullptr);
+  const double percents = 100.0 * number_in(figure.name.substr(dot + 1));
   return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : words::design::of_starts_below);
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/literature/paper_files.hpp"
 #include "equipoise/words/paper.hpp"
 
@@ -61,7 +62,7 @@ std::vector<Line> lines_of(const std::string& name) {
 
 std::vector<Line> lines_of(int table) { return lines_of(fmt::format("published/table-{}.csv", table)); }
 
-double value_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+double value_of(const std::string& text) { return number_in(text); }
 
 // A decimal without exponent or trailing zeros: 1e-06 -> 0.000001, 100.0 -> 100.
 std::string plain(const std::string& number) {

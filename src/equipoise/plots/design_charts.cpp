@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/reports/design_report.hpp"
 #include "equipoise/words/plots.hpp"
@@ -37,9 +38,7 @@ void add_point(ChartSeries& s, double x, const DesignFigure& f, const DesignEsti
 
 const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.front[*r.chosen] : nullptr; }
 
-double leading_number(const StudyValue& value) {
-  return value.string() ? std::strtod(value.string()->c_str(), nullptr) : value.number();
-}
+double leading_number(const StudyValue& value) { return value.string() ? number_in(*value.string()) : value.number(); }
 
 ChartSeries limit_series(const DesignResult& r, std::size_t figure, const ChartSeries& along) {
   ChartSeries s{words::plots::must_hold, light_colour, ChartSeries::Style::dashed, {}, {}, {}, {}};

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/results/motion_table.hpp"
@@ -31,7 +32,7 @@ std::string located(double low, double high) {
   if (!(high > low)) return fmt::format("{:.12g}", middle);
   for (int digits = std::max(digits_of(high - low) - 1, 0); digits < 12; ++digits) {
     std::string text = fmt::format("{:.{}f}", middle, digits);
-    if (const double value = std::stod(text); value >= low && value <= high) return text;
+    if (const double value = number_in(text); value >= low && value <= high) return text;
   }
   return fmt::format("{:.12f}", middle);
 }

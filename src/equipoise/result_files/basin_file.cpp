@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/io/journal.hpp"
 #include "equipoise/io/kept_search_log.hpp"
 #include "equipoise/io/netcdf.hpp"
@@ -26,12 +26,6 @@
 #include "equipoise/words/files.hpp"
 
 namespace equipoise {
-
-namespace {
-
-double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-
-}  // namespace
 
 struct BasinFile::State {
   // Starts first .. first + count - 1, found in a record of the journal.
@@ -110,7 +104,7 @@ void BasinFile::State::read_results() {
     for (std::size_t k = 0; k < discoveries.size(); ++k)
       file->read(states, {k, 0}, {1, state_size()}, discoveries[k].data());
   }
-  time = {number(file->attribute("seconds")), number(file->attribute("cpu_seconds"))};
+  time = {number_in(file->attribute("seconds")), number_in(file->attribute("cpu_seconds"))};
   const std::string targets = file->attribute("cpu_target");
   for (std::size_t at = 0; at < targets.size();) {
     const std::size_t end = std::min(targets.find(", ", at), targets.size());

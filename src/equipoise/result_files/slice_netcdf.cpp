@@ -1,6 +1,5 @@
 // Dimensions, variables and attributes of a basin slice; its rows written as they come, and read on demand.
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <system_error>
 #include <type_traits>
@@ -10,6 +9,7 @@
 #include <netcdf.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/slice_file.hpp"
@@ -198,9 +198,9 @@ SliceAxis SliceReader::read_axis(const std::string& letter) const {
   axis.pixels = static_cast<int>(file_.length(letter));
   const std::string range = file_.attribute(letter + "_range");
   const char* const end = range.data() + range.size();
-  const auto low = std::from_chars(range.data(), end, axis.low);
-  const auto high = low.ptr < end ? std::from_chars(low.ptr + 1, end, axis.high) : low;
-  if (high.ec != std::errc() || high.ptr != end || low.ptr == end) throw RunError(letter + "_range is none");
+  const auto low = read_number(range.data(), end, axis.low);
+  const auto high = low.end < end ? read_number(low.end + 1, end, axis.high) : low;
+  if (high.error != std::errc() || high.end != end || low.end == end) throw RunError(letter + "_range is none");
   return axis;
 }
 

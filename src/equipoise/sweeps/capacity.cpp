@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <map>
@@ -21,6 +20,7 @@
 #include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/cell_files/capacity_file.hpp"
 #include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/ensembles/basin.hpp"
@@ -43,7 +43,7 @@ namespace {
 constexpr int scan = 8;  // values of the range tried first
 
 // Values have few digits, so that they read back as shown.
-double few_digits(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+double few_digits(double value) { return number_in(fmt::format("{:.6g}", value)); }
 
 std::string setting(const CapacityOptions& options, double value) {
   return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);

@@ -1,13 +1,13 @@
 // Reads a sweep's settings from a file's identity; puts the cells of several files into one.
 #include "equipoise/sweeps/merge.hpp"
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/cell_files/cell_file.hpp"
 #include "equipoise/cell_files/sweep_cells.hpp"
 #include "equipoise/cell_files/sweep_file.hpp"
@@ -28,7 +28,7 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   const std::vector<std::string> over = lines.over();
   const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
   if (over.empty() || axes == 0) throw InputError(path, "", "", words::sweeps::no_sweep_named);
-  result.half_width = std::strtod(lines.value("sweep.half_width").c_str(), nullptr);
+  result.half_width = number_in(lines.value("sweep.half_width"));
   result.transients = lines.value("transients") != "none";
   result.study = parse_kept_study(lines.study, path);
   result.axes = sweep_axes(over, axes < over.size(), path);

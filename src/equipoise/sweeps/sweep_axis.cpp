@@ -2,13 +2,13 @@
 #include "equipoise/sweeps/sweep_axis.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/base/stepped_values.hpp"
 #include "equipoise/words/sweeps.hpp"
 
@@ -38,9 +38,9 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
 
 bool read_token(const std::string& text, Token& token) {
   const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, token.value);
-  if (read.ec != std::errc() || !std::isfinite(token.value)) return false;
-  token.unit = trimmed(std::string(read.ptr, end));
+  const auto read = read_number(text.data(), end, token.value);
+  if (read.error != std::errc() || !std::isfinite(token.value)) return false;
+  token.unit = trimmed(std::string(read.end, end));
   return true;
 }
 
