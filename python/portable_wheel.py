@@ -33,8 +33,7 @@ EVERYWHERE = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.
 GLIBC_OF_GLIBCXX = {(3, 4, 28): (2, 31), (3, 4, 29): (2, 34), (3, 4, 30): (2, 35)}
 
 #: Packages whose code is compiled into the module.
-COMPILED_IN = ("libboost-dev", "libeigen3-dev", "libfmt-dev", "libhwy-dev", "librandom123-dev", "libtomlplusplus-dev",
-               "nlohmann-json3-dev", "pybind11-dev")
+COMPILED_IN = ("libboost-dev", "libeigen3-dev", "librandom123-dev", "nlohmann-json3-dev", "pybind11-dev")
 
 #: Without HDF5, NetCDF 4.9.0 declares one of its functions nowhere.
 DECLARATION = "static int dump_datar(int, nc_type, Position*, NCbytes*);"

@@ -83,7 +83,7 @@ class DesignResult(Result, WithPage):
 
         import pandas
 
-        return pandas.read_csv(io.StringIO(self._saved_core().csv()))
+        return pandas.read_csv(io.StringIO(self._saved_core().csv()), comment="#")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the program's CSV, a line a member of the front. ``best.save(path)`` writes the chosen study."""

@@ -89,7 +89,7 @@ class BasinResult(Result):
         (``["balls_held"]``); of each ``["figures"]`` by the names of `transients`, in the units that they name.
     verdict : dict or None
         With transients: whether to fit the balancer. ``["decision"]`` ("fit", "not_needed", "caution", "change",
-        "do_not_fit", "open"), ``["words"]``, ``["because"]``, ``["change"]`` and the changes ``["tried"]``.
+        "do_not_fit", "open"), ``["words"]``, ``["because"]``, ``["change"]``; ``["tried"]``, if changes were tried.
     within_limits : dict[str, dict]
         With limits: the shares of all starts that are within them ``at_end``, ``on_the_way`` and ``both``, with intervals.
     arrays : dict[str, ndarray]

@@ -8,7 +8,7 @@ from html import escape
 from typing import Any, Optional
 
 from . import _core
-from ._arguments import checked_study
+from ._arguments import checked_study, refuse
 from ._call import WithinArgument, settings, time_limit, unless_interrupted
 from .results import write_json
 from .study import Study
@@ -133,16 +133,19 @@ def new(machine: str, output: Optional[str | os.PathLike[str]] = None) -> Study:
     machine : str
         One of ``machines()``: "washing-machine", "grinder", "centrifuge", "drive", "fan", "blank".
     output : path, optional
-        Write it there with its comments; must be a new file, for no study is overwritten (``FileExistsError``).
+        Write it there with its comments; must be a new file, for no study is overwritten.
 
     Raises
     ------
     StudyError
-        For other machines.
+        For other machines, and files that exist.
     """
     text = _core.new_study(str(machine))
     if output is None:
         return Study.from_toml(text, str(machine))
-    with open(output, "x", encoding="utf-8", newline="") as file:
-        file.write(text)
+    try:
+        with open(output, "x", encoding="utf-8", newline="") as file:
+            file.write(text)
+    except FileExistsError:
+        refuse("output", os.fspath(output), "a new file: no study is overwritten", "exists")
     return Study.from_file(output)

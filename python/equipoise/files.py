@@ -143,11 +143,14 @@ def check_certificates(path: str | os.PathLike[str]) -> CertificateCheck:
     Raises
     ------
     StudyError
-        For files that hold no certificates, or are larger than 64 MiB.
+        For files that cannot be read, hold no certificates, or are larger than 64 MiB.
     """
     name = os.fspath(path)
-    with open(path, encoding="utf-8", errors="replace") as file:
-        text = file.read(LARGEST_CERTIFICATES + 1)
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            text = file.read(LARGEST_CERTIFICATES + 1)
+    except OSError as error:
+        refuse("path", name, "a file of certificates", f"cannot be read ({error.strerror})")
     if len(text) > LARGEST_CERTIFICATES:
-        refuse("path", name, "a file written by certify", "has more than 64 MiB")
+        refuse("path", name, "a file of certificates", "has more than 64 MiB")
     return CertificateCheck(_core.check_certificates(text, name))

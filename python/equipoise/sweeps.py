@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-MOST_CELLS = 1_000_000  # the command line's, too
+MOST_CELLS = 100_000  # the command line's, too
 
 
 class SweepResult(Result, WithPage):

@@ -93,7 +93,7 @@ def test_a_machine_is_judged_as_by_the_program(program):
     assert timeless(untried._core.json()) == timeless(
         told(program, "basin", MACHINE, "--starts", 200, "--quiet", "--no-changes")
     )
-    assert untried.verdict["tried"] == []
+    assert "tried" not in untried.verdict
     assert eq.basin(eq.Study.from_file(MACHINE), 200, transients=False).verdict is None
 
 
@@ -131,7 +131,7 @@ def test_files_of_results(program, study, tmp_path):
     assert held.sound and held.complete and held.kind == "basin" and held.study == kept.study
     assert held.facts["starts"].startswith("400") and str(path) in repr(held)
     content = bytearray(path.read_bytes())
-    content[-9] ^= 1
+    content[len(content) // 2] ^= 1
     (tmp_path / "damaged.nc").write_bytes(content)
     broken = eq.inspect(tmp_path / "damaged.nc")
     assert not broken.sound and "DAMAGED" in repr(broken)
@@ -194,7 +194,7 @@ def test_studies_to_begin_with(program, tmp_path):
         begun = eq.new(machine, tmp_path / f"{machine}.toml")
         assert (tmp_path / f"{machine}.toml").read_text() == program("new", machine).stdout
         assert begun == eq.new(machine)
-    with pytest.raises(FileExistsError):
+    with pytest.raises(eq.StudyError, match="no study is overwritten"):
         eq.new("fan", tmp_path / "fan.toml")
     with pytest.raises(eq.StudyError, match="did you mean"):
         eq.new("fna")

@@ -1,4 +1,4 @@
-"""The wheel: built from what is built, installed without a network into an environment of its own, and used there."""
+"""Sources and wheel: made from what is built, installed without a network into an environment of its own, and used there."""
 
 from __future__ import annotations
 
@@ -7,11 +7,18 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tarfile
+import zipfile
+from email.parser import Parser
 
 import pytest
 
 import equipoise as eq
 from conftest import root
+
+sys.path.insert(0, str(root / "python"))
+
+BUILT_FROM = ("cmake", "src", "studies", "python/bindings", "python/equipoise")
 
 
 def run(*command: object, **options: object) -> str:
@@ -20,26 +27,116 @@ def run(*command: object, **options: object) -> str:
     return done.stdout
 
 
-def test_a_wheel_works_in_a_clean_environment(tmp_path):
+def without_ours() -> dict[str, str]:
+    """The environment without the package under test."""
+    environment = dict(os.environ)
+    environment.pop("PYTHONPATH", None)
+    return environment
+
+
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory):
+    """The sdist, made in a copy: builds leave folders beside the sources."""
     pytest.importorskip("build")
-    pytest.importorskip("ensurepip")
+    folder = tmp_path_factory.mktemp("sources")
+    away = shutil.ignore_patterns("build", ".git", ".ci", "node_modules", "*.egg-info", "__pycache__", "web", "*.nc")
+    shutil.copytree(root, folder / "copy", ignore=away)
+    run(sys.executable, "-m", "build", "--sdist", "--no-isolation", "--outdir", folder, folder / "copy", env=without_ours())
+    (archive,) = folder.glob("equipoise-*.tar.gz")
+    return archive
+
+
+@pytest.fixture(scope="module")
+def wheel(sources, tmp_path_factory):
+    """A wheel from the sdist alone, but for the module: its objects are those of the package under test."""
     build = pathlib.Path(eq.__file__).parents[2]  # build/release/python/equipoise/__init__.py
     if not (build / "CMakeCache.txt").exists():
         pytest.skip("the package under test is not in a build folder")
-    source = tmp_path / "source"  # builds leave folders beside the sources
-    shutil.copytree(root / "python", source / "python", ignore=shutil.ignore_patterns("notebooks", "tests", "build", "*.egg-info"))
-    shutil.copy(root / "CMakeLists.txt", source)
-    environment = {**os.environ, "EQUIPOISE_BUILD_DIR": str(build)}
-    environment.pop("PYTHONPATH", None)
-    run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", tmp_path, source / "python", env=environment)
-    (wheel,) = tmp_path.glob("equipoise-*.whl")
-    run(sys.executable, "-m", "venv", "--system-site-packages", tmp_path / "clean", env=environment)
-    python = tmp_path / "clean" / "bin" / "python"
-    run(python, "-m", "pip", "install", "--no-index", "--no-deps", "--quiet", wheel, env=environment)
+    folder = tmp_path_factory.mktemp("wheel")
+    with tarfile.open(sources) as archive:
+        archive.extractall(folder)  # noqa: S202 (our own)
+    (unpacked,) = folder.iterdir()
+    environment = {**without_ours(), "EQUIPOISE_BUILD_DIR": str(build)}
+    run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, unpacked, env=environment)
+    (made,) = folder.glob("equipoise-*.whl")
+    return made
+
+
+def installed(wheel, folder):
+    """The interpreter of a new environment that has the wheel."""
+    pytest.importorskip("ensurepip")
+    run(sys.executable, "-m", "venv", "--system-site-packages", folder / "clean", env=without_ours())
+    python = folder / "clean" / "bin" / "python"
+    run(python, "-m", "pip", "install", "--no-index", "--no-deps", "--quiet", wheel, env=without_ours())
+    return python
+
+
+def test_the_sources_hold_all_that_is_built_from(sources):
+    with tarfile.open(sources) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    missing = [
+        str(path.relative_to(root))
+        for folder in BUILT_FROM
+        for path in (root / folder).rglob("*")
+        if path.is_file() and path.suffix not in (".pyc", ".nc") and str(path.relative_to(root)) not in names
+    ]
+    assert missing == []
+    assert {"CMakeLists.txt", "LICENSE", "pyproject.toml", "setup.py", "python/CMakeLists.txt"} <= names
+    assert not any(name.startswith(("build/", "web/", "docs/figures")) for name in names)
+
+
+def test_the_sources_configure_by_themselves(sources, tmp_path):
+    with tarfile.open(sources) as archive:
+        archive.extractall(tmp_path)  # noqa: S202 (our own)
+    (unpacked,) = tmp_path.iterdir()
+    said = run("cmake", "-S", unpacked, "-B", tmp_path / "build", "-G", "Ninja", "-DEQUIPOISE_BUILD_PYTHON=ON",
+               "-DEQUIPOISE_BUILD_PROGRAM=OFF", f"-DPython_EXECUTABLE={sys.executable}")
+    assert "Generating done" in said
+
+
+def test_a_wheel_says_what_it_is(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        (metadata,) = (name for name in archive.namelist() if name.endswith("METADATA"))
+        told = Parser().parsestr(archive.read(metadata).decode())
+        assert any(name.endswith("LICENSE") for name in archive.namelist())
+    assert told["Name"] == "equipoise" and told["Version"] == eq.__version__ and told["License"] == "MIT"
+    assert told["Author"] == "The Equipoise developers" and told["Requires-Python"] == ">=3.11"
+    assert "numpy<2,>=1.24" in [text.replace(" ", "") for text in told.get_all("Requires-Dist")]
+    assert "License :: OSI Approved :: MIT License" in told.get_all("Classifier")
+    assert "import equipoise as eq" in told.get_payload()
+
+
+def test_a_wheel_works_in_a_clean_environment(wheel, tmp_path):
+    python = installed(wheel, tmp_path)
     script = (
         "import equipoise as eq; print(eq.__file__); import equipoise.plot;"
         "print(eq.basin(eq.paper_study('table-2-omega-2.4'), starts=100).counts['balanced'])"
     )
-    where, balanced = run(python, "-c", script, cwd=tmp_path, env=environment).split()
+    where, balanced = run(python, "-c", script, cwd=tmp_path, env=without_ours()).split()
     assert str(tmp_path / "clean") in where
     assert int(balanced) == eq.basin(eq.paper_study("table-2-omega-2.4"), starts=100).counts["balanced"]
+
+
+def test_a_portable_wheel_brings_its_libraries(wheel, tmp_path):
+    """None but those that every Linux has is loaded from this machine. (This build's own; a release's are fewer.)"""
+    if not shutil.which("patchelf"):
+        pytest.skip("patchelf is not there")
+    import portable_wheel
+
+    made = portable_wheel.made_portable(wheel, tmp_path)
+    assert "manylinux_2_" in made.name
+    with zipfile.ZipFile(made) as archive:
+        names = archive.namelist()
+    assert any("equipoise.libs/libtbb-" in name for name in names)
+    assert any(name.endswith("licenses/libtbb12.txt") for name in names)
+    python = installed(made, tmp_path)
+    script = (
+        "import numpy; maps = lambda: {line.split()[-1] for line in open('/proc/self/maps') if '.so' in line};"
+        "before = maps(); import equipoise as eq;"
+        "eq.basin(eq.paper_study('table-2-omega-2.4'), starts=100, output='kept.nc'); print(*(maps() - before))"
+    )
+    loaded = [pathlib.Path(path) for path in run(python, "-c", script, cwd=tmp_path, env=without_ours()).split()]
+    foreign = [path.name for path in loaded if tmp_path not in path.parents]
+    assert any(path.name.startswith("_core") for path in loaded)
+    # The interpreter's own modules apart.
+    assert [name for name in foreign if name not in portable_wheel.EVERYWHERE and "cpython" not in name] == []
