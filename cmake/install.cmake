@@ -105,7 +105,7 @@ install(FILES ${config_files} DESTINATION ${config_dir} COMPONENT development)
 
 # For all else: pkg-config. A static library names what it needs.
 set(pkg_config_libraries -lequipoise)
-set(pkg_config_requires eigen3)
+set(pkg_config_requires "eigen3, nlohmann_json")
 if(NOT EQUIPOISE_SHARED)
   set(pkg_config_libraries "-lequipoise_paper -lequipoise -pthread")
   string(APPEND pkg_config_requires ", tbb, fmt, tomlplusplus, libhwy, netcdf")

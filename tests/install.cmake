@@ -18,7 +18,7 @@ add_test(NAME install.is_a_quiet_part_of_another_build
 set_tests_properties(install.is_a_quiet_part_of_another_build PROPERTIES LABELS install TIMEOUT ${longest_test})
 
 if(EQUIPOISE_DEBIAN AND NOT EQUIPOISE_SANITIZE)
-  find_program(EQUIPOISE_DPKG dpkg-deb)
+  find_program(EQUIPOISE_DPKG dpkg-shlibdeps)
   mark_as_advanced(EQUIPOISE_DPKG)
   if(EQUIPOISE_DPKG AND Python3_Interpreter_FOUND)
     add_test(NAME install.debian_package_of_the_program

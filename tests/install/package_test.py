@@ -16,7 +16,9 @@ import subprocess
 
 
 def said(*command, **more):
-    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, **more).stdout
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **more)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
 
 
 def only(folder, pattern):
