@@ -31,7 +31,6 @@ class Equipoise(CMakePackage):
     depends_on("nlohmann-json@3.11:")
     depends_on("random123")
     depends_on("tomlplusplus@3.3:")
-    depends_on("udunits")
     depends_on("mpi", when="+mpi")
     depends_on("pagmo2", when="+pagmo")
 
