@@ -8,7 +8,7 @@ set(exported_map ${PROJECT_BINARY_DIR}/src/equipoise/exported.map)
 find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 
 add_library(equipoise_shared SHARED
-  $<TARGET_OBJECTS:equipoise> $<TARGET_OBJECTS:equipoise_paper> ${exported_map})
+  $<TARGET_OBJECTS:equipoise> $<TARGET_OBJECTS:equipoise_cold> $<TARGET_OBJECTS:equipoise_paper> ${exported_map})
 foreach(property INCLUDE_DIRECTORIES COMPILE_FEATURES)
   get_target_property(value equipoise INTERFACE_${property})
   set_target_properties(equipoise_shared PROPERTIES INTERFACE_${property} "${value}")
