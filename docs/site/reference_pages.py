@@ -100,7 +100,7 @@ def netcdf_page(folder):
 
 
 PYTHON = {
-    "Studies": "study", "Shares of starts": "ensembles", "Motions and branches": "motions", "Maps": "maps", "Sweeps": "sweeps",
+    "Studies": "study", "Shares of starts": "ensembles", "Motions and branches": "motions", "Maps": "maps", "Stability in a plane": "stability_planes", "Sweeps": "sweeps",
     "Capacities": "capacities", "Trajectories": "trajectory", "States": "state", "The model itself": "model", "The paper, and what is said of a study": "paper",
     "What every result has": "results", "Errors": "errors",
 }

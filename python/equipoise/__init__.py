@@ -21,6 +21,7 @@ from .maps import MapResult, map
 from .model import Mapper, Model
 from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
 from .paper import Explanation, Reproduction, explain, reproduce, reproducible
+from .stability_planes import StabilityResult, stability
 from .state import State
 from .study import Study, paper_studies, paper_study
 from .sweeps import SweepResult, sweep
@@ -34,9 +35,9 @@ __version__: str = _core.version
 __all__ = [
     "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
     "CertifyResult", "Comparison", "Difference", "Explanation", "Interrupted", "MapResult", "Mapper", "Model",
-    "Reproduction", "RunError", "State", "Study", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors",
+    "Reproduction", "RunError", "StabilityResult", "State", "Study", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors",
     "basin", "capacity", "certify", "compare", "cpu_targets", "explain", "follow", "map", "paper_studies",
-    "paper_study", "plot", "reproduce", "reproducible", "simulate", "sweep",
+    "paper_study", "plot", "reproduce", "reproducible", "simulate", "stability", "sweep",
 ]
 
 

@@ -83,7 +83,7 @@ def test_the_first_ten_minutes_run(tmp_path, monkeypatch):
 def test_every_picture_and_call_is_on_the_page():
     for name in eq.plot.__all__:
         assert f"eq.plot.{name}(" in PAGE, name
-    for name in ("simulate", "basin", "compare", "attractors", "follow", "certify", "map", "sweep", "capacity", "explain"):
+    for name in ("simulate", "basin", "compare", "attractors", "follow", "certify", "map", "stability", "sweep", "capacity", "explain"):
         assert f"eq.{name}(" in PAGE, name
 
 
