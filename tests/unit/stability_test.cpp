@@ -21,7 +21,7 @@
 #include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "equipoise/stability/plane_studies.hpp"
-#include "support/studies.hpp"
+#include "../support/studies.hpp"
 
 namespace equipoise {
 namespace {
@@ -144,7 +144,7 @@ TEST(Stability, TheHopfBoundaryOfThePapersRotorIsWhereAPairCrosses) {
 
 TEST(Stability, NearTheBoundaryTrajectoriesDieOutAndGrowAtTheRateThatItSays) {
   for (int k = 0; k < 10; ++k) {
-    const double drag = 0.01 * std::pow(30.0, k / 9.0);
+    const double drag = 0.01 * std::pow(5.0, k / 9.0);
     const StabilityPlane plane = stability(paper_rotor(5.9, drag), around(0.3, 6.0, drag));
     const BalanceBoundary* edge = boundary(plane, true, plane.own->point.kind != BalanceKind::stable);
     edge = edge ? edge : boundary(plane, true, false);
@@ -185,7 +185,7 @@ torque = { stall = 0.2, no_load_speed = 3.2 }
   const std::vector<Case> cases{
       {"unequal supports", with(constant_speed, "damping = 0.5", "damping = [0.5, 0.4]\nstiffness = [1.0, 1.2]"), 0},
       {"gravity", with(constant_speed, "damping = 0.5", "damping = 0.5\ngravity = 0.01"), 0},
-      {"off-centre race", with(constant_speed, "damping = 0.5", "damping = 0.5\nrace_offset = [0.002, 0.001]"), 0},
+      {"off-centre race", with(constant_speed, "balls = 2", "balls = 2\nrace_offset = [0.002, 0.001]"), 0},
       {"motor", with(rotor_and_balancer, "damping = 0.5", "damping = 0.5\ninertia = 0.5") + motor, 0},
       {"four balls", with(constant_speed, "balls = 2\nmass = 0.05", "balls = 4\nmass = 0.02"), 2},
       {"contact", with(constant_speed, "balls = 2", "balls = 2\ncontact_angle = 0.1"), 0},

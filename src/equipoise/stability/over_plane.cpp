@@ -100,7 +100,12 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPl
   if (!inside(plane.x, *x) || !inside(plane.y, *y)) return own;
   for (const bool along_x : {true, false}) {
     const SliceAxis& axis = along_x ? plane.x : plane.y;
-    const double value = along_x ? *x : *y, first = axis.centre(0), last = axis.centre(axis.pixels - 1);
+    const double value = along_x ? *x : *y;
+    // The plane's end, or the last point before it where no study can have that value.
+    const auto end = [&](double edge, int pixel) {
+      return (along_x ? studies.valid(edge, *y) : studies.valid(*x, edge)) ? edge : axis.centre(pixel);
+    };
+    const double first = end(axis.low, 0), last = end(axis.high, axis.pixels - 1);
     const WayToBoundary way(studies, own, along_x);
     if (value > first) own.boundaries.push_back(way.look(first, false));
     if (value < last) own.boundaries.push_back(way.look(last, true));

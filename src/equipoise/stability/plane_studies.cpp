@@ -94,6 +94,15 @@ void PlaneStudies::put(double x, double y, Study& study) const {
   }
 }
 
+bool PlaneStudies::valid(double x, double y) const {
+  try {
+    read(x, y);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
 Study PlaneStudies::at(double x, double y) const {
   Study study = study_;
   put(x, y, study);

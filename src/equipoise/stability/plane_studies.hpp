@@ -18,6 +18,8 @@ class PlaneStudies {
   void put(double x, double y, Study& study) const;
   Study at(double x, double y) const;
 
+  /// Whether a study can have these values.
+  bool valid(double x, double y) const;
   /// Whether values are put into their places, as study_with() would, instead of reading a study anew for each.
   bool direct() const { return direct_; }
   /// The given study's own values; none if one of them is no single number.

@@ -60,7 +60,7 @@ inline constexpr char at_loss[] = "beyond it no balanced motion is found";
 inline constexpr char axis[] = "{}: {} from {} to {} in {} points\n";
 inline constexpr char what_balance_is[] = "balance is";
 inline constexpr char of_the_plane[] = "of the plane";
-inline constexpr char slowest_decay[] = "rates, 1/omega_c";
+inline constexpr char slowest_decay[] = "rates, omega_c";
 
 // Notes. Points or "all points", what is left out.
 inline constexpr char left_out_at[] = "At {} {} is left out.\n";
