@@ -47,6 +47,7 @@ ROOMS = {
     "io": "running",
     "result_files": "running model types statistics sampling study columns results io",
     "cell_files": "running results io result_files",
+    "planes": "types units study columns results io result_files",
     "spin_up":
         "drives model types mechanics integrate sampling study batch transients classification kernels "
         "periodic_orbits results io",
@@ -70,6 +71,9 @@ ROOMS = {
     "basin_slices":
         "running math types mechanics statistics study echo kernels periodic_orbits attractors columns results io "
         "result_files spin_up rotor_family start_runs ensembles continuation",
+    "stability":
+        "running math model types mechanics study kernels periodic_orbits attractors results planes spin_up "
+        "attractor_search start_runs continuation basin_slices",
     "sweeps":
         "running types units study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",
@@ -87,9 +91,10 @@ ROOMS = {
     "changes": "running model units study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision answers design_words",
     "plots": "units study echo results drawing text decision answers reports",
+    "charts": "model units study echo results planes drawing text answers plots",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "
-        "start_runs text",
+        "start_runs stability text",
     "html":
         "types mechanics sampling toml study echo results drawing text decision answers reports plots explain",
     "literature": "statistics study results",

@@ -42,6 +42,7 @@ Command add_new(CLI::App& app);
 Command add_report(CLI::App& app);
 Command add_reproduce(CLI::App& app);
 Command add_simulate(CLI::App& app);
+Command add_stability(CLI::App& app);
 Command add_sweep(CLI::App& app);
 
 }  // namespace equipoise::app

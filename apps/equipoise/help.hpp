@@ -181,6 +181,20 @@ inline constexpr char output[] = "write here (.csv or .nc) instead of CSV on sta
 inline constexpr char set[] = "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated";
 }  // namespace simulate
 
+namespace stability {
+inline constexpr char about[] = "where balance is stable in a plane of two parameters, by eigenvalues alone";
+inline constexpr char x[] =
+    "what varies from left to right: a key of rotor, balancer or speed that takes a number (default speed.final)";
+inline constexpr char y[] = "the same from bottom to top (default balancer.drag)";
+inline constexpr char x_range[] = "range, e.g. 0.5:6, \"900 rpm:4000 rpm\"";
+inline constexpr char y_range[] = "the same for --y";
+inline constexpr char size[] = "points (default 512x512)";
+inline constexpr char output[] = "all points as NetCDF (.nc)";
+inline constexpr char csv[] = "one line per point (.csv)";
+inline constexpr char plot[] =
+    "a picture (.png or .svg) shaded by decay and growth, with the boundaries by their kind; drawn by gnuplot";
+}  // namespace stability
+
 namespace sweep {
 inline constexpr char about[] = "shares at every combination of some parameters' values";
 inline constexpr char over[] =

@@ -96,6 +96,7 @@ int run(int given, char** arguments) {
   add("report", help::report_page::about, add_report);
   add("reproduce", help::reproduce::about, add_reproduce);
   add("simulate", help::simulate::about, add_simulate);
+  add("stability", help::stability::about, add_stability);
   add("sweep", help::sweep::about, add_sweep);
   std::vector<char*> words = words_of(app, given, arguments);
   const int argc = static_cast<int>(words.size());

@@ -101,7 +101,8 @@ def netcdf_page(folder):
 
 PYTHON = {
     "Studies": "study", "What is said of a study": "explanations", "Shares of starts": "ensembles", "Pages, and single starts": "pages",
-    "Two ensembles side by side": "comparisons", "Designs": "designs", "Motions and branches": "motions", "Maps": "maps", "Sweeps": "sweeps",
+    "Two ensembles side by side": "comparisons", "Designs": "designs", "Motions and branches": "motions", "Maps": "maps",
+    "Stability in a plane": "stability_planes", "Sweeps": "sweeps",
     "Capacities": "capacities", "Files of results": "files", "Trajectories": "trajectory", "States": "state", "The model itself": "model", "The paper": "paper",
     "What every result has": "results", "Errors": "errors",
 }

@@ -1,4 +1,4 @@
-// Maps, sweeps, capacities.
+// Maps, planes of stability, sweeps, capacities.
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
@@ -6,15 +6,18 @@
 #include "convert.hpp"
 #include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/charts/stability_report.hpp"
 #include "equipoise/html/capacity_html.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/map_html.hpp"
 #include "equipoise/html/sweep_html.hpp"
+#include "equipoise/planes/stability_file.hpp"
 #include "equipoise/reports/capacity_report.hpp"
 #include "equipoise/reports/map_report.hpp"
 #include "equipoise/reports/sweep_report.hpp"
 #include "equipoise/result_files/slice_file.hpp"
 #include "equipoise/cell_files/sweep_file.hpp"
+#include "equipoise/stability/over_plane.hpp"
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
@@ -110,6 +113,53 @@ py::dict summary_of(const Map& kept) {
   return summary;
 }
 
+using Stability = Kept<StabilityPlane>;
+
+Stability look_at_balance(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::string& output,
+                          const py::dict& settings) {
+  const Study study = with_medians(s.study);
+  Call call(settings);
+  StabilitySettings how;
+  call.set(how);
+  const AxisRequest across = axis_request(x), up = axis_request(y);
+  map_size(std::to_string(across.pixels) + "x" + std::to_string(up.pixels), "size");
+  how.x = slice_axis(study, across.key, across.range, across.pixels, "x_range");
+  how.y = slice_axis(study, up.key, up.range, up.pixels, "y_range");
+  how.output = output;
+  StabilityPlane plane = Call::run([&] { return stability(study, how); });
+  return {std::move(plane), call.interrupted()};
+}
+
+py::dict arrays_of_points(const Stability& kept) {
+  const StabilityPlane& plane = kept.result;
+  const std::vector<py::ssize_t> shape{plane.y.pixels, plane.x.pixels};
+  py::dict arrays;
+  arrays["x"] = centres(plane.x);
+  arrays["y"] = centres(plane.y);
+  for (const PointNumber& n : point_numbers) {
+    std::vector<double> numbers;
+    std::vector<short> whole;
+    for (const BalancePoint& p : plane.points)
+      n.whole ? whole.push_back(static_cast<short>(n.value(p))) : numbers.push_back(n.value(p));
+    arrays[n.name] = n.whole ? py::object(array_of(std::move(whole), shape)) : array_of(std::move(numbers), shape);
+  }
+  return arrays;
+}
+
+py::dict summary_of_plane(const Stability& kept) {
+  const StabilityPlane& plane = kept.result;
+  py::dict summary;
+  summary["x_key"] = plane.x.key;
+  summary["y_key"] = plane.y.key;
+  summary["x_edges"] = py::make_tuple(plane.x.low, plane.x.high);
+  summary["y_edges"] = py::make_tuple(plane.y.low, plane.y.high);
+  summary["own"] = plane.own ? py::object(py::make_tuple(plane.own->x, plane.own->y)) : py::none();
+  summary["answer"] = stability_answer(plane);
+  summary["complete"] = plane.complete;
+  summary["seconds"] = plane.seconds;
+  return summary;
+}
+
 using Sweep = Kept<SweepResult>;
 
 Sweep run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip, double half_width, bool limit_given,
@@ -174,6 +224,19 @@ void bind_planes(py::module_& module) {
       .def("save", [](const Map& m, const std::string& path) { write_map_file(path, m.result); });
   module.def("map", &draw_map, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("ties"), py::arg("block"),
              py::arg("output"), py::arg("from_file"), py::arg("settings"));
+  module.def("point_numbers", [] {
+    py::dict columns;
+    for (const PointNumber& n : point_numbers) columns[n.name] = attributes_of(n);
+    return columns;
+  });
+  module.attr("balance_kinds") = std::vector<std::string>(balance_kind_names.begin(), balance_kind_names.end());
+  bind_kept<StabilityPlane>(module, "Stability", &stability_text, &stability_json)
+      .def("arrays", &arrays_of_points)
+      .def("summary", &summary_of_plane)
+      .def("csv", [](const Stability& s) { return stability_csv(s.result); })
+      .def("save", [](const Stability& s, const std::string& path) { write_stability_file(path, s.result); });
+  module.def("stability", &look_at_balance, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("output"),
+             py::arg("settings"));
   bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
       .def("csv", [](const Sweep& s) { return sweep_csv(s.result); })
       .def("page", [](const Sweep& s) { return sweep_html(s.result, machine_of(s)); })

@@ -26,6 +26,7 @@ from .model import Mapper, Model
 from .motions import Attractor, AttractorsResult, Branch, BranchesResult, CertifyResult, attractors, certify, follow
 from .pages import Replay, Report, replay, report
 from .paper import Reproduction, reproduce, reproducible
+from .stability_planes import StabilityResult, stability
 from .state import State
 from .study import Study, paper_studies, paper_study
 from .sweeps import SweepResult, sweep
@@ -39,11 +40,11 @@ __version__: str = _core.version
 __all__ = [
     "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
     "CertificateCheck", "CertifyResult", "Comparison", "DesignResult", "Difference", "Explanation", "Inspection",
-    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "State", "Study",
-    "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin", "capacity",
-    "certify", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
+    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "StabilityResult",
+    "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
+    "capacity", "certify", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
     "machines", "map", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
-    "reproducible", "simulate", "sweep",
+    "reproducible", "simulate", "stability", "sweep",
 ]
 
 

@@ -9,8 +9,8 @@ matplotlib is imported when the first picture is drawn.
     of an ensemble (`equipoise.basin`)
 `sweep`, `branches`
     along parameters (`equipoise.sweep`, `equipoise.follow`)
-`map`
-    over a plane (`equipoise.map`)
+`map`, `stability`
+    over a plane (`equipoise.map`, `equipoise.stability`)
 `trajectory`, `disc`, `animate`
     of one motion (`equipoise.simulate`, `equipoise.attractors`)
 """
@@ -19,7 +19,7 @@ from .animation import animate
 from .ensembles import shares, transients
 from .machine import disc
 from .parameters import branches, sweep
-from .plane import map
+from .plane import map, stability
 from .trajectories import trajectory
 
-__all__ = ["animate", "branches", "disc", "map", "shares", "sweep", "trajectory", "transients"]
+__all__ = ["animate", "branches", "disc", "map", "shares", "stability", "sweep", "trajectory", "transients"]

@@ -1,4 +1,4 @@
-"""Pictures of a map: outcomes over a plane of starts or parameters."""
+"""Pictures over a plane: outcomes of starts, stability of balance."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ..maps import MapResult
+    from ..stability_planes import StabilityResult
 
 DARKEST = 0.5
 """How bright the last decided pixel of an outcome is: the colour of the legend is still recognised."""
@@ -105,3 +106,68 @@ def _legend(result: MapResult, outcome: parts.Array) -> list[Any]:
         label = f"{parts.outcome_title(result.names[code], result.aliases[code])}, {text}"
         entries.append(Patch(facecolor=parts.colour_of(code), edgecolor=parts.QUIET, linewidth=0.6, label=label))
     return entries
+
+
+_KINDS = ((1, "stable", "#0072B2"), (2, "unstable", "#E69F00"), (0, "impossible", "#C8C8C8"), (3, "undecided", "#F4F0D0"),
+          (4, "not found", "#8C8C8C"))
+
+
+def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as equipoise.stability()
+    """Where balance is stable, unstable and impossible, the darker, the faster deviations die out or grow.
+
+    Parameters
+    ----------
+    result : StabilityResult
+        Of `equipoise.stability`.
+    ax : matplotlib.axes.Axes, optional
+        To draw into; a new figure if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The two parameters; solid lines where balance changes stability with a swinging deviation (Hopf), dotted ones
+        where it does without; a ring at the study's own values.
+
+    Raises
+    ------
+    TypeError
+        `result` is of another call.
+    """
+    from matplotlib import colors
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    parts.need("stability", result, "a StabilityResult, that of equipoise.stability()", ("kind", "growth", "frequency"))
+    if ax is None:
+        ax = parts.new_axes((8.2, 5.2))
+    kind, growth = np.asarray(result.kind), np.asarray(result.growth)
+    picture = np.ones((*kind.shape, 3))
+    handles: list[Any] = []
+    for code, name, colour in _KINDS:
+        mine = kind == code
+        if not mine.any():
+            continue
+        strength = np.ones(np.count_nonzero(mine))
+        if code in (1, 2):
+            size = np.abs(growth[mine])
+            strength = 0.25 + 0.75 * np.sqrt(size / size.max())
+        picture[mine] = 1.0 - strength[:, np.newaxis] * (1.0 - np.asarray(colors.to_rgb(colour)))
+        label = f"balance {name}, {parts.PERCENT * float(np.mean(mine)):.1f} %"
+        handles.append(Patch(facecolor=colour, edgecolor=parts.QUIET, linewidth=0.6, label=label))
+    extent = (*result.x_edges, *result.y_edges)
+    ax.imshow(picture, origin="lower", extent=extent, interpolation="nearest", aspect="auto")
+    swings = np.asarray(result.frequency) > 1e-7
+    for wanted, style, label in ((swings, "solid", "a pair crosses (Hopf)"), (~swings, "dotted", "a real eigenvalue crosses")):
+        field = np.where(wanted, growth, np.nan)
+        if min(field.shape) > 1 and np.nanmin(field, initial=np.inf) < 0.0 < np.nanmax(field, initial=-np.inf):
+            ax.contour(result.x, result.y, field, levels=[0.0], colors=parts.INK, linestyles=style)
+            handles.append(Line2D([], [], color=parts.INK, linestyle=style, label=label))
+    if result.own and extent[0] <= result.own[0] <= extent[1] and extent[2] <= result.own[1] <= extent[3]:
+        ax.plot(*result.own, "o", markerfacecolor="none", markeredgecolor=parts.INK, markeredgewidth=2.0)
+        handles.append(Line2D([], [], color=parts.INK, marker="o", markerfacecolor="none", linestyle="", label="the study"))
+    ax.set_anchor("W")  # beside its legend
+    ax.set_xlabel(parts.axis_label(result.x_key))
+    ax.set_ylabel(parts.axis_label(result.y_key))
+    ax.tick_params(color=parts.QUIET, labelcolor=parts.INK)
+    parts.legend_beside(ax, handles)
+    return ax

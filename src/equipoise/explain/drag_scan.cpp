@@ -7,6 +7,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/results/explanation.hpp"
 
 namespace equipoise {
 
@@ -23,19 +24,6 @@ Eigen::MatrixXd balanced_jacobian(const model::Parameters& p, double speed, cons
 }
 
 }  // namespace
-
-std::vector<std::complex<double>> without_continuum(const Eigen::VectorXcd& rates, int freedom, double zero) {
-  std::vector<std::complex<double>> own(rates.begin(), rates.end());
-  if (freedom > 0) {
-    std::sort(own.begin(), own.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
-    own.erase(own.begin(), own.begin() + freedom);
-    for (auto& v : own)
-      if (std::abs(v) <= zero) v = 0.0;
-  }
-  std::sort(own.begin(), own.end(),
-            [](auto a, auto b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
-  return own;
-}
 
 DragScan::DragScan(const model::Parameters& p, double speed, const std::array<double, model::max_balls>& angles,
                    bool family)

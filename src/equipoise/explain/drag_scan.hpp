@@ -2,22 +2,14 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/results/explanation.hpp"
+#include "equipoise/stability/balanced_rates.hpp"
 
 namespace equipoise {
-
-/// Rounding moves an eigenvalue by about 1e-15, a double zero, as continua have without drag, by its square root.
-inline constexpr double zero_rate = 1e-7;
-
-/// Slowest first, without the continuum's own `freedom` zeros; of a continuum, rates up to `zero` become 0.
-std::vector<std::complex<double>> without_continuum(const Eigen::VectorXcd& rates, int freedom, double zero);
 
 /// Rates near one balanced state as all drags are multiplied by one factor.
 class DragScan {

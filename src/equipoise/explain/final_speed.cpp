@@ -2,7 +2,7 @@
 #include "equipoise/explain/parts.hpp"
 #include "equipoise/mechanics/held_speed.hpp"
 #include "equipoise/model/system.hpp"
-#include "equipoise/spin_up/run_up.hpp"
+#include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/words/explain.hpp"
 
 namespace equipoise {
@@ -16,21 +16,18 @@ std::optional<double> last_time(const RampSetting& s) {
 
 void put_final_speed(Explanation& e) {
   const model::System system = e.study.system();
-  if (system.prescribed()) {
-    e.speed = system.speed();
+  e.speed = speed_in_balance(e.study, system);
+  if (!e.speed) {
+    e.speed_words = std::string("the motor's ") + model::holds_no_speed;
+    e.speeds_up = true;
   } else if (system.coasts()) {
-    e.speed = rotor_alone(e.study, 0.0, std::nullopt).speed;
     e.speed_words = words::explain::coasting;
-  } else if (const auto held = model::held_speed(system)) {
-    e.speed = *held;
+  } else if (!system.prescribed()) {
     const bool centred = system.parameters().race_is_centred(), loaded = !e.study.speed.load.is_none();
     e.speed_words = loaded && centred ? words::explain::where_torque_is_load
                     : loaded          ? words::explain::where_torque_is_load_and_dampers
                     : centred         ? words::explain::where_torque_vanishes
                                       : words::explain::where_torque_is_dampers;
-  } else {
-    e.speed_words = std::string("the motor's ") + model::holds_no_speed;
-    e.speeds_up = true;
   }
 }
 

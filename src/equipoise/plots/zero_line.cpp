@@ -11,19 +11,19 @@ namespace {
 // A field known at the pixels' centres, extrapolated linearly to the edges.
 class MapField {
  public:
-  MapField(const BasinSlice& map, const std::vector<float>& values) : map_(map), values_(values) {}
+  MapField(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values) : x_(x), y_(y), values_(values) {}
 
   double value(int column, int row) const {
-    const Weights a = weights(column, map_.x.pixels), b = weights(row, map_.y.pixels);
+    const Weights a = weights(column, x_.pixels), b = weights(row, y_.pixels);
     double sum = 0.0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        if (a.share[i] * b.share[j] != 0.0) sum += a.share[i] * b.share[j] * values_[map_.at(a.pixel[i], b.pixel[j])];
+        if (a.share[i] * b.share[j] != 0.0) sum += a.share[i] * b.share[j] * values_[at(a.pixel[i], b.pixel[j])];
     // A change of sign that is only extrapolated does not count.
-    const double nearest = values_[map_.at(a.pixel[0], b.pixel[0])];
+    const double nearest = values_[at(a.pixel[0], b.pixel[0])];
     return (sum < 0.0) == (nearest < 0.0) ? sum : nearest;
   }
-  MapPoint place(int column, int row) const { return {along(map_.x, column), along(map_.y, row)}; }
+  MapPoint place(int column, int row) const { return {along(x_, column), along(y_, row)}; }
 
  private:
   struct Weights {
@@ -36,19 +36,28 @@ class MapField {
     return {{inside, k < 0 ? 1 : pixels - 2}, {1.5, -0.5}};  // half a pixel beyond the last centre
   }
   static double along(const SliceAxis& axis, int k) { return std::clamp(axis.centre(k), axis.low, axis.high); }
-  const BasinSlice& map_;
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(x_.pixels) + static_cast<std::size_t>(column);
+  }
+  const SliceAxis& x_;
+  const SliceAxis& y_;
   const std::vector<float>& values_;
 };
 
 }  // namespace
 
 std::vector<std::array<MapPoint, 2>> zero_line(const BasinSlice& map, const std::vector<float>& values) {
+  if (values.size() != map.code.size()) return {};  // the same everywhere
+  return zero_line(map.x, map.y, values);
+}
+
+std::vector<std::array<MapPoint, 2>> zero_line(const SliceAxis& x, const SliceAxis& y,
+                                               const std::vector<float>& values) {
   std::vector<std::array<MapPoint, 2>> pieces;
-  if (values.size() != map.code.size()) return pieces;  // the same everywhere
-  const MapField field(map, values);
+  const MapField field(x, y, values);
   constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-  for (int row = -1; row < map.y.pixels; ++row)
-    for (int column = -1; column < map.x.pixels; ++column) {
+  for (int row = -1; row < y.pixels; ++row)
+    for (int column = -1; column < x.pixels; ++column) {
       std::vector<MapPoint> crossings;
       for (int edge = 0; edge < 4; ++edge) {
         const int c0 = column + corner[edge][0], r0 = row + corner[edge][1];

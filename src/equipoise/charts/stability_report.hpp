@@ -1,0 +1,26 @@
+// Where balance is stable in a plane, as text, JSON and CSV.
+#pragma once
+
+#include <string>
+
+#include "equipoise/planes/stability_plane.hpp"
+#include "equipoise/text/table_text.hpp"
+
+namespace equipoise {
+
+/// The parts of the plane, and the study's own point with its ways to the boundaries, in sentences.
+std::string stability_answer(const StabilityPlane& plane);
+
+/// "stable", "impossible": what balance is, in words.
+const char* balance_words(BalanceKind kind);
+
+/// The answer, then the axes and how the plane was computed.
+std::string stability_text(const StabilityPlane& plane, const TextStyle& style = wide_style);
+
+/// One JSON object. docs/reference/commands/stability.md lists the keys.
+std::string stability_json(const StabilityPlane& plane);
+
+/// One line a point: both values, then the numbers of point_numbers.
+std::string stability_csv(const StabilityPlane& plane);
+
+}  // namespace equipoise

@@ -1,0 +1,73 @@
+// Speed, balanced states, linear rotor, rates; the more stable of the states.
+#include "equipoise/stability/balance_at.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/basin_slices/start_pixels.hpp"
+#include "equipoise/results/explanation.hpp"
+#include "equipoise/stability/balanced_rates.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// The rotor that turns as the study says, as far as linear theory knows it.
+model::System linear_system(const model::System& system, LinearRotor& rotor) {
+  if (system.prescribed()) return rotor.system();
+  if (!system.coasts() && rotor.system().autonomous()) return {rotor.parameters, system.drive()};
+  rotor.left_out |= motor_left_out;
+  return rotor.system();
+}
+
+void take_rates(const std::vector<std::complex<double>>& rates, BalancePoint& point) {
+  const std::complex<double> slowest = rates.front();
+  point.growth = slowest.real();
+  point.frequency = std::fabs(slowest.imag());
+  point.unstable = static_cast<short>(
+      std::count_if(rates.begin(), rates.end(), [](const auto& rate) { return rate.real() > least_rate; }));
+  point.kind = point.unstable > 0           ? BalanceKind::unstable
+               : point.growth < -least_rate ? BalanceKind::stable
+                                            : BalanceKind::marginal;
+}
+
+}  // namespace
+
+BalancePoint balance_at(const Study& study) {
+  using States = model::BalancedStates;
+  BalancePoint point;
+  point.kind = BalanceKind::none;
+  const model::System system = study.system();
+  const auto speed = speed_in_balance(study, system);
+  if (!speed || *speed == 0.0) return point;
+  const model::CentredTwin twin = model::centred_twin(study.parameters, *speed);
+  point.margin = balance_margin(twin.parameters);
+  const States states = model::balanced_states(twin.parameters);
+  if (states.kind == States::Kind::none) return point;
+  point.kind = BalanceKind::unknown;
+  const bool family = states.kind == States::Kind::continuum;
+  std::vector<BallAngles> members = states.angles;
+  if (family) {
+    const model::Parameters& p = twin.parameters;
+    const std::vector<double> width(p.balls_collide() ? static_cast<std::size_t>(p.balls) : 0, p.contact_angle);
+    const auto member = balanced_angles(states, p, width);
+    if (!member) return point;
+    members.push_back(*member);
+  }
+  LinearRotor rotor = linear_rotor(study, *speed, family);
+  const model::System linear = linear_system(system, rotor);
+  point.left_out = rotor.left_out;
+  // Two states are mirror images. On equal supports, and of balls that are alike, they have the same eigenvalues.
+  const bool same = rotor.parameters.alike(0, 1) || (linear.autonomous() && linear.parameters().race_is_centred());
+  const std::size_t different = same ? 1 : members.size();
+  for (std::size_t k = 0; k < different; ++k) {
+    BallAngles phi = members[k];
+    for (int i = 0; i < twin.parameters.balls; ++i) phi[static_cast<std::size_t>(i)] += twin.turn;
+    const auto found = balanced_rates(linear, phi, family);
+    if (!found || (std::isfinite(point.growth) && found->rates.front().real() >= point.growth)) continue;
+    take_rates(found->rates, point);
+  }
+  return point;
+}
+
+}  // namespace equipoise

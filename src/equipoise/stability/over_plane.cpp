@@ -1,0 +1,163 @@
+// The points in chunks on all threads, then the way from the study's own point to the boundaries.
+#include "equipoise/stability/over_plane.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/planes/stability_file.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/parallel.hpp"
+#include "equipoise/running/reporting.hpp"
+#include "equipoise/stability/balance_at.hpp"
+#include "equipoise/stability/plane_studies.hpp"
+#include "equipoise/start_runs/checks.hpp"
+#include "equipoise/words/stability.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Points that a thread takes at once: milliseconds of work, seconds where multipliers are integrated.
+constexpr std::size_t points_at_once = 64;
+
+void check_axis(const SliceAxis& axis) {
+  const auto reject = [&](const std::string& value, const std::string& problem) {
+    throw InputError("stability", axis.key, value, problem);
+  };
+  if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
+    reject(fmt::format("{}", axis.pixels), fmt::format(words::stability::points_range, most_slice_pixels));
+  if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
+    reject(fmt::format("{} to {}", axis.low, axis.high), words::stability::rising_range);
+}
+
+void check_size(const StabilityPlane& plane) {
+  const std::uint64_t points = static_cast<std::uint64_t>(plane.x.pixels) * static_cast<std::uint64_t>(plane.y.pixels);
+  if (points > most_stability_points)
+    throw InputError("stability", "size", fmt::format("{}x{}", plane.x.pixels, plane.y.pixels),
+                     fmt::format(words::stability::too_many_points, 1e-6 * static_cast<double>(most_stability_points)));
+}
+
+// From the own value of one parameter to the end of the plane, the other parameter held.
+class WayToBoundary {
+ public:
+  WayToBoundary(const PlaneStudies& studies, const OwnPoint& own, bool along_x)
+      : studies_(studies), own_(own), along_x_(along_x) {}
+
+  BalanceBoundary look(double end, bool upwards) const {
+    constexpr int looks = 256;
+    BalanceBoundary boundary{along_x_, upwards, BalanceBoundary::Change::none, end, 0.0};
+    const double begin = along_x_ ? own_.x : own_.y;
+    double same = begin;
+    for (int k = 1; k <= looks; ++k) {
+      const double value = begin + (end - begin) * k / looks;
+      if (at(value).kind != own_.point.kind) return between(same, value, boundary);
+      same = value;
+    }
+    return boundary;
+  }
+
+ private:
+  BalancePoint at(double value) const {
+    return balance_at(along_x_ ? studies_.at(value, own_.y) : studies_.at(own_.x, value));
+  }
+
+  // Bisection, to the last digits that rates have.
+  BalanceBoundary between(double same, double other, BalanceBoundary boundary) const {
+    using Change = BalanceBoundary::Change;
+    for (int k = 0; k < 48; ++k) {
+      const double middle = 0.5 * (same + other);
+      (at(middle).kind == own_.point.kind ? same : other) = middle;
+    }
+    boundary.value = 0.5 * (same + other);
+    const BalancePoint before = at(same), after = at(other);
+    const BalancePoint& known = std::isfinite(before.growth) ? before : after;
+    boundary.frequency = known.swings() ? known.frequency : 0.0;
+    const auto either = [&](BalanceKind kind) { return before.kind == kind || after.kind == kind; };
+    boundary.change = either(BalanceKind::none)      ? Change::existence
+                      : either(BalanceKind::unknown) ? Change::lost
+                      : known.swings()               ? Change::hopf
+                                                     : Change::zero;
+    return boundary;
+  }
+
+  const PlaneStudies& studies_;
+  const OwnPoint& own_;
+  const bool along_x_;
+};
+
+std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPlane& plane) {
+  const auto x = studies.own_x(), y = studies.own_y();
+  if (!x || !y) return std::nullopt;
+  OwnPoint own{*x, *y, balance_at(studies.at(*x, *y)), {}};
+  const auto inside = [](const SliceAxis& axis, double value) { return axis.low <= value && value <= axis.high; };
+  if (!inside(plane.x, *x) || !inside(plane.y, *y)) return own;
+  for (const bool along_x : {true, false}) {
+    const SliceAxis& axis = along_x ? plane.x : plane.y;
+    const double value = along_x ? *x : *y;
+    // The plane's end, or the last point before it where no study can have that value.
+    const auto end = [&](double edge, int pixel) {
+      return (along_x ? studies.valid(edge, *y) : studies.valid(*x, edge)) ? edge : axis.centre(pixel);
+    };
+    const double first = end(axis.low, 0), last = end(axis.high, axis.pixels - 1);
+    const WayToBoundary way(studies, own, along_x);
+    if (value > first) own.boundaries.push_back(way.look(first, false));
+    if (value < last) own.boundaries.push_back(way.look(last, true));
+  }
+  return own;
+}
+
+StabilityPlane computed(const Study& given, const StabilitySettings& settings) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = cpu_seconds();
+  StabilityPlane plane;
+  plane.study = with_medians(given);
+  plane.x = settings.x;
+  plane.y = settings.y;
+  check_axis(plane.x);
+  check_axis(plane.y);
+  check_size(plane);
+  const PlaneStudies studies(plane.study, plane.x, plane.y);
+  if (!settings.output.empty()) check_stability_file(settings.output, plane);
+  plane.threads = thread_count(settings.threads);
+  plane.cpu_target = cpu_target();
+  const std::size_t points = static_cast<std::size_t>(plane.x.pixels) * static_cast<std::size_t>(plane.y.pixels);
+  plane.points.resize(points);
+  std::mutex telling;
+  std::size_t told = 0;
+  in_parallel(plane.threads, (points + points_at_once - 1) / points_at_once, [&](std::size_t chunk) {
+    const std::size_t first = chunk * points_at_once, last = std::min(points, first + points_at_once);
+    Study study = plane.study;
+    for (std::size_t k = first; k < last; ++k) {
+      if (is_set(settings.stop)) return;
+      const auto columns = static_cast<std::size_t>(plane.x.pixels);
+      studies.put(plane.x.centre(static_cast<int>(k % columns)), plane.y.centre(static_cast<int>(k / columns)), study);
+      plane.points[k] = balance_at(study);
+    }
+    const std::lock_guard lock(telling);
+    told += last - first;
+    if (settings.progress) settings.progress({told, points, "points", {}});
+  });
+  plane.complete = plane.count(BalanceKind::not_computed) == 0;
+  if (plane.complete) plane.own = own_point(studies, plane);
+  if (!settings.output.empty()) write_stability_file(settings.output, plane);
+  plane.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  plane.cpu_seconds = cpu_seconds() - cpu_begin;
+  return plane;
+}
+
+}  // namespace
+
+StabilityPlane stability(const Study& study, const StabilitySettings& settings) {
+  check_has_balls(study);
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const StabilitySettings& s) { return computed(study, s); });
+}
+
+}  // namespace equipoise
