@@ -1,6 +1,7 @@
 # Installs the build into a scratch prefix, then configures, builds and runs outside projects against it: one that uses all
 # that the guide shows, and the example, which is built by pkg-config too.
 # Arguments: BUILD (this build), SOURCE (tests/install), EXAMPLE, SCRATCH, GENERATOR, COMPILER, FLAGS.
+cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE ${SCRATCH})
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -2,6 +2,7 @@
 # changes, and no program, test or installation of Equipoise comes along. Its own source is compiled; the library, which takes
 # minutes, is not.
 # Arguments: ROOT (Equipoise), SCRATCH, GENERATOR, COMPILER.
+cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE ${SCRATCH})
 file(WRITE ${SCRATCH}/look.cmake [[
 function(expect what is wanted)
