@@ -78,6 +78,18 @@ def run(notebook: Any, cpu: Optional[str] = None, checks: list[str] = []) -> Any
     return cleaned(whole)
 
 
+def joined(outputs: list[Any]) -> list[Any]:
+    """What a cell prints, in one piece: a kernel sends it in pieces that depend on time."""
+    found: list[Any] = []
+    for output in outputs:
+        last = found[-1] if found else None
+        if last and output.output_type == last.output_type == "stream" and output.name == last.name:
+            last.text += output.text
+        else:
+            found.append(output)
+    return found
+
+
 def cleaned(notebook: Any) -> Any:
     """Without what another run, or another machine, shows otherwise."""
     number = 0
@@ -87,6 +99,7 @@ def cleaned(notebook: Any) -> Any:
             continue
         number += 1
         cell.execution_count = number
+        cell.outputs = joined(cell.outputs)
         for output in cell.outputs:
             if output.output_type == "execute_result":
                 output.execution_count = number
