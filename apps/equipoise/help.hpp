@@ -6,7 +6,7 @@ namespace equipoise::app::help {
 // The program.
 inline constexpr char program[] = "Will this automatic balancer balance this rotor, how surely and how fast?";
 inline constexpr char exit_codes[] =
-    "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 4 time over (--within) with a "
+    "Exit codes: 0 done, 1 failed, 2 bad usage or study, 3 not proved or damaged, 4 out of time (--within) with a "
     "partial answer, 130 interrupted with results kept.\nData go to standard output, all else to standard error.";
 
 // Options of several commands.

@@ -89,8 +89,8 @@ class Comparison(Result):
 
 
 def _side(given: Side, name: str, starts: Optional[int], seed: Optional[int]) -> tuple[Any, Optional[Study]]:
-    """A study, or a file of an ensemble that was finished, as the module takes it; and the study."""
-    if isinstance(given, (str, os.PathLike)):
+    """A study, or a file of an ensemble that was finished (.nc), as the module takes it; and the study."""
+    if isinstance(given, (str, os.PathLike)) and not os.fspath(given).endswith(".toml"):  # which from_file() reads
         for argument, value in (("starts", starts), ("seed", seed)):
             if value is not None:
                 refuse(argument, value, "left out", f"{name} is a file, whose starts are done")

@@ -26,7 +26,7 @@ SMALLER = {
     "1.4, 6.5, 0.05": "2.9, 3.0, 0.1",
     "1.5:6:0.1": "2.4:2.6:0.2",
     "size=(512, 512)": "size=(32, 32)",
-    'within="60s"': "trajectories=4000",
+    'within="60s"': "trajectories=10000",
     "at_least=0.95": "at_least=0.95, starts=200, precision=0.1",
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -101,7 +102,8 @@ def test_a_wheel_says_what_it_is(wheel):
         assert any(name.endswith("LICENSE") for name in archive.namelist())
     assert told["Name"] == "equipoise" and told["Version"] == eq.__version__ and told["License"] == "MIT"
     assert told["Author"] == "The Equipoise developers" and told["Requires-Python"] == ">=3.11"
-    assert "numpy<2,>=1.24" in [text.replace(" ", "") for text in told.get_all("Requires-Dist")]
+    needs = [set(re.split(r"[ (),;]+", text)) for text in told.get_all("Requires-Dist")]
+    assert {"numpy", "<2", ">=1.24"} in [one - {""} for one in needs] or "numpy<2,>=1.24" in told.get_all("Requires-Dist")
     assert "License :: OSI Approved :: MIT License" in told.get_all("Classifier")
     assert "import equipoise as eq" in told.get_payload()
 
@@ -139,4 +141,4 @@ def test_a_portable_wheel_brings_its_libraries(wheel, tmp_path):
     foreign = [path.name for path in loaded if tmp_path not in path.parents]
     assert any(path.name.startswith("_core") for path in loaded)
     # The interpreter's own modules apart.
-    assert [name for name in foreign if name not in portable_wheel.EVERYWHERE and "cpython" not in name] == []
+    assert [name for name in foreign if not name.startswith(tuple(portable_wheel.EVERYWHERE)) and "cpython" not in name] == []

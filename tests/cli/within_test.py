@@ -42,7 +42,7 @@ class Within(unittest.TestCase):
             with self.subTest(name):
                 done, late = limited(2, *arguments)
                 self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
-                self.assertRegex(done.stderr, r"equipoise: time over \(--within 2s\): .*(more|known yet); .*")
+                self.assertRegex(done.stderr, r"equipoise: out of time \(--within 2s\): .*(more|known yet); .*")
                 # 0.2 s on an idle machine; tests run beside others.
                 self.assertLess(late, 5.0)
                 if name != "simulate":

@@ -48,7 +48,7 @@ inline constexpr char results_of_this_study[] = "results of this study";
 // What it should hold, how they differ, what it must be.
 inline constexpr char other_results[] = "holds something other than {}: {}; {}";
 // Empty or ", ", key, its value in the file and in the study.
-inline constexpr char differs[] = "{}{} is {} in the file and {} here";
+inline constexpr char differs[] = "{}{} is {} there and {} here";
 inline constexpr char and_more_differences[] = ", and {} more";
 inline constexpr char header_differs[] = "its header has a different format";
 
