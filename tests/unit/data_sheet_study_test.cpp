@@ -277,8 +277,8 @@ TEST(DataSheet, RefusesOilsThatItDoesNotKnow) {
   expect("{ grade = 'silicone', at = '40 degC' }", "must be \"ISO VG\"");
   expect("{ grade = 'silicone 5 cSt', at = '40 degC' }", "from 100 to 100000 cSt");
   expect("{ grade = 'ISO VG 5', at = '40 degC' }", "give viscosity_100");
-  expect("{ grade = 'ISO VG 32', at = '40 degC', viscosity_100 = '40 cSt' }", "less than at 40 degC, 32 cSt");
-  expect("{ grade = 'silicone 1000 cSt', at = '25 degC', viscosity_100 = '40 cSt' }", "is of mineral oils");
+  expect("{ grade = 'ISO VG 32', at = '40 degC', viscosity_100 = '40 cSt' }", "less than the viscosity at 40 degC, 32 cSt");
+  expect("{ grade = 'silicone 1000 cSt', at = '25 degC', viscosity_100 = '40 cSt' }", "applies to mineral oils only");
   expect("{ grade = 'ISO VG 32', at = '-60 degC' }", "must be from -20 to 150 degC");
   expect("{ grade = 'ISO VG 32', at = '300 degC' }", "must be from -20 to 150 degC");
   expect("{ grade = 'ISO VG 32', at = 40 }", "must be a temperature greater than 0, such as \"40 degC\"");

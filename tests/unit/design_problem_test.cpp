@@ -182,7 +182,7 @@ TEST(DesignProblem, WhatCannotBeAllowedIsRefused) {
            {"\"balancer.ball_diameter\" = { stock = [\"26 mm\", \"40 mm\"] }", "stock sizes"},
            {"\"balancer.ball_diameter\" = { stock = [\"9 mm\"] }", "two ends"},
            {"\"balancer.oil.grade\" = { stock = [\"VG 10\", \"VG 33\"] }", "ISO 3448"},
-           {"\"rotor.mass\" = { stock = [\"9 kg\", \"12 kg\"] }", "stock is of"},
+           {"\"rotor.mass\" = { stock = [\"9 kg\", \"12 kg\"] }", "stock is only for"},
            {"\"release.time\" = { range = [\"0 s\", \"2 s\"], step = \"5 ms\" }", "unit of the range"},
            {"\"release.time\" = { range = [\"0 s\", \"2 s\"], step = \"0.00001 s\" }", "10000 values"},
            {"\"rotor.damping_ratio\" = { range = [0.1, 0.2], digits = 2, step = 0.1 }", "either step or digits"},

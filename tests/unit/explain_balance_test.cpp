@@ -109,7 +109,7 @@ TEST(ExplainedBalance, SaysWhatLinearTheoryLeavesOut) {
   EXPECT_EQ(json["balanced"]["left_out"], "without gravity");
   const Explanation dry = explained(constant_speed, {"balancer.rolling=0.001"});
   EXPECT_EQ(dry.motion->less, "without dry friction");
-  EXPECT_TRUE(holds(rule(dry, "settling").words, "friction holds balls before they are there"));
+  EXPECT_TRUE(holds(rule(dry, "settling").words, "friction stops the balls short of it"));
   // One state of a continuum represents only itself.
   const Explanation unstable = explained(constant_speed, {"balancer.balls=4"});
   EXPECT_TRUE(warned(unstable, "unstable at the final speed, in the state shown of a continuum"));
@@ -224,7 +224,7 @@ TEST(ExplainedBalance, SaysOfDragWhatDragDoes) {
 TEST(ExplainedBalance, AnOffCentreRaceChangesWhatThereIsToCancel) {
   const Explanation e = explained(constant_speed, {"balancer.race_offset=[0.01,0.002]"});
   EXPECT_LT(e.unbalance, 0.002);
-  EXPECT_TRUE(holds(explain_text(e), "the rotor's own is 0.01; the race off the shaft makes that of it"));
+  EXPECT_TRUE(holds(explain_text(e), "the rotor's own is 0.01; the off-centre race changes it to that"));
   EXPECT_FALSE(holds(explain_text(explained(constant_speed)), "the rotor's own is"));
   // Balls that could cancel the rotor's own unbalance, but not that of a race so far off centre.
   const Explanation far = explained(constant_speed, {"balancer.race_offset=[-0.2,0]"});

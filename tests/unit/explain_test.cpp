@@ -152,7 +152,7 @@ TEST(Explain, TakesTheTargetOfAMotorForTheFinalSpeed) {
   // A constant torque aims at no speed.
   const Explanation free = driven("{constant='1 N m'}");
   EXPECT_FALSE(free.speed.has_value());
-  EXPECT_TRUE(holds(explain_text(free), "final speed           none: the motor's last torque acts for ever"));
+  EXPECT_TRUE(holds(explain_text(free), "final speed           none: the motor's last torque never ends"));
 }
 
 TEST(Explain, HasTheReynoldsNumberOfASlippingBall) {

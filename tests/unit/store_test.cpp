@@ -275,7 +275,7 @@ TEST_F(Files, AJournalThatGoesOnElsewhereIsRefused) {
     append(file, 10);
   }
   fs::remove(path_);
-  EXPECT_NE(refusal(path_, header_of()).find("must be removed first"), std::string::npos);
+  EXPECT_NE(refusal(path_, header_of()).find("remove it first"), std::string::npos);
   overwrite(path_, ten);
   EXPECT_EQ(refusal(path_, header_of()), "");
 }

@@ -158,7 +158,7 @@ TEST(Units, OneTextMayMeasureEitherOfTwo) {
   EXPECT_EQ(measure("1 N m s", either).dimension, Dimension::gain);
   EXPECT_EQ(measure("1 N s/m", either).dimension, Dimension::damping);
   EXPECT_EQ(measure("1 kg", either).problem,
-            "\"kg\" does not measure that; must be a torque for a speed of rotation, such as \"0.01 N m s\", or a "
+            "\"kg\" is a unit of something else; must be a torque for a speed of rotation, such as \"0.01 N m s\", or a "
             "damping coefficient, such as \"200 N s/m\"");
 }
 
@@ -167,17 +167,17 @@ TEST(Units, SayWhatIsWrong) {
   EXPECT_EQ(problem("12"), "has no unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("kg"), "does not begin with a number; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem(""), "does not begin with a number; must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(problem("12 mm"), "\"mm\" does not measure that; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 mm"), "\"mm\" is a unit of something else; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 stones"), "\"stones\" is no known unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("12 KG"), "\"KG\" is no known unit (did you mean \"kg\"?); must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(problem("12 degC"), "\"degC\" does not measure that; must be a mass, such as \"12 kg\"");
+  EXPECT_EQ(problem("12 degC"), "\"degC\" is a unit of something else; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(measure("3 rpn", {Dimension::speed}).problem,
             "\"rpn\" is no known unit (did you mean \"rpm\"?); must be a speed of rotation, such as \"3000 rpm\"");
   EXPECT_EQ(problem("12 kg\n"), "is not a number with a unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(measure("3 s", {Dimension::speed}).problem,
-            "\"s\" does not measure that; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
+            "\"s\" is a unit of something else; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
             "Hz (turns "
             "a second)");
 }

@@ -34,7 +34,7 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
     litre{1e-3, 0, 3, 0, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
 
-constexpr std::array<NamedUnit, 83> units{{
+constexpr std::array<NamedUnit, 85> units{{
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
@@ -118,6 +118,8 @@ constexpr std::array<NamedUnit, 83> units{{
     {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
     {"arcmin", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
     {"arcsec", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
+    {"′", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
+    {"″", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
 }};
 
 struct Prefix {

@@ -223,13 +223,16 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
     result.problem = fmt::format(words::units::no_unit, must_be);
     return result;
   }
-  if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) != wanted.end())
-    for (const TemperatureScale& scale : temperature_scales)
-      if (unit_text == scale.name) {
-        result.value = result.value * scale.kelvin + scale.zero;
-        result.dimension = Dimension::temperature;
-        return result;
-      }
+  for (const TemperatureScale& scale : temperature_scales) {
+    if (unit_text != scale.name) continue;
+    if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end()) {
+      result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
+      return result;
+    }
+    result.value = result.value * scale.kelvin + scale.zero;
+    result.dimension = Dimension::temperature;
+    return result;
+  }
   const UnitText checked(unit_text);
   if (!checked.is_product) {
     result.problem = fmt::format(words::units::no_number_with_unit, must_be);
