@@ -139,7 +139,7 @@ class Machines(Case):
         process = started("report", ROW, "--starts", "100000000", "-o", path, "--quiet")
         time.sleep(6.0)  # the attractor search takes one or two seconds
         self.assertEqual(interrupted(process)[2], 130)
-        self.assertIn("Stopped before all starts were done", Page(path).text)
+        self.assertIn("Stopped early", Page(path).text)
 
 
 class OtherPages(Case):

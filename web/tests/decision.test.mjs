@@ -85,7 +85,7 @@ check("changes are tried when asked for, and the best is told", async () => {
   const page = await openPage(browser, { hash: hashOf("grinder-230", 60), ready: false });
   await judgedOn(page, 60);
   const before = await linesOf(page);
-  assert.match(before.words, /^Fit it only if it may shake more on the way/);
+  assert.match(before.words, /^Fit it only if more vibration on the way is acceptable/);
   await page.getByRole("button", { name: "Try changes" }).click();
   await page.waitForFunction(() => /Trying twice the drag, 1 of \d/.test(document.querySelector("#judgement").textContent));
   await page.waitForFunction(() => {

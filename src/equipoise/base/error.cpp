@@ -27,19 +27,19 @@ struct Parts {
 // allowed ones come last, in parentheses.
 Parts parts_of(std::string_view problem) {
   constexpr std::string_view list = "(allowed: ", be = "must be ", must = "must ";
-  if (const std::size_t at = problem.find(list); at != problem.npos && problem.ends_with(')'))
+  if (const std::size_t at = problem.find(list); at != std::string_view::npos && problem.ends_with(')'))
     return {problem.substr(0, at), problem.substr(at + list.size(), problem.size() - at - list.size() - 1)};
   std::size_t at = problem.find(must);
-  while (at != problem.npos && at > 0 && problem[at - 1] != ' ' && problem[at - 1] != '(')
+  while (at != std::string_view::npos && at > 0 && problem[at - 1] != ' ' && problem[at - 1] != '(')
     at = problem.find(must, at + 1);
-  if (at == problem.npos) return {problem, {}};
+  if (at == std::string_view::npos) return {problem, {}};
   const std::string_view rest = problem.substr(at);
   return {problem.substr(0, at), rest.starts_with(be) ? rest.substr(be.size()) : rest};
 }
 
 std::string trimmed(std::string_view text) {
   const std::size_t last = text.find_last_not_of(" ;:,(");
-  return std::string(last == text.npos ? std::string_view() : text.substr(0, last + 1));
+  return std::string(last == std::string_view::npos ? std::string_view() : text.substr(0, last + 1));
 }
 
 }  // namespace
