@@ -90,7 +90,7 @@ TEST(WhyUndecided, NamesTheRateThatTheHorizonWasTooShortFor) {
   ASSERT_GT(r.undecided.share, 0.2);
   EXPECT_NE(r.note.find("undecided"), std::string::npos) << r.note;
   EXPECT_NE(r.note.find("followed for 25 (numerics.horizon)"), std::string::npos) << r.note;
-  EXPECT_NE(r.note.find("asks for a horizon of"), std::string::npos) << r.note;
+  EXPECT_NE(r.note.find("so the horizon must be about"), std::string::npos) << r.note;
 }
 
 TEST(WhyUndecided, BlamesDragThatIsTooWeakToWaitFor) {

@@ -125,7 +125,7 @@ TEST(NoBalls, APageTellsOfTheRotor) {
   const std::string page =
       machine_html(machine_page(parse_study(bare_machine, "s"), given_machine(bare_machine, "s", {}), BasinOptions{}));
   EXPECT_TRUE(holds(page, "The rotor alone"));
-  EXPECT_TRUE(holds(page, "nothing is drawn, and one run tells all"));
+  EXPECT_TRUE(holds(page, "nothing is random, so one run is enough"));
   for (const char* words : {"Where starts end", "balls can cancel", "rule of thumb"}) EXPECT_FALSE(holds(page, words));
   EXPECT_TRUE(holds(page, "How it shakes on its way up"));
   EXPECT_TRUE(holds(page, "<li>viscous damping</li>"));
