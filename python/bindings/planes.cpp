@@ -37,14 +37,13 @@ GivenMachine machine_of(const Kept<Result>& kept) {
   return given_machine(kept.source.toml, kept.source.name, kept.source.overrides);
 }
 
-/// An axis as Python gives it: key, range as text (empty: a whole turn), pixels.
-struct AxisRequest {
-  std::string key, range;
-  int pixels;
-};
-
-AxisRequest axis_request(const py::tuple& given) {
-  return {given[0].cast<std::string>(), given[1].cast<std::string>(), given[2].cast<int>()};
+/// The axes of a map or a plane, each as Python gives it: key, range as text (empty: a whole turn), pixels.
+template <class Settings>
+void set_axes(const Study& study, const py::tuple& x, const py::tuple& y, Settings& how) {
+  const int columns = x[2].cast<int>(), rows = y[2].cast<int>();
+  map_size(std::to_string(columns) + "x" + std::to_string(rows), "size");
+  how.x = slice_axis(study, x[0].cast<std::string>(), x[1].cast<std::string>(), columns, "x_range");
+  how.y = slice_axis(study, y[0].cast<std::string>(), y[1].cast<std::string>(), rows, "y_range");
 }
 
 Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties, int block,
@@ -53,16 +52,21 @@ Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std
   Call call(settings);
   BasinSliceSettings how;
   call.set(how);
-  const AxisRequest across = axis_request(x), up = axis_request(y);
-  map_size(std::to_string(across.pixels) + "x" + std::to_string(up.pixels), "size");
-  how.x = slice_axis(study, across.key, across.range, across.pixels, "x_range");
-  how.y = slice_axis(study, up.key, up.range, up.pixels, "y_range");
+  set_axes(study, x, y, how);
   for (const std::string& tie : ties) how.links.push_back(angle_link(tie, "tie"));
   how.block = block;
   how.output = output;
   how.from = from;
   BasinSlice map = Call::run([&] { return basin_slice(study, how); });
   return {std::move(map), call.interrupted(), s.source};
+}
+
+template <class Result>
+void add_axes(py::dict& summary, const Result& result) {
+  summary["x_key"] = result.x.key;
+  summary["y_key"] = result.y.key;
+  summary["x_edges"] = py::make_tuple(result.x.low, result.x.high);
+  summary["y_edges"] = py::make_tuple(result.y.low, result.y.high);
 }
 
 py::array_t<double> centres(const SliceAxis& axis) {
@@ -104,10 +108,7 @@ py::dict summary_of(const Map& kept) {
   figures["balanced_radius"] = map.figures.balanced_radius;
   summary["codes"] = codes;
   summary["figures"] = figures;
-  summary["x_key"] = map.x.key;
-  summary["y_key"] = map.y.key;
-  summary["x_edges"] = py::make_tuple(map.x.low, map.x.high);
-  summary["y_edges"] = py::make_tuple(map.y.low, map.y.high);
+  add_axes(summary, map);
   summary["complete"] = map.complete;
   summary["seconds"] = map.seconds;
   return summary;
@@ -121,10 +122,7 @@ Stability look_at_balance(const PyStudy& s, const py::tuple& x, const py::tuple&
   Call call(settings);
   StabilitySettings how;
   call.set(how);
-  const AxisRequest across = axis_request(x), up = axis_request(y);
-  map_size(std::to_string(across.pixels) + "x" + std::to_string(up.pixels), "size");
-  how.x = slice_axis(study, across.key, across.range, across.pixels, "x_range");
-  how.y = slice_axis(study, up.key, up.range, up.pixels, "y_range");
+  set_axes(study, x, y, how);
   how.output = output;
   StabilityPlane plane = Call::run([&] { return stability(study, how); });
   return {std::move(plane), call.interrupted()};
@@ -149,10 +147,7 @@ py::dict arrays_of_points(const Stability& kept) {
 py::dict summary_of_plane(const Stability& kept) {
   const StabilityPlane& plane = kept.result;
   py::dict summary;
-  summary["x_key"] = plane.x.key;
-  summary["y_key"] = plane.y.key;
-  summary["x_edges"] = py::make_tuple(plane.x.low, plane.x.high);
-  summary["y_edges"] = py::make_tuple(plane.y.low, plane.y.high);
+  add_axes(summary, plane);
   summary["own"] = plane.own ? py::object(py::make_tuple(plane.own->x, plane.own->y)) : py::none();
   summary["answer"] = stability_answer(plane);
   summary["complete"] = plane.complete;

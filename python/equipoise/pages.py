@@ -89,7 +89,7 @@ class Replay:
     drawn : dict[str, float]
         What it drew of uncertain values, by key, in their units.
     outcome : str
-        Name of the attractor, or "undecided" and its like.
+        Name of the attractor; else "undecided", or how the start was lost.
     decided_by : str
         On what grounds.
     decision_time : float
