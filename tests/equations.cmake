@@ -1,4 +1,5 @@
 # The equations and their integration against independent derivations (included by CMakeLists.txt).
+include(${PROJECT_SOURCE_DIR}/cmake/sundials.cmake)
 find_package(SUNDIALS REQUIRED COMPONENTS arkode nvecserial)
 
 equipoise_test(inertial_frame_test equivalence

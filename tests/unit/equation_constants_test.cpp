@@ -20,7 +20,7 @@ struct Noted {
   }
   friend Noted operator+(const Noted& a, const Noted& b) { return of(a.value + b.value); }
   friend Noted operator-(const Noted& a, const Noted& b) { return of(a.value - b.value); }
-  friend Noted operator-(const Noted& a) { return of(-a.value); }
+  [[maybe_unused]] friend Noted operator-(const Noted& a) { return of(-a.value); }
   friend Noted operator*(const Noted& a, const Noted& b) { return of(a.value * b.value); }
   friend Noted operator/(const Noted& a, const Noted& b) { return of(a.value / b.value); }
 };

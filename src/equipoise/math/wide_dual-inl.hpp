@@ -22,7 +22,7 @@ class WideDual {
  public:
   double value = 0.0;
 
-  HWY_INLINE WideDual() = default;
+  WideDual() = default;
   HWY_INLINE WideDual(double v) : value(v) {}
 
   // Takes the first `count` slopes; the others are 0.
