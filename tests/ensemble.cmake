@@ -4,6 +4,7 @@ target_include_directories(pack_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(pack_test PRIVATE ${equipoise_kernel_definitions})
 equipoise_test(kernel_speed_test unit unit/kernel_speed_test.cpp LIBRARIES equipoise_paper)
 target_compile_options(kernel_speed_test PRIVATE $<$<CONFIG:Release>:-O3>)  # of its own integrator too
+set_target_properties(kernel_speed_test PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)  # they are for -O1
 equipoise_test(statistics_test unit unit/statistics_test.cpp unit/standards_test.cpp unit/comparison_test.cpp unit/quantile_test.cpp
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp

@@ -84,7 +84,7 @@ class Team {
   [[noreturn]] void abort(int code);
 
   int rank_ = 0, size_ = 1, left_ = 0;  // left_: of the others, those that may ask again
-  bool joined_ = false;
+  [[maybe_unused]] bool joined_ = false;  // without MPI nothing is joined
   std::unique_ptr<Post> post_;
 };
 
