@@ -81,6 +81,10 @@ inline constexpr char at_or_every[] = "give either --at or --every and --until, 
 inline constexpr char nothing_varied[] =
     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and its values, "
     "e.g. speed.final=1.5:6:0.1";
+// Shard, cells, blocks, "s" or nothing, cells of a block at most, one of the next two.
+inline constexpr char empty_shard[] =
+    "shard {} is empty: the {} cells form {} block{} of up to {} cells, and a shard computes whole blocks; {} all\n";
+inline constexpr char first_shard_has[] = "shard 1 has", first_shards_have[] = "the first {} shards have";
 inline constexpr char shard_needs_output[] = "needs -o: the file that is merged with those of the other shards";
 
 // Jobs of several processes. After the variable that says so.
