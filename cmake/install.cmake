@@ -46,8 +46,7 @@ set(equipoise_public_headers
     design/design.hpp design/figures.hpp design/problem.hpp
     trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
     shown/machine_page.hpp shown/motion_path.hpp
-    drawing/plot_parts.hpp
-    drawing/chart.hpp drawing/document.hpp
+    drawing/document.hpp drawing/plot_parts.hpp
     text/table_text.hpp
     words/results.hpp
     decision/verdict.hpp
@@ -107,7 +106,7 @@ install(FILES ${config_files} DESTINATION ${config_dir} COMPONENT development)
 
 # For all else: pkg-config. A static library names what it needs.
 set(pkg_config_libraries -lequipoise)
-set(pkg_config_requires "eigen3, nlohmann_json")
+set(pkg_config_requires eigen3)
 if(NOT EQUIPOISE_SHARED)
   set(pkg_config_libraries "-lequipoise_paper -lequipoise -pthread")
   string(APPEND pkg_config_requires ", tbb, fmt, tomlplusplus, libhwy, netcdf")

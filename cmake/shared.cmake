@@ -14,7 +14,7 @@ foreach(property INCLUDE_DIRECTORIES COMPILE_FEATURES)
   set_target_properties(equipoise_shared PROPERTIES INTERFACE_${property} "${value}")
 endforeach()
 get_target_property(used equipoise LINK_LIBRARIES)
-target_link_libraries(equipoise_shared PRIVATE ${used} INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json)
+target_link_libraries(equipoise_shared PRIVATE ${used} INTERFACE Eigen3::Eigen)
 
 # While the first number of the version is 0, its second one breaks what was; afterwards the first alone does.
 set(interface ${PROJECT_VERSION_MAJOR})

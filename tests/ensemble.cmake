@@ -9,10 +9,10 @@ equipoise_test(statistics_test unit unit/statistics_test.cpp unit/standards_test
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
   unit/search_log_test.cpp unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)
-equipoise_test(reproduction_test unit unit/balanced_text_test.cpp unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
+equipoise_test(reproduction_test unit unit/balanced_text_test.cpp unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
-equipoise_test(answer_test unit unit/answer_test.cpp unit/cell_answer_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(answer_test unit unit/answer_test.cpp unit/cell_answer_test.cpp)
 equipoise_test(machine_page_test equivalence equivalence/machine_page_test.cpp)
 equipoise_test(window_test unit unit/window_test.cpp)
 equipoise_test(window_sampling_test equivalence equivalence/window_sampling_test.cpp)

@@ -100,7 +100,7 @@ ROOMS = {
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "
-        "attractor_search ensembles analyses basin_slices trajectory drawing text reports literature",
+        "attractor_search ensembles analyses basin_slices trajectory drawing text reports plots literature",
 }
 OPEN_TO_ALL = ("base", "words")
 MAY_INCLUDE = {room: {*OPEN_TO_ALL, room, *rooms.split()} for room, rooms in ROOMS.items()}

@@ -13,7 +13,6 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/drawing/page_files.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/design/search.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
@@ -53,7 +52,6 @@ void ask_to_stop(int signal) {
 
 std::string version_text() {
   return fmt::format(words::version, version_string, __VERSION__, fmt::join(cpu_targets(), ", "), cpu_target(),
-                     embedded::page_files.find("plotly.js").empty() ? words::pictures_only : words::interactive_charts,
                      optimisers_version(), mpi_text());
 }
 

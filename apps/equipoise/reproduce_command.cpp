@@ -63,7 +63,7 @@ void check_paths(const ReproduceArguments& a) {
     throw InputError("--report", "", a.report, fmt::format(words::ends_in_either, ".html", ".md"));
   if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, words::report_only);
   require_writable("--report", a.report);
-  if (!a.report.empty()) require_gnuplot("--report", a.report);
+  if (a.report.ends_with(".md")) require_gnuplot("--report", a.report);
   if (!a.output.empty()) require_gnuplot("--output", a.output);
 }
 
@@ -71,17 +71,14 @@ int run_reproduce(const ReproduceArguments& a) {
   begin_computing(a);
   ReproduceOptions options = options_from(a);
   check_paths(a);
-  const PictureFolder folder(a.output, a.report);
+  const std::string folder = picture_folder(a.output, a.report);
   ProgressLine progress(a.quiet);
   options.progress = progress.listener();
   Reproduction r = reproduce(options);
   progress.finish();
   r.command = command_line(a);
-  if (!folder.path().empty() && !r.partial) {
-    draw_pictures(r, folder);
-    if (!a.report.empty()) write_report(r, a.report, a.explorer, folder);
-  }
-  if (folder.temporary()) r.pictures.clear();
+  if (!folder.empty() && !r.partial) draw_pictures(r, folder);
+  if (!a.report.empty() && !r.partial) write_report(r, a.report, a.explorer, folder);
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   put(a.json ? reproduction_json(r) : reproduction_text(r));
   std::optional<WorkLeft> left = progress.left();

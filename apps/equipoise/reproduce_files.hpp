@@ -7,30 +7,16 @@
 
 namespace equipoise::app {
 
-/// The folder for pictures: the folder of results; else one beside a Markdown report; else, for a page that embeds
-/// them, a folder that is removed afterwards.
-class PictureFolder {
- public:
-  /// Either path may be empty; with both empty there is no folder.
-  PictureFolder(const std::string& output, const std::string& report);
-  ~PictureFolder();
-  PictureFolder(const PictureFolder&) = delete;
-  PictureFolder& operator=(const PictureFolder&) = delete;
+/// The folder for picture files, which is made: the folder of results, else one beside a Markdown report; empty where
+/// no picture file is asked for. Either argument may be empty.
+std::string picture_folder(const std::string& output, const std::string& report);
 
-  const std::string& path() const { return path_; }
-  bool temporary() const { return temporary_; }
+/// Draws every table, figure and slice of `r` (PNG and SVG), lists them in r.pictures, and puts the figures' curves
+/// (CSV) and the slices (NetCDF) beside them.
+void draw_pictures(Reproduction& r, const std::string& folder);
 
- private:
-  std::string path_;
-  bool temporary_ = false;
-};
-
-/// Draws every table, figure and slice of `r` (PNG, and SVG if they are kept), lists them in r.pictures, and puts the
-/// figures' curves (CSV) and the slices (NetCDF) beside them.
-void draw_pictures(Reproduction& r, const PictureFolder& folder);
-
-/// Writes the report (.html or .md); throws RunError if it cannot.
+/// Writes the report (.html or .md); throws RunError if it cannot. `folder`: that of the pictures.
 void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,
-                  const PictureFolder& folder);
+                  const std::string& folder);
 
 }  // namespace equipoise::app

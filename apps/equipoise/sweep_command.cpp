@@ -131,6 +131,10 @@ int run_sweep(const SweepArguments& a) {
   });
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(sweep_survey(*plan), options.threads, options.stop);
+  if (const std::size_t blocks = plan->blocks(); options.shard >= blocks)
+    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, blocks == 1 ? "" : "s",
+                          SweepPlan::block_length,
+                          blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
   ProgressLine progress(a.quiet);
   const SweepResult result = compute(team, *plan, a, options, progress);
   progress.finish();

@@ -55,7 +55,6 @@ inline constexpr char ends_in[] = "must be a file name that ends in {}";
 inline constexpr char ends_in_either[] = "must be a file name that ends in {} or {}";
 inline constexpr char ends_in_csv_or_nc[] = "must be a file name ending in .csv or .nc";
 inline constexpr char not_a_folder[] = "must be a folder that can be written";
-inline constexpr char no_temporary_folder[] = "{}: no temporary folder can be made";
 // One of the two below, or nothing.
 inline constexpr char not_a_certificate[] = "cannot be read{}; must be a file written by equipoise certify -o";
 inline constexpr char certificate_too_long[] = " (more than 64 MiB)";
@@ -82,6 +81,10 @@ inline constexpr char at_or_every[] = "give either --at or --every and --until, 
 inline constexpr char nothing_varied[] =
     "says nothing, and the study has no [sweep] with over = [\"KEY=VALUES\"]; must name a parameter and its values, "
     "e.g. speed.final=1.5:6:0.1";
+// Shard, cells, blocks, "s" or nothing, cells of a block at most, one of the next two.
+inline constexpr char empty_shard[] =
+    "shard {} is empty: the {} cells form {} block{} of up to {} cells, and a shard computes whole blocks; {} all\n";
+inline constexpr char first_shard_has[] = "shard 1 has", first_shards_have[] = "the first {} shards have";
 inline constexpr char shard_needs_output[] = "needs -o: the file that is merged with those of the other shards";
 
 // Jobs of several processes. After the variable that says so.
@@ -152,10 +155,8 @@ inline constexpr char eccentricity_and_angle[] = "Basins by eccentricity and bal
 inline constexpr char eccentricity_and_mass[] = "Outcomes by eccentricity and ball mass";
 inline constexpr char box_and_rest[] = "Balanced share of starts in an eight-dimensional box and at rest";
 
-// What equipoise --version says: version, compiler, instruction sets, the one in use, reports, optimisers, MPI.
+// What equipoise --version says: version, compiler, instruction sets, the one in use, optimisers, MPI.
 inline constexpr char version[] =
-    "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\nreports: {}\noptimisers: {}\nMPI: {}\n";
-inline constexpr char pictures_only[] = "pictures only";
-inline constexpr char interactive_charts[] = "interactive charts and pictures";
+    "equipoise {}\ncompiler: {}\nCPU targets here: {}; using {}\noptimisers: {}\nMPI: {}\n";
 
 }  // namespace equipoise::app::words

@@ -3,8 +3,10 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
+#include "equipoise/drawing/document.hpp"
 #include "equipoise/paper.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
+#include "equipoise/reproduction/reproduction_document.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 
@@ -32,7 +34,8 @@ PyStudy paper_study(const std::string& name, const std::string& law) {
 }
 
 Reproduced run_reproduce(const std::vector<std::string>& what, std::uint64_t starts, const std::string& law,
-                         const std::string& folder, int slice_pixels, const py::dict& settings) {
+                         const std::string& folder, int slice_pixels, const std::string& command,
+                         const py::dict& settings) {
   Call call(settings);
   ReproduceOptions options = options_for(what);
   call.set(options);
@@ -47,6 +50,7 @@ Reproduced run_reproduce(const std::vector<std::string>& what, std::uint64_t sta
     }
   if (!known) throw InputError("law", "", law, "must be \"published\", \"kinematic\" or \"both\"");
   Reproduction result = Call::run([&] { return reproduce(options); });
+  result.command = command;
   return {std::move(result), call.interrupted()};
 }
 
@@ -56,9 +60,15 @@ void bind_paper(py::module_& module) {
   module.def("paper_studies", &study_names);
   module.def("paper_study", &paper_study, py::arg("name"), py::arg("law"));
   module.def("reproducible", &reproducible);
-  bind_kept<Reproduction>(module, "Reproduction", &reproduction_text, &reproduction_json);
+  bind_kept<Reproduction>(module, "Reproduction", &reproduction_text, &reproduction_json)
+      .def(
+          "page",
+          [](const Reproduced& kept, const std::string& explorer) {
+            return document_html(reproduction_document(kept.result, explorer));
+          },
+          py::arg("explorer"));
   module.def("reproduce", &run_reproduce, py::arg("what"), py::arg("starts"), py::arg("law"), py::arg("folder"),
-             py::arg("map_pixels"), py::arg("settings"));
+             py::arg("map_pixels"), py::arg("command"), py::arg("settings"));
 }
 
 }  // namespace equipoise::python

@@ -8,7 +8,8 @@ from typing import Any, Optional
 from . import _core
 from ._arguments import MOST_STARTS, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
-from .results import Answer, write_json
+from ._ranges import path_text
+from .results import Answer, write_json, write_text
 
 
 class Reproduction(Answer):
@@ -29,6 +30,18 @@ class Reproduction(Answer):
     @property
     def differs(self) -> bool:
         return self.data["differs"]
+
+    def report(self, path: str | os.PathLike[str], explorer: str = "") -> None:
+        """Write the page that the command line writes with ``--report``: one HTML file that needs nothing else.
+
+        Parameters
+        ----------
+        path : path
+            Of the page.
+        explorer : str
+            Address of the explorer's page, seen from this one: each row of settings then opens its study there.
+        """
+        write_text(path, self._saved_core().page(explorer))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write ``data`` as JSON."""
@@ -63,7 +76,7 @@ def reproduce(
     folder : path, optional
         For every ensemble's starts; what is there is not computed again.
     map_pixels : int
-        Along each side of the maps of "future".
+        Along each side of the maps of "future": 2 to 4096.
     threads, progress, cpu, within
         As for :func:`basin`.
     """
@@ -72,9 +85,12 @@ def reproduce(
     for entry in what:
         if not isinstance(entry, str):
             refuse("what", entry, "one of reproducible()")
-    ensemble, pixels = whole("starts", starts, 0, MOST_STARTS), whole("map_pixels", map_pixels, 1, 20000)
+    ensemble, pixels = whole("starts", starts, 0, MOST_STARTS), whole("map_pixels", map_pixels, 2, 4096)
+    given = {"starts": (ensemble, 0), "law": (law, "both"), "map_pixels": (pixels, 64)}
+    words = [repr(entry) for entry in what] + [f"{name}={value!r}" for name, (value, usual) in given.items() if value != usual]
+    command = f"equipoise.reproduce({', '.join(words)})"
     with settings(threads, progress, cpu, within) as how:
-        core = _core.reproduce(list(what), ensemble, law, "" if folder is None else os.fspath(folder), pixels, how)
+        core = _core.reproduce(list(what), ensemble, law, path_text(folder), pixels, command, how)
     return unless_interrupted(Reproduction(core), core.interrupted)
 
 

@@ -189,10 +189,16 @@ def test_explanations(program):
     assert isinstance(said.warnings, list) and "<pre>" in said._repr_html_()
 
 
-def test_the_paper_again():
+def test_the_paper_again(tmp_path):
     made = eq.reproduce("table-7", starts=20, law="published")
     assert [t["table"] for t in made.tables] == [7] and "table 7" in repr(made)
     assert pickle.loads(pickle.dumps(made)).tables == made.tables
+    made.report(tmp_path / "paper.html", explorer="web/index.html")
+    page = (tmp_path / "paper.html").read_text(encoding="utf-8")
+    assert "Made by: equipoise.reproduce('table-7', starts=20, law='published')" in page
+    assert page.count('href="web/index.html#study=table-7-') == 4 and "<script" not in page
+    with pytest.raises(eq.RunError, match="pickle"):
+        pickle.loads(pickle.dumps(made)).report(tmp_path / "again.html")
     with pytest.raises(ValueError, match="table-1"):
         eq.reproduce()
     with pytest.raises(eq.StudyError, match="table-9"):

@@ -6,16 +6,12 @@ add_library(equipoise_paper STATIC
     reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp
 )
 
-# What the libraries carry inside themselves: how pages look and move; studies to begin with; the published tables and the studies of their rows.
+# What the libraries carry inside themselves: how pages look; studies to begin with; the published tables and the studies of their rows.
 include(${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 set(page_files "")
-foreach(name document.css document.js sheet.css)
+foreach(name document.css sheet.css)
   list(APPEND page_files ${name}=${CMAKE_CURRENT_SOURCE_DIR}/drawing/${name})
 endforeach()
-include(${PROJECT_SOURCE_DIR}/cmake/plotly.cmake)
-if(plotly_embedded)
-  list(APPEND page_files plotly.js=${plotly_embedded})
-endif()
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp ARCHIVE page_files FILES ${page_files})
 target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp)
 # Studies to begin with, in the order of the command's list.

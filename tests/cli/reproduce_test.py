@@ -105,15 +105,33 @@ class Reports(Case):
         self.assertEqual(run("reproduce", *what, "--report", page, "--quiet").returncode, 0)
         self.assertEqual(run("reproduce", *what, "--report", text, "--quiet").returncode, 0)
         html = text_of(page)
-        body = re.sub(r"<script.*?</script>", "", html, flags=re.S)
-        self.assertNotRegex(body, r'(src|href)="(?!data:image|#)')
+        self.assertNotRegex(html, r'(src|href)="(?!data:image|#)|<script')
         for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
-            self.assertIn(words, body)
+            self.assertIn(words, html)
         markdown = text_of(text)
         for picture in re.findall(r"!\[[^]]*]\(([^)]*)\)", markdown):
             self.assertTrue(os.path.exists(os.path.join(self.folder, picture)), picture)
         self.assertIn("figure-transients.png", markdown)
         self.assertEqual(sorted(os.listdir(self.folder)), ["paper-pictures", "paper.html", "paper.md"])
+
+    def test_the_page_draws_its_curves_itself(self):
+        """Without gnuplot: each panel of the figure with its two curves, and table 3 over a logarithmic axis."""
+        page = self.path("paper.html")
+        done = run("reproduce", "table-3", "figure-transients", "--starts", "20", "--report", page, "--quiet", env={**os.environ, "PATH": "/nowhere"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        html = text_of(page)
+        self.assertEqual(os.listdir(self.folder), ["paper.html"])
+        panels = re.findall(r'<p class="title">(T0 = [^<]*)</p>\n(<svg.*?</svg>)', html, flags=re.S)
+        self.assertEqual(len(panels), 6)
+        for title, svg in panels:
+            for name in ("published law", "kinematic law"):
+                curve = re.search(rf'<g><title>{name}</title>\n<path d="M([^"]*)"', svg)[1]
+                self.assertGreater(len(curve.split()), 1000, title)
+        table = next(svg for svg in re.findall(r"<svg.*?</svg>", html, flags=re.S) if "duration of the ramp" in svg)
+        for words in (">10⁻⁶<", ">published law<", ">kinematic law<", ">printed<"):
+            self.assertIn(words, table)
+        self.refused("reproduce", "table-3", "--starts", "20", "--report", self.path("paper.md"), "--quiet", env={**os.environ, "PATH": "/nowhere"},
+                     words=["--report", "gnuplot-nox"])
 
     def test_rows_lead_to_their_settings_in_the_explorer(self):
         page = self.path("paper.html")

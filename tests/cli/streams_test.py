@@ -81,6 +81,11 @@ class Usage(Case):
     def test_files_that_never_end_and_pipes(self):
         begin = time.monotonic()
         self.refused("basin", "/dev/zero", words=["/dev/zero: cannot be read (more than 16 MiB)"])
+        results = self.path("row.nc")
+        run("basin", ROW, "--starts", "10", "-o", results, "--quiet")
+        for command in ("basin", "check", "explain"):
+            self.refused(command, results, words=['row.nc: cannot be read (NetCDF, a file of results: "equipoise inspect" reads it)'])
+        self.assertEqual(run("inspect", results).returncode, 0)
         self.refused("certify", "--check", "/dev/zero", words=["more than 64 MiB"])
         self.assertLess(time.monotonic() - begin, 30)
         done = shell("cat $S | $E explain /dev/stdin")  # a pipe can be read only once, but the text is needed twice

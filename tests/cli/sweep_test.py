@@ -134,7 +134,13 @@ with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
             self.assertEqual(values[q], [c["outcomes"][0]["left_unbalance"]["unbalance"][q] for c in sweep["cells"]])
             self.assertEqual(dimensions[q], ["balancer_stiction", "outcome"])
             self.assertIn("dry friction", words[q])
-        answer(*common, "--starts", "60", "--shard", "1/2", "-o", parts)
+        done = run(*common, "--starts", "60", "--shard", "1/2", "-o", parts, "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        empty = run(*common, "--starts", "60", "--shard", "2/2", "-o", self.path("empty.nc"), "--quiet")
+        self.assertEqual(empty.returncode, 0)
+        self.assertEqual(empty.stderr, "shard 2/2 is empty: the 2 cells form 1 block of up to 8 cells, and a shard computes whole "
+                                       "blocks; shard 1 has all\n")
+        self.assertIn("PARTIAL: 0 of 2 cells", empty.stdout)
         self.assertEqual(answer(*common, "--starts", "60", "-o", parts)["cells"], sweep["cells"])
         self.assertEqual(content(nc), content(parts))
 

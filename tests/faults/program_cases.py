@@ -55,9 +55,9 @@ def writers(bench):
     }
     if not bench.quick:
         chosen["b.nc"] = (*along, "-o")
+        chosen["c.html"] = row = ("reproduce", "table-7", "--law", "kinematic", "--starts", "20", "--quiet", "--report")
         if shutil.which("gnuplot"):
-            row = ("reproduce", "table-7", "--law", "kinematic", "--starts", "20", "--quiet", "--report")
-            chosen |= {"b.svg": (*along, "--plot"), "c.html": row, "c.md": row}
+            chosen |= {"b.svg": (*along, "--plot"), "c.md": row}
     return chosen
 
 

@@ -141,7 +141,8 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
             "(95 % confidence).");
   EXPECT_TRUE(holds(answer_sentence(capacity_of({always})),
                     "Up to unbalance 400 g mm, the end of the range, 95 % of starts end balanced"));
-  EXPECT_TRUE(holds(answer_sentence(capacity_of({never})), "At unbalance 20 g mm, where the range begins, fewer than "));
+  EXPECT_TRUE(
+      holds(answer_sentence(capacity_of({never})), "At unbalance 20 g mm, where the range begins, fewer than "));
   CapacityResult by_limits = capacity_of({inside});
   by_limits.by = "limits";
   EXPECT_TRUE(holds(answer_sentence(by_limits), "95 % of starts keep every limit: shown up to 201"));
@@ -174,6 +175,47 @@ TEST(ChartSvg, DrawsIntervalsAndNamesSeries) {
     EXPECT_TRUE(holds(svg, part)) << part;
   EXPECT_FALSE(holds(svg, "nan"));
   EXPECT_FALSE(holds(chart_svg(Chart{}, "nothing"), "nan"));
+  // One series below a title needs no legend; the curve says its name.
+  chart.title = "one";
+  const std::string titled = chart_svg(chart, "what");
+  EXPECT_FALSE(holds(titled, ">one</text>"));
+  EXPECT_TRUE(holds(titled, "<g><title>one</title>"));
+  EXPECT_FALSE(holds(titled, "stroke-dasharray"));
+  chart.series.push_back({"two", "#222222", ChartSeries::Style::dashed, {1.0, 2.0}, {3.0, 4.0}, {}, {}});
+  const std::string both = chart_svg(chart, "what");
+  for (const char* part : {">one</text>", ">two</text>", "<g><title>two</title>", "stroke-dasharray"})
+    EXPECT_TRUE(holds(both, part)) << part;
+}
+
+// Where a chart's markers lie across.
+std::vector<double> abscissae(const std::string& svg) {
+  std::vector<double> all;
+  for (std::size_t at = svg.find("<circle cx=\""); at != std::string::npos; at = svg.find("<circle cx=\"", at + 1))
+    all.push_back(std::stod(svg.substr(at + 12)));
+  return all;
+}
+
+TEST(ChartSvg, ALogarithmicAxisPutsDecadesAtEqualDistances) {
+  Chart chart{"t", "T0", "y", true, false, false, {}};
+  chart.series.push_back({"one", "#0072B2", ChartSeries::Style::line, {1e-6, 0.01, 100.0}, {1.0, 2.0, 3.0}, {}, {}});
+  const std::string svg = chart_svg(chart, "what");
+  for (const char* tick : {">10⁻⁶<", ">10⁻³<", ">0.01<", ">1<", ">100<"}) EXPECT_TRUE(holds(svg, tick)) << tick;
+  const std::vector<double> x = abscissae(svg);
+  ASSERT_EQ(x.size(), 3u);
+  EXPECT_NEAR(x[2] - x[1], x[1] - x[0], 0.02);
+  EXPECT_GT(x[1] - x[0], 100.0);
+  chart.log_x = false;
+  const std::vector<double> even = abscissae(chart_svg(chart, "what"));
+  EXPECT_LT(even[1] - even[0], 1.0);  // 0.01 of 100
+}
+
+TEST(ChartSvg, CurvesFillTheFrameWithoutMarkers) {
+  Chart chart{"t", "t", "r", false, true, true, {}};
+  chart.series.push_back({"", "#0072B2", ChartSeries::Style::line, {0.0, 1.0, 2.0}, {1.0, 2.0, 3.0}, {}, {}});
+  const std::string svg = chart_svg(chart, "what", 500.0);
+  EXPECT_FALSE(holds(svg, "<circle"));
+  EXPECT_TRUE(holds(svg, "d=\"M58.0 ")) << svg;
+  EXPECT_TRUE(holds(svg, " 486.0 ")) << svg;  // 14 from the right
 }
 
 TEST(Raster, IsRefusedWhereItsPartsDoNotAgree) {

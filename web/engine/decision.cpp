@@ -16,7 +16,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/changes/usual_changes.hpp"
 #include "equipoise/decision/balancer_blocks.hpp"
-#include "equipoise/decision/verdict.hpp"
+#include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/ensembles/tally.hpp"
 #include "equipoise/ensembles/without_balls.hpp"

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/base/percent_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"

@@ -6,8 +6,6 @@
 #include <span>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/text/table_text.hpp"
 
@@ -74,7 +72,5 @@ DocumentTable changes_table(const BasinResult& result, std::span<const TriedChan
 
 /// Three lines, "verdict  Fit it...", and the empty line after them.
 std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = wide_style);
-/// The verdict's lines, and every change that was tried, in the study's shown units.
-nlohmann::ordered_json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

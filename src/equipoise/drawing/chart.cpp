@@ -1,63 +1,16 @@
-// Charts for gnuplot and for plotly.js.
+// Charts for gnuplot.
 #include "equipoise/drawing/chart.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/drawing/plot_parts.hpp"
 
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Five digits are more than a screen shows, and halve a page's size.
-Json rounded(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double v : values) {
-    const double scale = v == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::ceil(std::log10(std::fabs(v))));
-    list.push_back(std::round(v * scale) / scale);
-  }
-  return list;
-}
-
-Json trace(const ChartSeries& s, bool curves) {
-  const bool points = s.style == ChartSeries::Style::points;
-  Json t{{"type", "scatter"},
-         {"name", s.label},
-         {"mode", points   ? "markers"
-                  : curves ? "lines"
-                           : "lines+markers"},
-         {"x", rounded(s.x)},
-         {"y", rounded(s.y)}};
-  if (s.label.empty()) t["showlegend"] = false;
-  if (points)
-    t["marker"] = {{"symbol", "circle-open"}, {"size", 10}, {"color", s.colour}, {"line", {{"width", 2}}}};
-  else
-    t["marker"] = {{"size", 5}, {"color", s.colour}};
-  t["line"] = {{"color", s.colour},
-               {"width", curves ? 1.2 : 2},
-               {"dash", s.style == ChartSeries::Style::dashed ? "dash" : "solid"}};
-  if (!s.low.empty()) {
-    std::vector<double> up, down;
-    for (std::size_t i = 0; i < s.y.size(); ++i) {
-      up.push_back(s.high[i] - s.y[i]);
-      down.push_back(s.y[i] - s.low[i]);
-    }
-    t["error_y"] = {{"type", "data"},
-                    {"symmetric", false},
-                    {"array", rounded(up)},
-                    {"arrayminus", rounded(down)},
-                    {"color", s.colour},
-                    {"thickness", 1},
-                    {"width", 2}};
-  }
-  return t;
-}
 
 std::string data_block(const ChartSeries& s, const std::string& name) {
   std::string block = name + " << EOD\n";
@@ -135,26 +88,6 @@ std::string script_of(const Chart& chart, int number) {
 }
 
 }  // namespace
-
-nlohmann::ordered_json plotly_json(const Chart& chart) {
-  Json data = Json::array();
-  for (const ChartSeries& s : chart.series) data.push_back(trace(s, chart.curves));
-  Json y{{"title", {{"text", chart.y_label}}}, {"automargin", true}, {"zeroline", false}};
-  if (chart.from_zero) y["rangemode"] = "tozero";
-  Json x{{"title", {{"text", chart.x_label}}}, {"automargin", true}, {"zeroline", false}};
-  if (chart.log_x) {
-    x["type"] = "log";
-    x["exponentformat"] = "power";
-  }
-  return {{"data", data},
-          {"layout",
-           {{"margin", {{"l", 55}, {"r", 12}, {"t", 12}, {"b", 45}}},
-            {"xaxis", x},
-            {"yaxis", y},
-            {"hovermode", "closest"},
-            {"showlegend", chart.series.size() > 1},
-            {"legend", {{"orientation", "h"}, {"x", 0}, {"y", 1}, {"yanchor", "bottom"}}}}}};
-}
 
 std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path) {
   const int count = static_cast<int>(charts.size()), columns = std::min(count, 2);

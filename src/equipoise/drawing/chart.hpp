@@ -1,10 +1,8 @@
-// Charts as data, drawn by gnuplot in pictures and by plotly.js in pages.
+// Charts as data, drawn by gnuplot in picture files and as SVG in pages (chart_svg.hpp).
 #pragma once
 
 #include <string>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace equipoise {
 
@@ -24,9 +22,6 @@ struct Chart {
   bool from_zero = false;
   std::vector<ChartSeries> series;
 };
-
-/// {"data": [...], "layout": {...}} for Plotly.newPlot; the page sets the title.
-nlohmann::ordered_json plotly_json(const Chart& chart);
 
 /// A gnuplot script that draws charts two to a row. `path`: .png or .svg.
 std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path);

@@ -13,7 +13,7 @@ constexpr std::size_t short_name = 30;  // letters that fit into half the width
 
 std::size_t legend_columns(const std::vector<LegendEntry>& entries) {
   const bool short_ones =
-      std::all_of(entries.begin(), entries.end(), [](const LegendEntry& e) { return e.second.size() <= short_name; });
+      std::all_of(entries.begin(), entries.end(), [](const LegendEntry& e) { return e.name.size() <= short_name; });
   return short_ones && entries.size() > 1 ? 2 : 1;
 }
 
@@ -36,6 +36,8 @@ ChartExtents extents_of(const Chart& chart) {
     }
   if (x.low > x.high) return {};
   ChartExtents extents{widened(x, 0.04), widened(y, 0.06)};
+  if (chart.curves && x.high > x.low) extents.x = x;
+  if (chart.log_x) extents.x = {x.low / 2.0, 2.0 * x.high};
   if (chart.from_zero && y.low >= 0.0) extents.y.low = 0.0;
   return extents;
 }
@@ -43,26 +45,28 @@ ChartExtents extents_of(const Chart& chart) {
 bool covers(const ChartSeries& s) { return s.style == ChartSeries::Style::line; }
 
 // `above`: number of lines drawn over this one. It is that much wider, to show where they coincide.
-void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above) {
+void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above, bool curve) {
   const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
   std::vector<SvgPoint> way;
   for (std::size_t i = 0; i < s.x.size(); ++i) way.push_back(axes.at(s.x[i], s.y[i]));
-  const double wider = 1.4 * static_cast<double>(std::min<std::size_t>(above, 3));
+  if (!s.label.empty()) svg.group(s.label);
+  const double wider = curve ? -0.4 : 1.2 * static_cast<double>(std::min<std::size_t>(above, 2));
   if (!points) svg.path(way, {s.colour, "", 1.6 + wider, 1.0, dashed});
   for (std::size_t i = 0; i < s.low.size(); ++i) {
     const SvgPoint low = axes.at(s.x[i], s.low[i]), high = axes.at(s.x[i], s.high[i]);
-    svg.line(low, high, {s.colour, "", 1.3 + wider});
+    svg.line(low, high, {s.colour, "", 1.3});
     for (const SvgPoint& end : {low, high}) svg.line({end.x - 3.0, end.y}, {end.x + 3.0, end.y}, {s.colour, "", 1.3});
   }
-  if (!dashed)
+  if (!dashed && !curve)
     for (const SvgPoint& at : way) svg.circle(at, points ? 3.5 : 2.4, {points ? s.colour : "", points ? "" : s.colour});
+  if (!s.label.empty()) svg.end_group();
 }
 
 }  // namespace
 
 double legend_height(const std::vector<LegendEntry>& entries) {
-  const std::size_t columns = legend_columns(entries);
-  return entries.empty() ? 0.0 : 6.0 + legend_row * static_cast<double>((entries.size() + columns - 1) / columns);
+  const std::size_t columns = legend_columns(entries), rows = (entries.size() + columns - 1) / columns;
+  return entries.empty() ? 0.0 : 6.0 + legend_row * static_cast<double>(rows);
 }
 
 void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries) {
@@ -70,27 +74,47 @@ void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries) 
   const double column = (svg.width() - legend_left) / static_cast<double>(columns);
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const double x = legend_left + column * static_cast<double>(k % columns);
-    const double y = top + 6.0 + legend_row * static_cast<double>(k / columns);
-    svg.rectangle({x, y}, 10.0, 10.0, {"var(--swatch-edge)", entries[k].first, 1.0});
-    svg.text({x + 16.0, y + 9.0}, entries[k].second);
+    const std::size_t row = k / columns;
+    const double y = top + 6.0 + legend_row * static_cast<double>(row);
+    const auto& [colour, name, style] = entries[k];
+    if (!style)
+      svg.rectangle({x, y}, 10.0, 10.0, {"var(--swatch-edge)", colour, 1.0});
+    else if (*style == ChartSeries::Style::points)
+      svg.circle({x + 5.0, y + 5.0}, 3.5, {colour, ""});
+    else
+      svg.line({x - 4.0, y + 5.0}, {x + 12.0, y + 5.0}, {colour, "", 2.0, 1.0, *style == ChartSeries::Style::dashed});
+    svg.text({x + 16.0, y + 9.0}, name);
   }
 }
 
-std::string chart_svg(const Chart& chart, const std::string& described) {
+std::string chart_svg(const Chart& chart, const std::string& described, double width) {
   std::vector<LegendEntry> entries;
   for (const ChartSeries& s : chart.series)
-    if (!s.label.empty()) entries.emplace_back(s.colour, s.label);
-  Svg svg(drawing_width, drawing_height + legend_height(entries), described);
+    if (!s.label.empty() && (chart.series.size() > 1 || chart.title.empty()))
+      entries.push_back({s.colour, s.label, s.style});
+  Svg svg(width, drawing_height + legend_height(entries), described);
   const ChartExtents extents = extents_of(chart);
-  const SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, extents.x, extents.y, {chart.x_label},
-                     {chart.y_label});
+  const SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
+                     extents.x, extents.y, {chart.x_label, 1.0, chart.log_x}, {chart.y_label});
   auto above = static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(), covers));
   for (const ChartSeries& s : chart.series) {
     above -= covers(s);
-    draw_series(svg, axes, s, above);
+    draw_series(svg, axes, s, above, chart.curves);
   }
   draw_legend(svg, drawing_height, entries);
   return svg.str();
+}
+
+DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption,
+                 bool may_be_wide) {
+  constexpr double wide = 500.0;
+  DrawingRow row;
+  row.wide = may_be_wide && charts.size() == 1;
+  row.large = !row.wide;
+  for (const Chart& chart : charts)
+    row.drawings.push_back({chart.title, chart_svg(chart, title, row.wide ? wide : drawing_width), "", ""});
+  row.caption = caption;
+  return row;
 }
 
 }  // namespace equipoise

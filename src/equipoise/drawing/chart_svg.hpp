@@ -1,11 +1,12 @@
 // Charts as SVG drawings in a page: they need no script and follow the page's light and dark colours.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "equipoise/drawing/chart.hpp"
+#include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/svg.hpp"
 
 namespace equipoise {
@@ -15,11 +16,20 @@ inline constexpr double drawing_width = 430.0, drawing_height = 268.0;
 inline constexpr SvgPoint drawing_top_left{58.0, 14.0}, drawing_bottom_right{416.0, 226.0};
 
 /// Writes colours with their names from `top` down, two to a row where they are short; returns the height used.
-using LegendEntry = std::pair<std::string, std::string>;  // colour, name
+struct LegendEntry {
+  std::string colour, name;
+  /// Shown as a line or a circle instead of a square.
+  std::optional<ChartSeries::Style> style{};
+};
 double legend_height(const std::vector<LegendEntry>& entries);
 void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries);
 
-/// A chart with linear axes: lines or points, with intervals as strokes. `described`: text for those who cannot see it.
-std::string chart_svg(const Chart& chart, const std::string& described);
+/// Lines or points, with intervals as strokes; each shows its name where the mouse rests on it. One series below a
+/// title has no legend. `described`: text for those who cannot see it.
+std::string chart_svg(const Chart& chart, const std::string& described, double width = drawing_width);
+
+/// Charts beside each other.
+DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption,
+                 bool may_be_wide);
 
 }  // namespace equipoise

@@ -7,8 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "equipoise/drawing/chart.hpp"
-
 namespace equipoise {
 
 /// The tone of a table cell, seen at a glance.
@@ -58,11 +56,6 @@ struct DocumentTable {
   /// Columns that a narrow screen may hide.
   std::vector<std::size_t> spare;
 };
-struct Figure {
-  std::string caption;
-  std::vector<Chart> charts;  ///< interactive; may be empty
-  std::string picture;        ///< path of the static picture; may be empty
-};
 /// A picture drawn for the page itself (drawing/svg.hpp), as text in the page's own light or dark colours.
 struct Drawing {
   std::string title, svg, text;
@@ -75,28 +68,28 @@ struct DrawingRow {
   bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet
+  /// Path of a picture file that shows the same, for Markdown; may be empty.
+  std::string picture{};
 };
 /// Verbatim lines, shown on demand.
 struct Listing {
   std::string caption, text;
 };
-using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, Figure, DrawingRow, Listing>;
+using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, DrawingRow, Listing>;
 
 struct Document {
   std::string title;
   std::vector<Block> blocks;
   /// A sheet to take to a meeting: closely set, at most two pages of A4 if its writer keeps to that, dark on dark
-  /// screens. Its pictures are drawings, because picture files and charts have light backgrounds.
+  /// screens.
   bool sheet = false;
 };
 
-/// One self-contained page: pictures and the chart library are inside, nothing is loaded from elsewhere. Pictures
-/// replace the charts without the chart library, without scripts and on paper. Drawings need no script. Throws RunError
-/// if a picture cannot be read.
+/// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.
 std::string document_html(const Document& document);
 
-/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Drawings are no files:
-/// only their words appear.
+/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Of drawings without a
+/// picture file only the words appear.
 std::string document_markdown(const Document& document, const std::string& pictures);
 
 }  // namespace equipoise

@@ -1,18 +1,12 @@
 // A report as one self-contained HTML page.
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/drawing/base64.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/drawing/html_text.hpp"
 #include "equipoise/drawing/page_files.hpp"
-#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -23,22 +17,9 @@ const char* name_of(Tone tone) {
   return names[static_cast<std::size_t>(tone)];
 }
 
-std::string image_data(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file || bytes.empty()) throw RunError(path + words::plots::picture_unreadable);
-  return fmt::format("data:image/{};base64,{}", path.ends_with(".svg") ? "svg+xml" : "png", base64(bytes));
-}
-
 std::string linked(const DocumentCell& cell) {
   const std::string words = html_text(cell.text);
   return cell.link.empty() ? words : fmt::format("<a href=\"{}\">{}</a>", html_text(cell.link), words);
-}
-
-// JSON inside a script element, where "</" would end the element.
-std::string script_safe(std::string json) {
-  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
-  return json;
 }
 
 class HtmlWriter {
@@ -97,32 +78,6 @@ class HtmlWriter {
     if (t.folded) out += "</details>\n";
   }
 
-  void operator()(const Figure& f) {
-    const bool still = f.charts.empty();
-    const std::string picture = f.picture.empty() ? "" : image_data(f.picture);
-    ++figures_;
-    out += still ? "<figure class=\"still\">\n" : "<figure>\n";
-    if (!still && !picture.empty())
-      out += fmt::format(
-          "<input type=\"radio\" name=\"f{0}\" id=\"f{0}c\" checked><label for=\"f{0}c\">interactive</label>"
-          "<input type=\"radio\" name=\"f{0}\" id=\"f{0}p\" class=\"show-picture\"><label "
-          "for=\"f{0}p\">picture</label>\n",
-          figures_);
-    if (!still) {
-      out += fmt::format("<div class=\"charts{}\">", f.charts.front().curves ? " curves" : "");
-      for (const Chart& chart : f.charts) {
-        ++charts_;
-        const std::string title = chart.title.empty() ? "" : fmt::format("<p>{}</p>", html_text(chart.title));
-        out += fmt::format("<div>{}<div class=\"chart\" data-chart=\"c{}\"></div></div>", title, charts_);
-        data_ += fmt::format("<script type=\"application/json\" id=\"c{}\">{}</script>\n", charts_,
-                             script_safe(plotly_json(chart).dump()));
-      }
-      out += "</div>\n";
-    }
-    if (!picture.empty()) out += fmt::format("<img src=\"{}\" alt=\"{}\">\n", picture, html_text(f.caption));
-    out += fmt::format("<figcaption>{}</figcaption>\n</figure>\n", html_text(f.caption));
-  }
-
   void operator()(const DrawingRow& row) {
     out += fmt::format("<figure class=\"drawings{}\">\n<div>\n", row.whole   ? " whole"
                                                                  : row.wide  ? " wide"
@@ -147,8 +102,6 @@ class HtmlWriter {
                        html_text(listing.text));
   }
 
-  const std::string& data() const { return data_; }
-
  private:
   static std::string style_of(const std::string& a, const std::string& b, const std::string& c) {
     std::string names;
@@ -156,9 +109,6 @@ class HtmlWriter {
       if (!name->empty()) names += (names.empty() ? "" : " ") + *name;
     return names.empty() ? "" : fmt::format(" class=\"{}\"", names);
   }
-
-  int figures_ = 0, charts_ = 0;
-  std::string data_;
 };
 
 std::string contents(const Document& document) {
@@ -179,13 +129,8 @@ std::string document_html(const Document& document) {
   page += fmt::format("<title>{}</title>\n<style>\n{}{}</style>\n</head>\n", html_text(document.title),
                       embedded::page_files.find("document.css"),
                       document.sheet ? embedded::page_files.find("sheet.css") : "");
-  page += fmt::format("<body class=\"no-charts\">\n<main>\n<h1>{}</h1>\n", html_text(document.title));
-  page += contents(document) + writer.out + "</main>\n" + writer.data();
-  if (writer.data().empty()) return page + "</body>\n</html>\n";
-  if (const auto library = embedded::page_files.find("plotly.js"); !library.empty())
-    page += fmt::format("<script>{}</script>\n", library);
-  page += fmt::format("<script>\n{}</script>\n</body>\n</html>\n", embedded::page_files.find("document.js"));
-  return page;
+  page += fmt::format("<body>\n<main>\n<h1>{}</h1>\n", html_text(document.title));
+  return page + contents(document) + writer.out + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace equipoise

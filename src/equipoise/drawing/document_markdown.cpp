@@ -56,14 +56,11 @@ struct MarkdownWriter {
     out += "\n";
     if (!t.caption.empty()) out += markdown_text(t.caption) + "\n\n";
   }
-  void operator()(const Figure& f) {
-    if (!f.picture.empty()) {
-      const std::string name = f.picture.substr(f.picture.find_last_of('/') + 1);
-      out += fmt::format("![{}]({})\n\n", markdown_text(f.caption), pictures.empty() ? name : pictures + "/" + name);
-    }
-    out += markdown_text(f.caption) + "\n\n";
-  }
   void operator()(const DrawingRow& row) {
+    if (!row.picture.empty()) {
+      const std::string name = row.picture.substr(row.picture.find_last_of('/') + 1);
+      out += fmt::format("![{}]({})\n", markdown_text(row.caption), pictures.empty() ? name : pictures + "/" + name);
+    }
     for (const Drawing& d : row.drawings)
       if (!d.text.empty()) out += fmt::format("- {}: {}\n", markdown_text(d.title), markdown_text(d.text));
     out += "\n" + markdown_text(row.caption) + "\n\n";

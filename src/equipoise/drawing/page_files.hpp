@@ -1,4 +1,4 @@
-// Files that pages need: "document.css", "document.js", and "plotly.js" if the library was built with it.
+// Files that pages need: "document.css" and "sheet.css".
 #pragma once
 
 #include "equipoise/base/embedded.hpp"

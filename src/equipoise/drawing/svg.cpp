@@ -2,6 +2,7 @@
 #include "equipoise/drawing/svg.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -23,6 +24,25 @@ std::string style_of(const SvgPen& pen) {
 
 const char* name_of(SvgAnchor anchor) {
   return anchor == SvgAnchor::start ? "start" : anchor == SvgAnchor::middle ? "middle" : "end";
+}
+
+std::vector<double> decades(AxisExtent extent) {
+  std::vector<double> ticks;
+  constexpr double rounding = 1e-9;
+  for (double k = std::ceil(std::log10(extent.low) - rounding); k <= std::log10(extent.high) + rounding; k += 1.0)
+    ticks.push_back(std::pow(10.0, k));
+  return ticks;
+}
+
+// Powers of ten that are long in digits are written as powers.
+std::string tick_words(double value, bool log) {
+  constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  constexpr double small = 0.005, large = 2e3;
+  if (!log || (value > small && value < large)) return fmt::format("{:.6g}", value);
+  std::string words = "10";
+  for (const char c : fmt::format("{:.0f}", std::log10(value)))
+    words += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+  return words;
 }
 
 }  // namespace
@@ -84,6 +104,8 @@ void Svg::image(SvgPoint corner, double width, double height, const std::string&
       corner.x, corner.y, width, height, base64(png));
 }
 
+void Svg::group(const std::string& name) { out_ += fmt::format("<g><title>{}</title>\n", html_text(name)); }
+
 void Svg::text_upwards(SvgPoint at, const std::string& words) {
   out_ += fmt::format(
       "<text transform=\"translate({:.5g} {:.5g}) rotate(-90)\" text-anchor=\"middle\" font-size=\"11\" "
@@ -117,18 +139,17 @@ std::vector<double> round_ticks(AxisExtent extent, int count) {
 
 SvgAxes::SvgAxes(Svg& svg, SvgPoint top_left, SvgPoint bottom_right, AxisExtent x, AxisExtent y,
                  const AxisWords& x_words, const AxisWords& y_words)
-    : svg_(svg), top_left_(top_left), bottom_right_(bottom_right), x_(x), y_(y) {
+    : svg_(svg), top_left_(top_left), bottom_right_(bottom_right), x_(x), y_(y), log_(x_words.log) {
   constexpr double pixels_a_tick = 70.0, least_ticks = 3.0;
   const auto ticks = [&](AxisExtent extent, double factor, double length, double pixels) {
     const double count = std::max(least_ticks, length / pixels);
-    std::vector<double> values =
-        round_ticks({extent.low * factor, extent.high * factor}, static_cast<int>(std::lround(count)));
-    return values;
+    return round_ticks({extent.low * factor, extent.high * factor}, static_cast<int>(std::lround(count)));
   };
-  for (const double t : ticks(x, x_words.factor, bottom_right.x - top_left.x, pixels_a_tick)) {
+  for (const double t : log_ ? decades({x.low * x_words.factor, x.high * x_words.factor})
+                             : ticks(x, x_words.factor, bottom_right.x - top_left.x, pixels_a_tick)) {
     const SvgPoint foot = {at(t / x_words.factor, y.low).x, bottom_right.y};
     svg_.line(foot, {foot.x, foot.y + 4.0}, {quiet_ink, ""});
-    svg_.text({foot.x, foot.y + 15.0}, fmt::format("{:.6g}", t), SvgAnchor::middle, quiet_ink);
+    svg_.text({foot.x, foot.y + 15.0}, tick_words(t, log_), SvgAnchor::middle, quiet_ink);
   }
   for (const double t : ticks(y, y_words.factor, bottom_right.y - top_left.y, 0.55 * pixels_a_tick)) {
     const SvgPoint foot = {top_left.x, at(x.low, t / y_words.factor).y};
@@ -144,7 +165,8 @@ SvgAxes::SvgAxes(Svg& svg, SvgPoint top_left, SvgPoint bottom_right, AxisExtent 
 }
 
 SvgPoint SvgAxes::at(double x, double y) const {
-  const double across = (x - x_.low) / (x_.high - x_.low), up = (y - y_.low) / (y_.high - y_.low);
+  const double across = log_ ? std::log(x / x_.low) / std::log(x_.high / x_.low) : (x - x_.low) / (x_.high - x_.low);
+  const double up = (y - y_.low) / (y_.high - y_.low);
   return {top_left_.x + across * (bottom_right_.x - top_left_.x),
           bottom_right_.y + up * (top_left_.y - bottom_right_.y)};
 }

@@ -42,6 +42,9 @@ class Svg {
             double size = 11.0);
   /// The bytes of a PNG file stretched over a rectangle, with sharp edges between its squares.
   void image(SvgPoint corner, double width, double height, const std::string& png);
+  /// What is drawn until end_group() is shown as `name` where the mouse rests on it.
+  void group(const std::string& name);
+  void end_group() { out_ += "</g>\n"; }
   /// Rotated, reading upwards.
   void text_upwards(SvgPoint at, const std::string& words);
 
@@ -63,13 +66,14 @@ std::vector<double> round_ticks(AxisExtent extent, int count);
 /// The smallest of 1, 2, 5 times a power of ten that is at least `value` > 0.
 double round_up(double value);
 
-/// An axis label; ticks show values times `factor`.
+/// An axis label; ticks show values times `factor`. `log`: a logarithmic axis, which x may have.
 struct AxisWords {
   std::string label;
   double factor = 1.0;
+  bool log = false;
 };
 
-/// A frame with linear axes inside a picture.
+/// A frame with axes inside a picture.
 class SvgAxes {
  public:
   /// Draws ticks, grid and labels left of and below the frame with these corners.
@@ -95,6 +99,7 @@ class SvgAxes {
   Svg& svg_;
   SvgPoint top_left_, bottom_right_;
   AxisExtent x_, y_;
+  bool log_;  // x
 };
 
 }  // namespace equipoise

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/html/page_parts.hpp"

@@ -11,7 +11,6 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
-#include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"
@@ -126,15 +125,6 @@ class Derived {
 };
 
 }  // namespace
-
-DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide) {
-  DrawingRow row;
-  row.wide = wide && charts.size() == 1;
-  row.large = !row.wide;
-  for (const Chart& chart : charts) row.drawings.push_back({chart.title, chart_svg(chart, title), "", ""});
-  row.caption = caption;
-  return row;
-}
 
 Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict) {
   Document document;

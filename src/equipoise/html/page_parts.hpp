@@ -12,9 +12,6 @@
 
 namespace equipoise {
 
-/// Charts beside each other; a single one may be `wide`.
-DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption, bool wide);
-
 /// A page with its title, "Ball balancer: angle-grinder", a verdict if there is one, and the answer.
 Document page_with(const Study& study, const std::string& answer, const std::optional<Notice>& verdict = {});
 /// Adds a note if some cells are missing.

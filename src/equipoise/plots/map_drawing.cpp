@@ -68,7 +68,7 @@ std::string map_svg(const BasinSlice& map) {
   std::vector<LegendEntry> entries;
   for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
-      entries.emplace_back(colour_of(c.id), fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1)));
+      entries.push_back({colour_of(c.id), fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1))});
   Svg svg(drawing_width, below + legend_height(entries), words::plots::outcome_at_points);
   const SvgAxes axes(svg, top_left, bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));

@@ -60,6 +60,7 @@ constexpr double letter = 6.4;  // wide
 
 std::vector<std::string> heat_labels(const SweepParameter& p, const std::vector<std::size_t>& order) {
   std::vector<std::string> labels;
+  labels.reserve(order.size());
   for (const std::size_t k : order) labels.push_back(fmt::format("{:.4g}", p.values[k]));
   return labels;
 }
@@ -106,7 +107,8 @@ std::string stacked_svg(const SweepResult& r) {
   const std::vector<SweepLayer> layers = sweep_layers(r);
   const std::vector<std::size_t> cells = cells_along(r);
   std::vector<LegendEntry> entries;
-  for (const SweepLayer& layer : layers) entries.emplace_back(layer.colour, layer.name);
+  entries.reserve(layers.size());
+  for (const SweepLayer& layer : layers) entries.push_back({layer.colour, layer.name});
   Svg svg(drawing_width, drawing_height + legend_height(entries), words::plots::shares_along);
   const SweepParameter& p = r.axes.front().parameters.front();
   std::vector<double> x, sum(cells.size(), 0.0);

@@ -13,7 +13,7 @@
 #include "equipoise/decision/balancer_blocks.hpp"
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/decision/standards_text.hpp"
-#include "equipoise/decision/verdict.hpp"
+#include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/sampling_text.hpp"

@@ -78,7 +78,7 @@ std::optional<Chart> table_chart(const ReproducedTable& table) {
     take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : dark_colour);
     take(curves.kinematic, "kinematic law", light_colour);
     ChartSeries printed = curves.printed;
-    printed.label = k == 0 ? "printed" : "";
+    printed.label = k + 1 == list.size() ? "printed" : "";
     printed.colour = "#222222";
     printed.style = ChartSeries::Style::points;
     chart.series.push_back(std::move(printed));

@@ -8,9 +8,12 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/plots/map_drawing.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/pages.hpp"
 #include "equipoise/words/paper_page.hpp"
 
 namespace equipoise {
@@ -29,6 +32,12 @@ std::string picture_of(const Reproduction& r, const std::string& id) {
   for (const Picture& p : r.pictures)
     if (p.id == id) return p.path;
   return "";
+}
+
+DrawingRow with_picture(const std::vector<Chart>& charts, const std::string& caption, std::string picture) {
+  DrawingRow row = drawn(charts, caption, caption, true);
+  row.picture = std::move(picture);
+  return row;
 }
 
 Tone tone_of(Verdict verdict) {
@@ -124,9 +133,8 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   if (!t.published->unclaimed.empty())
     d.blocks.push_back(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto chart = table_chart(t))
-    d.blocks.push_back(Figure{fmt::format(words::paper::table_figure, t.published->number),
-                              {*chart},
-                              picture_of(r, fmt::format("table-{}", t.published->number))});
+    d.blocks.push_back(with_picture({*chart}, fmt::format(words::paper::table_figure, t.published->number),
+                                    picture_of(r, fmt::format("table-{}", t.published->number))));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
@@ -166,15 +174,20 @@ void open_questions(const Reproduction& r, Document& d) {
   d.blocks.push_back(Paragraph{words::paper::questions_opening});
   const auto map = [&](const BasinSlice& m, const std::string& id, const std::string& title) {
     d.blocks.push_back(Heading{3, title, id});
-    d.blocks.push_back(
-        Figure{fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m)), {}, picture_of(r, id)});
+    DrawingRow row;
+    row.drawings.push_back({"", map_svg(m), "", ""});
+    row.caption = fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m));
+    if (m.balance_margin.size() == m.code.size()) row.caption += words::pages::lines_mean;
+    row.wide = true;
+    row.picture = picture_of(r, id);
+    d.blocks.push_back(std::move(row));
     if (std::string said = balanced_text(m); !said.empty()) d.blocks.push_back(Paragraph{std::move(said)});
   };
   map(r.open->eccentricity_and_angle, "future-eccentricity-angle", words::paper::basins_over_angle);
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", words::paper::plane_of_mass);
   d.blocks.push_back(Heading{3, words::paper::whole_state_space, "future-box"});
   d.blocks.push_back(Paragraph{words::paper::box_opening});
-  d.blocks.push_back(Figure{words::paper::box_figure, {box_chart(*r.open)}, picture_of(r, "future-box")});
+  d.blocks.push_back(with_picture({box_chart(*r.open)}, words::paper::box_figure, picture_of(r, "future-box")));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -196,7 +209,7 @@ void figures(const Reproduction& r, Document& d) {
   for (const PaperFigure& f : r.figures) {
     d.blocks.push_back(Heading{3, f.title, f.id});
     if (!f.choice.empty()) d.blocks.push_back(Paragraph{f.choice, Tone::open});
-    d.blocks.push_back(Figure{f.caption, figure_charts(f), picture_of(r, f.id)});
+    d.blocks.push_back(with_picture(figure_charts(f), f.caption, picture_of(r, f.id)));
   }
 }
 

@@ -19,6 +19,11 @@ namespace equipoise {
 namespace {
 // The longest study written so far is a thousandth of this. An endless file such as /dev/zero stops here.
 constexpr std::size_t longest_study = std::size_t{16} << 20;
+
+// By its first bytes: the classic formats, and NetCDF-4, which is HDF5.
+bool is_netcdf(const std::string& bytes) {
+  return (bytes.starts_with("CDF") && bytes.size() > 3 && bytes[3] < ' ') || bytes.starts_with("\x89HDF");
+}
 }  // namespace
 
 std::string read_study_text(const std::string& path) {
@@ -36,6 +41,7 @@ std::string read_study_text(const std::string& path) {
     if (text.size() > longest_study) reject(fmt::format("more than {} MiB", longest_study >> 20));
   }
   if (file.bad()) reject("reading broke off");
+  if (is_netcdf(text)) reject(words::study::results_file);
   return text;
 }
 

@@ -66,7 +66,6 @@ inline constexpr char shares_along[] = "Shares of starts by outcome along the pa
 inline constexpr char share_over_two[] = "Balanced share of the starts over two parameters";
 
 // Faults.
-inline constexpr char picture_unreadable[] = ": the picture cannot be read";
 inline constexpr char squares_disagree[] = "a picture's squares, size and palette do not agree";
 
 // Progress.

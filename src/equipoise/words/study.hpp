@@ -8,6 +8,7 @@ inline constexpr char file_unreadable[] = "cannot be read ({}); must be a readab
 inline constexpr char directory[] = "a directory";
 inline constexpr char no_permission[] = "not open to this user";
 inline constexpr char no_file[] = "no such file";
+inline constexpr char results_file[] = "NetCDF, a file of results: \"equipoise inspect\" reads it";
 inline constexpr char one_toml_value[] = "must be a single TOML value";
 inline constexpr char key_equals_value[] = "must be key=value, for example rotor.eccentricity=0.02";
 inline constexpr char more_parts_than_any_key[] = "unknown key: more parts than any key of a study has";
