@@ -97,6 +97,7 @@ ROOMS = {
         "start_runs stability text",
     "html":
         "types mechanics sampling toml study echo results drawing text decision answers reports plots explain",
+    "publications": "running drives model types mechanics statistics study results drawing ensembles stability trajectory",
     "literature": "statistics study results",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "

@@ -72,6 +72,9 @@ inline constexpr char output_not_writable[] = "standard output cannot be written
 // Options that do not go together.
 inline constexpr char along_only[] = "goes with --along KEY=FROM:TO:STEP only";
 inline constexpr char cost_only[] = "goes with --cost only: nothing else takes time here";
+inline constexpr char publications_alone[] =
+    "name either parts of Wright and Peng or other publications: each are judged by their own rules";
+inline constexpr char only_of_the_paper[] = "goes with Wright and Peng alone, not with other publications";
 inline constexpr char report_only[] = "goes with --report";
 inline constexpr char page_of_an_ensemble[] =
     "a page reports an ensemble, not one start; must be left out with --start-index";
@@ -132,6 +135,7 @@ inline constexpr char keeps_nothing[] = "this command keeps nothing between runs
 inline constexpr char trials[] = "trials (at most)";
 inline constexpr char starts_of_both[] = "starts of both";
 inline constexpr char starts[] = "starts";
+inline constexpr char rows[] = "rows";
 inline constexpr char trajectories[] = "trajectories";
 inline constexpr char rows[] = "rows";
 

@@ -1,5 +1,6 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
+  publications/measures.cpp publications/publication_table.cpp publications/publication_verdicts.cpp
   literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
   reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
     reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
@@ -40,6 +41,15 @@ list(APPEND paper_files
   evidence/table-7-candidates.csv=${PROJECT_SOURCE_DIR}/docs/evidence/table-7-candidates.csv)
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp ARCHIVE paper_files FILES ${paper_files})
 target_sources(equipoise_paper PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp)
+
+set(publication_files "")
+file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/publications/*.toml)
+foreach(path IN LISTS studies)
+  get_filename_component(name ${path} NAME)
+  list(APPEND publication_files ${name}=${path})
+endforeach()
+equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/publication_files.cpp ARCHIVE publication_files FILES ${publication_files})
+target_sources(equipoise_paper PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/publication_files.cpp)
 
 target_link_libraries(equipoise_paper PUBLIC equipoise PRIVATE
   TBB::tbb fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
