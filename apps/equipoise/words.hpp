@@ -135,7 +135,6 @@ inline constexpr char keeps_nothing[] = "this command keeps nothing between runs
 inline constexpr char trials[] = "trials (at most)";
 inline constexpr char starts_of_both[] = "starts of both";
 inline constexpr char starts[] = "starts";
-inline constexpr char rows[] = "rows";
 inline constexpr char trajectories[] = "trajectories";
 inline constexpr char rows[] = "rows";
 

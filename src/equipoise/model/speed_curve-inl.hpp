@@ -46,7 +46,7 @@ class CurveMotion {
   template <class Factor>
   T sum(const T& u, const Factor& factor) const {
     T sum = T(0.0);
-    for (int k = terms - 1; k >= 0; --k) sum = multiply_add(sum, u, by_[k] * T(factor(k)));
+    for (int k = terms - 1; k >= 0; --k) sum = sum * u + by_[k] * T(factor(k));
     return sum;
   }
 

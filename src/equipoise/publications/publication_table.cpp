@@ -1,8 +1,10 @@
 // The table: an entry a publication. To add one, add its entry, its study and its reference.
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "equipoise/literature/paper_files.hpp"
 #include "equipoise/publications/measures.hpp"
-#include "equipoise/publications/publication_files.hpp"
 #include "equipoise/publications/publication.hpp"
 
 namespace equipoise {
@@ -368,8 +370,8 @@ const Publication* find_publication(std::string_view name) {
 }
 
 Study study_of(const Publication& publication, const PublicationRow& row) {
-  const std::string file = std::string(publication.study) + ".toml";
-  return parse_study(std::string(embedded::publication_files.find(file)), "studies/publications/" + file, row.settings);
+  const std::string file = fmt::format("publications/{}.toml", publication.study);
+  return parse_study(std::string(embedded::paper_files.find(file)), "studies/" + file, row.settings);
 }
 
 }  // namespace equipoise

@@ -168,7 +168,7 @@ Document publications_document(const JudgedPublications& r) {
     d.blocks.push_back(Heading{2, p.publication->title, p.publication->name});
     d.blocks.push_back(Paragraph{std::string(p.publication->citation) + "."});
     d.blocks.push_back(Paragraph{fmt::format(words::publications::seen, p.publication->seen) + "."});
-    DocumentTable symbols{{"theirs", "in a study"}, {}, ""};
+    DocumentTable symbols{{"theirs", "in a study"}, {}, "", false, {}};
     for (const SymbolMapping& s : p.publication->symbols) symbols.rows.push_back(row_of("tt", {s.theirs, s.ours}));
     d.blocks.push_back(std::move(symbols));
     DocumentTable table{{"where", "quantity", "settings", "published", "by", "here", "verdict"}, {}, "", false, {2}};
