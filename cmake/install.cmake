@@ -60,6 +60,7 @@ set(equipoise_public_headers
     answers/answer.hpp
     html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
       html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
+    publications/measures.hpp publications/publication.hpp publications/publication_verdicts.hpp
     literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp
     reproduction/open_questions.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
       reproduction/reproduction.hpp)

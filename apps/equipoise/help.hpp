@@ -160,8 +160,10 @@ inline constexpr char output[] = "page to write: one file that needs nothing els
 }  // namespace report_page
 
 namespace reproduce {
-inline constexpr char about[] = "the tables and figures of Wright and Peng (2019), computed again and judged";
-inline constexpr char what[] = "any of {} (default: all)";
+inline constexpr char about[] = "what Wright and Peng (2019) or others published, computed again and judged";
+inline constexpr char what[] =
+    "any of {} (default: all), or names of other publications (see --list), separated by blanks or commas";
+inline constexpr char list[] = "show what can be reproduced, and stop";
 inline constexpr char starts[] = "starts per ensemble (default: as many as the paper used)";
 inline constexpr char law[] = "speed law of ramps (default: both)";
 inline constexpr char report[] = "one page with everything (HTML), or Markdown with pictures beside it";

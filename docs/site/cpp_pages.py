@@ -15,7 +15,7 @@ ROOMS = {  # in the order in which a reader meets them; a room that is not here 
     "result_files": "Files of results", "cell_files": "Files of sweeps", "reports": "Text and JSON", "text": "Tables as text",
     "html": "Pages", "shown": "What the page for one machine shows", "drawing": "Charts and documents", "plots": "Pictures",
     "design_words": "A design in words", "attractors": "From a trajectory to its attractor", "periodic_orbits": "Periodic orbits",
-    "proof": "Certificates", "kernels": "Instruction sets", "base": "Errors and stopping", "literature": "The paper's numbers",
+    "proof": "Certificates", "kernels": "Instruction sets", "base": "Errors and stopping", "literature": "The paper's numbers", "publications": "Other publications",
     "reproduction": "The paper, computed again",
 }
 

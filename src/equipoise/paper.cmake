@@ -1,5 +1,6 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
+  publications/measures.cpp publications/publication_table.cpp publications/publication_verdicts.cpp
   literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
   reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
     reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
@@ -31,6 +32,11 @@ endforeach()
 foreach(path IN LISTS studies)
   get_filename_component(name ${path} NAME)
   list(APPEND paper_files studies/${name}=${path})
+endforeach()
+file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/publications/*.toml)
+foreach(path IN LISTS studies)
+  get_filename_component(name ${path} NAME)
+  list(APPEND paper_files publications/${name}=${path})
 endforeach()
 list(APPEND paper_files
   evidence/table-7-candidates.csv=${PROJECT_SOURCE_DIR}/docs/evidence/table-7-candidates.csv)

@@ -191,6 +191,14 @@ const Kind kinds[] = {
        s.speed.hold_until = rounded(s.speed.rise_until + d.even(5.0, 200.0));
        s.speed.fall_until = rounded(s.speed.hold_until + d.even(5.0, 80.0));
      }},
+    {"run-up by a Hill function",
+     [](Study& s, Dice& d) {
+       ordinary(s, d, 2);
+       s.speed.profile = Profile::hill;
+       s.speed.final = rounded(d.even(1.8, 4.0));
+       s.speed.half_time = rounded(d.scale(3.0, 60.0));
+       s.speed.exponent = rounded(d.even(1.0, 5.0));
+     }},
     {"motor by its curve, with a load",
      [](Study& s, Dice& d) {
        ordinary_driven(s, d);

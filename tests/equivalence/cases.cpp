@@ -1,6 +1,7 @@
 // The table of studies behind the equivalence tests.
 #include "cases.hpp"
 
+#include <cmath>
 #include <functional>
 
 namespace cases {
@@ -80,6 +81,14 @@ void points(Study& s, SpeedLaw law) {
   s.speed.times = {0.0, 10.0, 22.5, 30.0, 55.0};
   s.speed.speeds = {0.5, 2.0, 2.0, 2.9, 2.5};
   s.speed.law = law;
+}
+
+void hill(Study& s, double to, double half_time, double exponent, double until) {
+  s.speed.profile = Profile::hill;
+  s.speed.final = to;
+  s.speed.half_time = half_time;
+  s.speed.exponent = exponent;
+  s.speed.until = until;
 }
 
 class Table {
@@ -179,6 +188,25 @@ void add_varying_speed(Table& table, SpeedLaw law, const std::string& suffix) {
   }
 }
 
+// The speed bends: psi'' is no constant, neither while balls are held nor after.
+void add_hill(Table& table) {
+  table.add("hill_released_at_once", 2, 0.0, [](Study& s) {
+    hill(s, 2.4, 8.0, 3.0, 40.0);
+    s.release.time = 0.0;
+  });
+  table.add("hill_released_by_speed", 3, 12.0 * std::sqrt(1.5), [](Study& s) {
+    hill(s, 2.5, 12.0, 2.0, 60.0);
+    s.release.speed = 1.5;
+  });
+  for (int n : {1, 2, 4, 8})
+    table.add("hill_everything_rolling_" + std::to_string(n), n, 9.0, [](Study& s) {
+      make_everything(s, false);
+      make_rolling(s);
+      hill(s, 2.3, 7.0, 1.5, 30.0);
+      s.release.time = 9.0;
+    });
+}
+
 }  // namespace
 
 std::vector<Case> all() {
@@ -186,6 +214,7 @@ std::vector<Case> all() {
   add_constant_speed(table);
   add_varying_speed(table, SpeedLaw::kinematic, "_kinematic");
   add_varying_speed(table, SpeedLaw::published, "_published");
+  add_hill(table);
   return table.take();
 }
 

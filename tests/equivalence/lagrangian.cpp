@@ -45,6 +45,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 namespace lagrangian {
 
 // Of a solid sphere: moment of inertia over mass and radius squared.
@@ -68,6 +70,12 @@ PrescribedRotation::PrescribedRotation(const Study& study)
     add(s.rise_until, s.peak);
     add(s.hold_until, s.peak);
     add(s.fall_until, s.final);
+  } else if (s.profile == Profile::hill) {
+    hill_ = {s.final, s.half_time, s.exponent};
+    const double until = s.until.value();
+    add(0.0, 0.0);
+    add(until, on_hill(until).rate);
+    add(until + (s.final - on_hill(until).rate) / on_hill(until).acceleration, s.final);
   } else {
     for (std::size_t i = 0; i < s.times.size(); ++i) add(s.times[i], s.speeds[i]);
   }
@@ -77,7 +85,21 @@ PrescribedRotation::PrescribedRotation(const Study& study)
     const double span = to.time - from.time;
     corners_[i].slope = (to.speed - from.speed) / span;
     to.angle = from.angle + 0.5 * (from.speed + to.speed) * span;
+    if (hill_ && i == 0) to.angle = on_hill(to.time).angle;
   }
+}
+
+Rotation PrescribedRotation::on_hill(double t) const {
+  const auto [limit, half, n] = *hill_;
+  const auto speed = [&](double at) { return limit * std::pow(at, n) / (std::pow(half, n) + std::pow(at, n)); };
+  const double below = std::pow(half, n) + std::pow(t, n);
+  const double slope = limit * n * std::pow(t, n - 1.0) * std::pow(half, n) / (below * below);
+  // Over the root of time, in which a half power is smooth.
+  const auto by_root = [&](double root) { return 2.0 * root * speed(root * root); };
+  constexpr unsigned halvings = 6;
+  const double angle =
+      boost::math::quadrature::gauss_kronrod<double, 61>::integrate(by_root, 0.0, std::sqrt(t), halvings, 1e-14);
+  return {angle, speed(t), slope};
 }
 
 int PrescribedRotation::branch_at(double t) const {
@@ -87,6 +109,11 @@ int PrescribedRotation::branch_at(double t) const {
 }
 
 Rotation PrescribedRotation::on_branch(int branch, double t) const {
+  if (hill_ && branch == 0) {
+    Rotation rotation = on_hill(t);
+    rotation.angle += initial_angle_;
+    return rotation;
+  }
   const Corner& c = corners_[branch];
   const double since = t - c.time;
   const double omega = c.speed + c.slope * since;

@@ -2,6 +2,8 @@
 // Shares only plain data (studies, parameters) with the library; psi(t), equations and integrator are its own.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "equipoise/study/study.hpp"
@@ -13,7 +15,8 @@ struct Rotation {
   double angle, rate, acceleration;
 };
 
-/// psi(t) from a study's [speed] table, piece by piece: Omega(t) is linear on each and constant on the last.
+/// psi(t) from a study's [speed] table, piece by piece: Omega(t) is linear on each and constant on the last;
+/// of a Hill function the first piece is the function itself.
 class PrescribedRotation {
  public:
   explicit PrescribedRotation(const equipoise::Study& study);
@@ -31,7 +34,11 @@ class PrescribedRotation {
     double slope;        // of the ramp function from here on
     double angle;        // the integral of the ramp function from 0 to here
   };
+  // Along the Hill function, integrated by quadrature.
+  Rotation on_hill(double t) const;
+
   std::vector<Corner> corners_;
+  std::optional<std::array<double, 3>> hill_;  // limit, half time, exponent
   double initial_angle_;
   bool published_;
 };

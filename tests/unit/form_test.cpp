@@ -114,7 +114,7 @@ TEST(Form, KnowsChoicesWholeNumbersAndFlags) {
   const FormField* profile = find(form, "speed.profile");
   ASSERT_TRUE(profile);
   EXPECT_EQ(profile->kind, FormField::Kind::choice);
-  EXPECT_EQ(profile->choices, (std::vector<std::string>{"constant", "ramp", "trapezoid", "points", "torque"}));
+  EXPECT_EQ(profile->choices, (std::vector<std::string>{"constant", "ramp", "trapezoid", "points", "hill", "torque"}));
   const FormField* balls = find(form, "balancer.balls");
   ASSERT_TRUE(balls);
   EXPECT_EQ(balls->kind, FormField::Kind::whole);

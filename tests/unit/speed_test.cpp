@@ -1,6 +1,7 @@
 // The rotor's motion cut into segments: psi and its derivatives under both laws, jumps, clamp and the ramp function.
 #include "equipoise/drives/speed.hpp"
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -173,6 +174,72 @@ TEST(PublishedLaw, ReversesTheRotorInThePapersTrapezoid) {
   ASSERT_EQ(all.size(), 4u);
   EXPECT_NEAR(all[2].speed, -1.0, rounding);
   EXPECT_NEAR(all[2].speed_at(500.0), -3.0, rounding);
+}
+
+SpeedProfile hill(double exponent, double limit = 3.6, double half_time = 200.0) {
+  const equipoise::model::HillFunction function{limit, half_time, exponent};
+  const double until = 4.0 * half_time, speed = function.speed(until);
+  return {{0.0, until, until + (limit - speed) / function.slope(until)},
+          {0.0, speed, limit},
+          SpeedLaw::kinematic,
+          0.4,
+          function};
+}
+
+// psi by quadrature over the function itself, and speed and acceleration by its own formulas.
+TEST(HillFunction, IsFollowedByTheSegments) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
+  for (const double limit : {3.6, -2.4})
+    for (const double n : {1.0, 1.5, 2.0, 3.0, 8.0, 50.0})
+      for (const double release : {0.0, 30.0, 150.0, 1e6}) {
+        const SpeedProfile p = hill(n, limit);
+        const auto omega_at = [&](double t) {
+          return t > 0.0 ? limit * std::pow(t / 200.0, n) / (1.0 + std::pow(t / 200.0, n)) : 0.0;
+        };
+        double psi = 0.4;
+        for (const Segment& s : segments(p, release)) {
+          EXPECT_NEAR(s.psi, psi, 1e-12 * (1.0 + std::fabs(psi)));
+          if (s.begin >= p.times[1]) break;
+          EXPECT_EQ(s.clamped, s.begin < release);
+          // A rounding of t is one of the exponent's power.
+          const double allowed = 2e-15 * (1.0 + n) * std::fabs(limit);
+          for (const double part : {0.0, 0.23, 0.5, 0.77, 1.0}) {
+            const double t = s.begin + part * (s.end - s.begin), x = std::pow(t / 200.0, n);
+            EXPECT_NEAR(s.speed_at(t), omega_at(t), allowed) << n << " at " << t;
+            // A polynomial's slope is less exact than itself by the square of its degree over its length.
+            if (t > 0.0)
+              EXPECT_NEAR(s.acceleration_at(t), limit * n * x / (t * (1.0 + x) * (1.0 + x)),
+                          225.0 * allowed / (s.end - s.begin))
+                  << n << " at " << t;
+          }
+          psi += Quadrature::integrate(omega_at, s.begin, s.end, 3, 1e-14);
+          EXPECT_NEAR(s.psi_at(s.end), psi, 1e-12 * (1.0 + std::fabs(psi)));
+        }
+      }
+}
+
+TEST(HillFunction, GoesOnAlongItsTangentToItsLimit) {
+  const SpeedProfile p = hill(3.0);
+  const auto all = segments(p, 0.0);
+  const Segment &tangent = all[all.size() - 2], &last = all.back();
+  EXPECT_EQ(last.speed, 3.6);
+  EXPECT_EQ(last.acceleration, 0.0);
+  EXPECT_FALSE(last.curve.present());
+  EXPECT_FALSE(tangent.curve.present());
+  EXPECT_NEAR(tangent.acceleration, all[all.size() - 3].acceleration_at(tangent.begin), 1e-14);
+  EXPECT_NEAR(tangent.speed_at(tangent.end), 3.6, rounding);
+}
+
+TEST(HillFunction, IsHalfAtItsHalfTimeAndSteepestWhereItSays) {
+  const SpeedProfile p = hill(3.0);
+  EXPECT_NEAR(p.ramp_function(200.0), 1.8, rounding);
+  EXPECT_NEAR(p.first_time_at(1.8).value(), 200.0, 1e-10);
+  EXPECT_NEAR(p.first_time_at(p.ramp_function(77.0)).value(), 77.0, 1e-10);
+  EXPECT_EQ(p.first_time_at(3.7), std::nullopt);
+  double most = 0.0;
+  for (double t = 0.0; t < 800.0; t += 0.1) most = std::max(most, p.hill->slope(t));
+  EXPECT_NEAR(p.hill->steepest(), most, 1e-8);
+  EXPECT_GE(p.hill->steepest(), most);
 }
 
 TEST(SpeedProfile, HasTheRampFunctionOfItsPoints) {

@@ -31,6 +31,7 @@ std::vector<std::string> studies() {
       with_units + free + "\"constant\"\nspeed = 2.4\n",
       free + "\"ramp\"\nfinal = 2.4\nduration = 500.0\n",
       free + "\"trapezoid\"\npeak = 3.0\nfinal = 2.0\nrise_until = 50.0\nhold_until = 400.0\nfall_until = 500.0\n",
+      free + "\"hill\"\nfinal = 2.4\nhalf_time = 50.0\nexponent = 3.0\nuntil = 400.0\n",
       free + "\"points\"\ntimes = [0.0, 10.0]\nspeeds = [1.0, 3.0]\n",
       motor + "stall = 0.1\nno_load_speed = 2.4\n",
       motor + "speeds = [0.0, 3.0]\nvalues = [0.1, 0.0]\n[speed.load]\nconstant = 0.001\nlinear = 0.001\nat = 2.0\n",

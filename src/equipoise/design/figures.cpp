@@ -174,7 +174,7 @@ DesignEstimate time_to_balance(const FigureSource& source, const StartArrays& st
 }
 
 double acceleration_of(const model::SpeedProfile& ramp) {
-  double most = 0.0;
+  double most = ramp.hill ? ramp.hill->steepest() : 0.0;
   for (std::size_t k = 1; k < ramp.times.size(); ++k)
     most = std::max(most, std::fabs(ramp.speeds[k] - ramp.speeds[k - 1]) / (ramp.times[k] - ramp.times[k - 1]));
   return most;

@@ -15,7 +15,8 @@ Drive prescribed_drive(const std::vector<Segment>& segments) {
                             .prescribed = true,
                             .psi = s.psi,
                             .speed = s.speed,
-                            .acceleration = s.acceleration});
+                            .acceleration = s.acceleration,
+                            .curve = s.curve});
     if (s.clamped) drive.release_time = s.end;
   }
   return drive;

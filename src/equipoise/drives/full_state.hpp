@@ -14,9 +14,12 @@ struct DrivePiece {
   double begin = 0.0, end = 0.0;
   bool prescribed = true;
   double psi = 0.0, speed = 0.0, acceleration = 0.0;  ///< if prescribed: psi, psi' at `begin`, and psi''
+  SpeedCurve curve{};                                 ///< if prescribed: as in Segment
   DriveSegment motor{};                               ///< if not
 
   bool driven() const { return !prescribed; }
+  /// If prescribed.
+  Segment motion(bool clamped) const { return {begin, end, psi, speed, acceleration, clamped, curve}; }
 };
 
 /// How a rotor is brought to speed and when it lets go of its balls.

@@ -8,10 +8,8 @@
 namespace equipoise {
 
 std::optional<double> last_time(const RampSetting& s) {
-  if (s.profile == Profile::ramp) return s.duration;
-  if (s.profile == Profile::trapezoid) return s.fall_until;
-  if (s.profile == Profile::points) return s.times.back();
-  return std::nullopt;
+  if (s.profile == Profile::constant || s.profile == Profile::torque) return std::nullopt;
+  return ramp_profile(s).settled_time();
 }
 
 void put_final_speed(Explanation& e) {

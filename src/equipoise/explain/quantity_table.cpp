@@ -99,6 +99,12 @@ class QuantityTable {
       add("Omega", "final " + name, s.speeds.back(), Dimension::speed);
       return add("t", "reached at", s.times.back(), Dimension::time);
     }
+    if (s.profile == Profile::hill) {
+      add("Omega", "final " + name, s.final, Dimension::speed);
+      add("t_half", "half of it at", s.half_time, Dimension::time);
+      add("n", "exponent of the Hill function", s.exponent, std::nullopt);
+      return add("T", "reached at", study_.speed_profile().settled_time(), Dimension::time);
+    }
     add("Omega_0", "initial " + name, s.initial, Dimension::speed);
     if (s.profile == Profile::trapezoid) {
       add("Omega_p", "highest " + name, s.peak, Dimension::speed);

@@ -1,5 +1,6 @@
 // Embedded files: the published tables ("published/table-1.csv"), the studies of their rows
-// ("studies/table-2-omega-2.4.toml") and the evidence on table 7.
+// ("studies/table-2-omega-2.4.toml"), the evidence on table 7, the studies of other publications
+// ("publications/mirkov-2026.toml").
 #pragma once
 
 #include "equipoise/base/embedded.hpp"

@@ -16,7 +16,7 @@ namespace kernels = HWY_NAMESPACE;
 
 kernels::RotorMotion<double> motion_at(const Segment& s, double t) {
   const double psi = s.psi_at(t);
-  return {s.speed_at(t), s.acceleration, std::sin(psi), std::cos(psi)};
+  return {s.speed_at(t), s.acceleration_at(t), std::sin(psi), std::cos(psi)};
 }
 
 Parameters with_inertia(Parameters p, double inertia) {

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/speed_curve-inl.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/system.hpp"
@@ -115,7 +116,7 @@ class RotorDrive {
  public:
   RotorDrive(const model::Parameters& p, const model::DrivePiece& piece, const model::StateLayout& layout, double begin,
              double psi)
-      : layout_(layout), turning_(model::depends_on_rotor_angle(p)), motor_(piece.motor) {
+      : layout_(layout), turning_(model::depends_on_rotor_angle(p)), motor_(piece.motor), curve_(piece.curve) {
     enter(piece, begin, psi);
   }
 
@@ -126,6 +127,7 @@ class RotorDrive {
     using D = RotorDrive;
     take_lane_of(*this, from, lane, &D::begin_, &D::psi_, &D::speed_, &D::acceleration_);
     motor_.take_lane(from.motor_, lane);
+    curve_.take_lane(from.curve_, lane);
   }
 
   bool driven() const { return driven_; }
@@ -135,9 +137,14 @@ class RotorDrive {
     const T elapsed = t - begin_;
     const T prescribed = speed_ + acceleration_ * elapsed;
     RotorMotion<T> rotor{layout_.speed < 0 ? prescribed : y[layout_.speed], acceleration_, T(0.0), T(1.0)};
+    if (curve_.present()) {
+      rotor.speed = rotor.speed + curve_.speed(elapsed);
+      rotor.acceleration = rotor.acceleration + curve_.acceleration(elapsed);
+    }
     if (!turning_) return rotor;
     const T mean = T(0.5) * (speed_ + prescribed);
-    const T angle = layout_.psi < 0 ? psi_ + mean * elapsed : y[layout_.psi];
+    T angle = layout_.psi < 0 ? psi_ + mean * elapsed : y[layout_.psi];
+    if (curve_.present() && layout_.psi < 0) angle = angle + curve_.angle(elapsed);
     sin_cos(angle, rotor.sin_psi, rotor.cos_psi);
     return rotor;
   }
@@ -158,6 +165,7 @@ class RotorDrive {
   void enter(const model::DrivePiece& piece, double begin, double psi) {
     driven_ = !piece.prescribed;
     motor_ = Motor(piece.motor);
+    curve_ = CurveMotion<T>(piece.curve);
     begin_ = T(begin);
     psi_ = T(psi);
     speed_ = T(piece.speed);
@@ -169,6 +177,7 @@ class RotorDrive {
   model::StateLayout layout_;
   bool turning_, driven_ = false;
   Motor motor_;
+  CurveMotion<T> curve_;
   T begin_, psi_, speed_, acceleration_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "equipoise/drives/speed.hpp"
 #include "equipoise/model/equations-inl.hpp"
+#include "equipoise/model/speed_curve-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -19,7 +20,7 @@ template <class T, Terms terms>
 class SegmentMotion {
  public:
   explicit SegmentMotion(const model::Segment& s)
-      : begin_(s.begin), psi_(s.psi), speed_(s.speed), acceleration_(s.acceleration) {}
+      : begin_(s.begin), psi_(s.psi), speed_(s.speed), acceleration_(s.acceleration), curve_(s.curve) {}
 
   HWY_INLINE RotorMotion<T> at(const T& t) const {
     RotorMotion<T> rotor;
@@ -27,12 +28,19 @@ class SegmentMotion {
     if constexpr (terms.acceleration) {
       rotor.speed = multiply_add(acceleration_, t - begin_, speed_);
       rotor.acceleration = acceleration_;
+      if (curve_.present()) {
+        rotor.speed = rotor.speed + curve_.speed(t - begin_);
+        rotor.acceleration = rotor.acceleration + curve_.acceleration(t - begin_);
+      }
     }
     if constexpr (terms.anisotropy || terms.gravity) {
       const T tau = t - begin_;
       T angle = speed_;
       if constexpr (terms.acceleration) angle = multiply_add(T(0.5) * acceleration_, tau, angle);
-      sin_cos(multiply_add(angle, tau, psi_), rotor.sin_psi, rotor.cos_psi);
+      angle = multiply_add(angle, tau, psi_);
+      if constexpr (terms.acceleration)
+        if (curve_.present()) angle = angle + curve_.angle(tau);
+      sin_cos(angle, rotor.sin_psi, rotor.cos_psi);
     }
     return rotor;
   }
@@ -40,10 +48,12 @@ class SegmentMotion {
   void take_lane(const SegmentMotion& from, int lane) {
     using M = SegmentMotion;
     take_lane_of(*this, from, lane, &M::begin_, &M::psi_, &M::speed_, &M::acceleration_);
+    curve_.take_lane(from.curve_, lane);
   }
 
  private:
   T begin_, psi_, speed_, acceleration_;
+  CurveMotion<T> curve_;
 };
 
 // Balls free. State: model/parameters.hpp.

@@ -17,6 +17,7 @@
 #include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
+#include "equipoise/words/paper.hpp"
 
 namespace equipoise {
 
@@ -107,7 +108,8 @@ std::vector<std::string> reproducible() {
 ReproduceOptions options_for(const std::vector<std::string>& what) {
   for (const std::string& w : what)
     if (const auto known = reproducible(); std::find(known.begin(), known.end(), w) == known.end())
-      throw InputError("reproduce", "", display_text(w), fmt::format("must be among {}", fmt::join(known, ", ")));
+      throw InputError("reproduce", "", display_text(w),
+                       fmt::format(words::paper::known_parts, fmt::join(known, ", ")));
   const auto asked = [&](const std::string& one, const std::string& group) {
     return what.empty() || std::any_of(what.begin(), what.end(),
                                        [&](const std::string& w) { return w == "all" || w == group || w == one; });

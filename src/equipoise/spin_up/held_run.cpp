@@ -97,10 +97,7 @@ class HeldFollower {
   const model::DrivePiece& piece() const { return drive_.pieces[piece_]; }
   const model::System& system() const { return systems_[piece_]; }
   model::StateLayout layout() const { return model::held_layout(system()); }
-  model::Segment segment() const {
-    const model::DrivePiece& d = piece();
-    return {d.begin, d.end, d.psi, d.speed, d.acceleration, true};
-  }
+  model::Segment segment() const { return piece().motion(true); }
   double speed(double t, const double* y) const {
     return piece().prescribed ? segment().speed_at(t) : y[layout().speed];
   }

@@ -33,6 +33,7 @@ const char* release_key(const Study& study) {
   const Profile profile = study.speed.profile;
   return profile == Profile::trapezoid ? "speed.rise_until"
          : profile == Profile::points  ? "speed.times"
+         : profile == Profile::hill    ? "speed.half_time"
                                        : "speed.duration";
 }
 

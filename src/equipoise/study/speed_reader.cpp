@@ -41,13 +41,18 @@ void read_ramp(TableReader& reader, const char* table, Study& study) {
   } else if (ramp.profile == Profile::points) {
     if (ramp.times.front() != 0.0) reader.fail("times", words::machine::first_time);
     check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
+  } else if (ramp.profile == Profile::hill) {
+    if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_hill);
+    if (ramp.until && *ramp.until < ramp.half_time)
+      reader.fail("until",
+                  fmt::format(words::machine::must_be_at_least, "half_time", reader.time_text(ramp.half_time)));
   }
 }
 
 void read_target(const Document& document, RampSetting& target) {
   TableReader reader(document, "speed.torque.target");
   Study study;
-  study.speed.profile = reader.choice<Profile>("profile", std::span(profile_names).first(ramp_functions));
+  study.speed.profile = reader.choice<Profile>("profile", std::span(profile_names).first(target_profiles));
   read_ramp(reader, "speed.torque.target", study);
   reader.finish();
   target = study.speed;

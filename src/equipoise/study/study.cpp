@@ -18,7 +18,30 @@ namespace equipoise {
 
 namespace {
 
-model::SpeedProfile profile_of(const RampSetting& speed) {
+// A Hill function never comes to its limit: from `until` on its tangent does.
+model::SpeedProfile hill_profile(const RampSetting& speed) {
+  constexpr double usual_share = 0.999;  // of the limit, at `until`
+  model::SpeedProfile profile;
+  const model::HillFunction hill{speed.final, speed.half_time, speed.exponent};
+  const double until =
+      speed.until.value_or(speed.half_time * std::pow(usual_share / (1.0 - usual_share), 1.0 / speed.exponent));
+  const double share = 1.0 / (1.0 + std::pow(speed.half_time / until, speed.exponent));
+  profile.times = {0.0, until, until + until / (speed.exponent * share)};
+  profile.speeds = {0.0, hill.speed(until), speed.final};
+  profile.hill = hill;
+  return profile;
+}
+
+// The speed above which supports isolate, or nearly the speed that the motor aims at, if that is lower.
+double usual_stall_speed(const Study& study) {
+  const auto aim = study.motor().final_speed();
+  return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);
+}
+
+}  // namespace
+
+model::SpeedProfile ramp_profile(const RampSetting& speed) {
+  if (speed.profile == Profile::hill) return hill_profile(speed);
   model::SpeedProfile profile;
   if (speed.profile == Profile::constant) {
     profile.speeds = {speed.speed};
@@ -35,20 +58,12 @@ model::SpeedProfile profile_of(const RampSetting& speed) {
   return profile;
 }
 
-// The speed above which supports isolate, or nearly the speed that the motor aims at, if that is lower.
-double usual_stall_speed(const Study& study) {
-  const auto aim = study.motor().final_speed();
-  return aim ? std::min(std::sqrt(2.0), 0.9 * std::fabs(*aim)) : std::sqrt(2.0);
-}
-
-}  // namespace
-
 model::SpeedProfile Study::speed_profile() const {
   model::SpeedProfile profile;
   if (speed.driven())
     profile.speeds = {motor().final_speed().value_or(speed.initial)};
   else
-    profile = profile_of(speed);
+    profile = ramp_profile(speed);
   profile.law = speed.law;
   profile.initial_angle = initial.psi;
   return profile;
@@ -96,7 +111,7 @@ model::MotorLaw Study::motor() const {
   law.gain = t.gain;
   law.integral = t.integral;
   law.limit = t.limit;
-  if (t.kind == model::MotorLaw::Kind::control) law.target = profile_of(t.target);
+  if (t.kind == model::MotorLaw::Kind::control) law.target = ramp_profile(t.target);
   return law;
 }
 

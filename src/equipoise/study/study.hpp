@@ -24,26 +24,32 @@ namespace model {
 class System;
 }
 
-/// What turns the rotor: a ramp function of one of four forms, or a motor.
-enum class Profile { constant, ramp, trapezoid, points, torque };
-/// In the order of the values; ramp functions first.
-inline constexpr std::array<const char*, 5> profile_names{"constant", "ramp", "trapezoid", "points", "torque"};
-inline constexpr std::size_t ramp_functions = 4;
+/// What turns the rotor: a ramp function of one of five forms, or a motor.
+enum class Profile { constant, ramp, trapezoid, points, hill, torque };
+/// In the order of the values; first those that a motor's target may have.
+inline constexpr std::array<const char*, 6> profile_names{"constant", "ramp", "trapezoid", "points", "hill", "torque"};
+inline constexpr std::size_t target_profiles = 4;
 
 /// [speed], or the target of a speed control, which cannot be a motor.
 struct RampSetting {
   Profile profile = Profile::constant;
-  double speed = 0.0;          ///< constant
-  double initial = 0.0;        ///< ramp, trapezoid; torque: psi' at t = 0
-  double final = 0.0;          ///< ramp, trapezoid
-  double duration = 0.0;       ///< ramp: T0, > 0
-  double peak = 0.0;           ///< trapezoid
-  double rise_until = 0.0;     ///< trapezoid: T0
-  double hold_until = 0.0;     ///< trapezoid: T1
-  double fall_until = 0.0;     ///< trapezoid: T2
-  std::vector<double> times;   ///< points
-  std::vector<double> speeds;  ///< points
+  double speed = 0.0;           ///< constant
+  double initial = 0.0;         ///< ramp, trapezoid; torque: psi' at t = 0
+  double final = 0.0;           ///< ramp, trapezoid; hill: Omega_max
+  double duration = 0.0;        ///< ramp: T0, > 0
+  double peak = 0.0;            ///< trapezoid
+  double rise_until = 0.0;      ///< trapezoid: T0
+  double hold_until = 0.0;      ///< trapezoid: T1
+  double fall_until = 0.0;      ///< trapezoid: T2
+  double half_time = 0.0;       ///< hill: t_half, > 0
+  double exponent = 0.0;        ///< hill: n >= 1
+  std::optional<double> until;  ///< hill: from then on the speed goes along its tangent to `final`
+  std::vector<double> times;    ///< points
+  std::vector<double> speeds;   ///< points
 };
+
+/// The ramp function of a profile that is no motor's.
+model::SpeedProfile ramp_profile(const RampSetting& speed);
 
 /// speed.torque: the motor of a driven rotor, as in model::MotorLaw, by the keys that were given.
 struct TorqueSetting {

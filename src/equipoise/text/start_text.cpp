@@ -17,6 +17,7 @@ namespace {
 
 const char* held_by_default(Profile profile) {
   if (profile == Profile::trapezoid) return words::text::end_of_the_rise;
+  if (profile == Profile::hill) return words::text::end_of_the_run_up;
   return profile == Profile::points ? words::text::last_point_of_speed : words::text::end_of_the_ramp;
 }
 

@@ -87,10 +87,9 @@ struct StudyEquations::State {
   // The state in the full layout of `machine`.
   template <class T>
   void whole(std::size_t piece, double t, const T* y, T* z) const {
-    const model::DrivePiece& p = drive_at(piece);
-    const double elapsed = t - p.begin;
-    z[machine.psi] = T(p.psi + (p.speed + 0.5 * p.acceleration * elapsed) * elapsed);
-    z[machine.speed] = T(p.speed + p.acceleration * elapsed);
+    const model::Segment now = drive_at(piece).motion(false);
+    z[machine.psi] = T(now.psi_at(t));
+    z[machine.speed] = T(now.speed_at(t));
     z[machine.error] = T(0.0);
     model::copy_state(own, y, machine, z);
   }
@@ -200,8 +199,8 @@ void StudyEquations::jacobian(std::size_t piece, double t, const double* y, doub
 void StudyEquations::cross(std::size_t piece, double* y) const {
   if (study().speed.driven() || piece + 1 >= pieces().size()) return;
   const model::DrivePiece &before = state_->drive_at(piece), &after = state_->drive_at(piece + 1);
-  const double now = before.speed + before.acceleration * (pieces()[piece].end - before.begin);
-  const double then = after.speed + after.acceleration * (pieces()[piece].end - after.begin);
+  const double end = pieces()[piece].end, now = before.motion(false).speed_at(end);
+  const double then = after.motion(false).speed_at(end);
   model::apply_speed_jump(then - now, y);
 }
 
@@ -247,7 +246,7 @@ std::vector<double> StudyEquations::state(std::size_t piece, double t, const Mot
   z[state_->machine.speed] = motion.psi_dot;
   z[state_->machine.error] = motion.speed_error_integral;
   const model::DrivePiece& p = state_->drive_at(piece);
-  const double speed_now = p.driven() ? motion.psi_dot : p.speed + p.acceleration * (t - p.begin);
+  const double speed_now = p.driven() ? motion.psi_dot : p.motion(false).speed_at(t);
   equipoise::initial_state(motion, n, speed_now, z);
   if (pieces()[piece].held)
     for (int i = 0; i < n; ++i) z[model::index::q(i, n)] = 0.0;

@@ -35,6 +35,7 @@ class WatchedRotor {
         speed_(segment.speed),
         acceleration_(segment.acceleration),
         begin_(segment.begin),
+        curve_(segment.curve),
         rotor_(of_rotor(p)),
         turns_(model::depends_on_rotor_angle(p)),
         held_(task.held),
@@ -53,6 +54,7 @@ class WatchedRotor {
     turning_.take_lane(from.turning_, lane);
     motion_.take_lane(from.motion_, lane);
     energy_.take_lane(from.energy_, lane);
+    curve_.take_lane(from.curve_, lane);
     if (motor_) motor_->take_lane(*from.motor_, lane);
     take_lane_of(*this, from, lane, &W::speed_, &W::acceleration_, &W::begin_, &W::rotor_, &W::mass_, &W::sag_);
   }
@@ -96,6 +98,7 @@ class WatchedRotor {
     if (turns_ && psi_place_ < 0) return motion_.at(t);
     if (turns_) sin_cos(z[psi_place_], rotor.sin_psi, rotor.cos_psi);
     rotor.speed = speed_place_ < 0 ? multiply_add(acceleration_, t - begin_, speed_) : z[speed_place_];
+    if (speed_place_ < 0 && curve_.present()) rotor.speed = rotor.speed + curve_.speed(t - begin_);
     return rotor;
   }
 
@@ -107,6 +110,7 @@ class WatchedRotor {
   RotorEnergy<Pack> energy_;
   std::optional<RotorDrive<Pack>> motor_;
   Pack speed_, acceleration_, begin_;  // of the segment
+  CurveMotion<Pack> curve_;
   Vector2<Pack> rotor_;
   Pack mass_[model::max_balls];
   bool turns_, held_;

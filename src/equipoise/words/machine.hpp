@@ -85,6 +85,8 @@ inline constexpr char out_of_order[] = "{} out of order: entry {} must be greate
 inline constexpr char one_entry_each[] = "has {} entries; must have one per {}, {}";
 // The key before, its value.
 inline constexpr char must_be_greater_than[] = "must be greater than {}, {}";
+inline constexpr char must_be_at_least[] = "must be at least {}, {}";
+inline constexpr char law_of_hill[] = "must be \"kinematic\": the rotor turns at the speed that a Hill function states";
 inline constexpr char first_time[] = "the first time must be 0";
 
 // Motor: torque and load.

@@ -100,6 +100,7 @@ inline constexpr char partial_rows[] = ". PARTIAL: stopped before all rows were 
 inline constexpr char end_of_the_rise[] = "the end of the rise";
 inline constexpr char last_point_of_speed[] = "the last point of the speed";
 inline constexpr char end_of_the_ramp[] = "the end of the ramp";
+inline constexpr char end_of_the_run_up[] = "the end of the run-up";
 inline constexpr char held_until_speed[] = "balls held until the rotor comes to ";
 inline constexpr char held_until_time[] = "balls held until t = ";
 inline constexpr char at_speed[] = ", at speed ";
@@ -128,6 +129,9 @@ inline constexpr char constant_speed[] = "constant speed {}";
 inline constexpr char ramp[] = "ramp {} to {} in {}";
 // First speed, highest, by when, held to, last speed, by when.
 inline constexpr char trapezoid[] = "trapezoid {} to {} by {}, held to {}, to {} by {}";
+// Last speed, half time, exponent, until when, when it is reached.
+inline constexpr char hill[] =
+    "run-up to {} by a Hill function, half of it at {}, exponent {:.6g}, to {}; reached at {}";
 // Points, last speed, its time.
 inline constexpr char speed_points[] = "{} speed points to {} at {}";
 inline constexpr char published_law[] = "; PUBLISHED speed law, psi = t Omega(t)";

@@ -77,6 +77,7 @@ export function speedTable(profile: string, check: StudyCheck): string {
     ramp: `final = ${speed(1)}, duration = ${time(300)}`,
     trapezoid: `peak = ${speed(1.3)}, final = ${speed(1)}, rise_until = ${time(100)}, hold_until = ${time(300)}, fall_until = ${time(400)}`,
     points: `times = [${time(0)}, ${time(300)}], speeds = [${speed(0)}, ${speed(1)}]`,
+    hill: `final = ${speed(1)}, half_time = ${time(100)}, exponent = 3`,
     torque: check.physical
       ? `torque = { stall = "1 N m", no_load_speed = ${speed(1.1)} }`
       : `torque = { stall = 0.1, no_load_speed = ${speed(1.1)} }`,

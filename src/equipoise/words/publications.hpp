@@ -1,0 +1,32 @@
+// Other groups' publications, their numbers computed again.
+#pragma once
+
+namespace equipoise::words::publications {
+
+inline constexpr char lost_on_the_way[] = "a trajectory of this publication's study could not be followed";
+inline constexpr char no_balance[] = "the balls of this publication's study cannot balance it";
+inline constexpr char unknown[] = "must be one of {}; separate several by commas";
+
+// Heading of the list: what can be named.
+inline constexpr char list_heading[] =
+    "Wright and Peng 2019, the paper of this model (`equipoise reproduce` alone is all of it):\n  {}\n\n"
+    "Other publications (`publications` is all of them):\n";
+inline constexpr char list_line[] = "  {:<16}{}\n  {:<16}{} of {} numbers can be computed here\n";
+
+// Title of the page, and how to read it.
+inline constexpr char page_title[] = "Other publications, computed again";
+inline constexpr char page_note[] =
+    "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half "
+    "a unit "
+    "of the last printed digit, the error of reading a plot, or nothing where a formula gives the number. An error "
+    "here "
+    "is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of a "
+    "search.";
+// Agree, all judged, differ, explained, not computed.
+inline constexpr char tally[] =
+    "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
+inline constexpr char seen[] = "Read: {}";
+inline constexpr char made_by[] = "Made by `{}` of equipoise {}.";
+inline constexpr char study_file[] = "Study: {}";
+
+}  // namespace equipoise::words::publications
