@@ -54,6 +54,10 @@ list(JOIN kept "|" kept)
 # version. Here it is always compiled, and always HWY_SCALAR.
 set(equipoise_kernel_definitions HWY_COMPILE_ALL_ATTAINABLE HWY_BROKEN_EMU128=1 "HWY_DISABLED_TARGETS=(~(${kept}))")
 
+# Everything else is portable code too, called from anywhere: a compiler that may use NEON or SSE2 everywhere does not have
+# Highway turn to them there.
+set(equipoise_portable_definitions HWY_BASELINE_TARGETS=HWY_SCALAR)
+
 # Fused multiply-adds beyond those that are written: compilers choose differently which of two products they fuse. GCC on
 # x86 may (its results are on record); elsewhere the source alone decides, so that compilers and processors agree.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")

@@ -37,7 +37,7 @@ struct Mask {
 struct Pack {
   hn::Vec<PackTag> v;
 
-  HWY_INLINE Pack() = default;
+  Pack() = default;
   HWY_INLINE Pack(double s) : v(hn::Set(PackTag(), s)) {}
   HWY_INLINE explicit Pack(hn::Vec<PackTag> w) : v(w) {}
 
