@@ -26,7 +26,7 @@ inline constexpr char page_note[] =
 inline constexpr char tally[] =
     "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
 inline constexpr char seen[] = "Read: {}";
-inline constexpr char made_by[] = "Made by `{}` of equipoise {}.";
+inline constexpr char made_by[] = "Made by `{}`.";
 inline constexpr char study_file[] = "Study: {}";
 
 }  // namespace equipoise::words::publications
