@@ -9,7 +9,8 @@ equipoise_test(statistics_test unit unit/statistics_test.cpp unit/standards_test
   unit/sobol_indices_test.cpp)
 equipoise_test(sampling_test unit unit/random_test.cpp unit/sampling_test.cpp unit/even_share_test.cpp
   unit/search_log_test.cpp unit/stopped_following_test.cpp unit/stopped_spin_up_test.cpp)
-equipoise_test(reproduction_test unit unit/balanced_text_test.cpp unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper)
+equipoise_test(reproduction_test unit unit/balanced_text_test.cpp unit/document_test.cpp unit/published_tables_test.cpp LIBRARIES equipoise_paper nlohmann_json::nlohmann_json)
+equipoise_test(publications_test literature literature/publications_test.cpp literature/reversed_sign_test.cpp LIBRARIES equipoise_paper)
 equipoise_test(store_test unit unit/netcdf_threads_test.cpp unit/store_test.cpp)
 equipoise_test(report_test unit unit/report_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(answer_test unit unit/answer_test.cpp unit/cell_answer_test.cpp)
@@ -52,6 +53,7 @@ equipoise_test(verdict_test equivalence equivalence/verdict_test.cpp equivalence
   equivalence/capacity_goals_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(without_balls_test equivalence equivalence/without_balls_test.cpp unit/limits_kept_test.cpp
   unit/no_balls_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(hill_spin_up_test equivalence equivalence/hill_spin_up_test.cpp)
 equipoise_test(drive_work_test equivalence equivalence/drive_work_test.cpp)
 equipoise_test(table_7_test equivalence equivalence/table_7_test.cpp literature/table_7_protocol.cpp LIBRARIES equipoise_paper)
 if(EQUIPOISE_SANITIZE)  # instrumented kernels run at a hundredth of the speed

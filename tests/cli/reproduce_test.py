@@ -177,5 +177,32 @@ class Refusals(Case):
                      words=["table-7-t0-100-t1-300", "something other"])
 
 
+class OtherPublications(Case):
+    def test_are_listed(self):
+        done = run("reproduce", "--list")
+        self.assertEqual(done.returncode, 0)
+        for name in ("table-7", "jeffcott-1919", "rodrigues-2008", "mirkov-2026"):
+            self.assertIn(name, done.stdout)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
+
+    def test_are_judged_by_a_list_of_names(self):
+        done = run("reproduce", "jeffcott-1919,rodrigues-enoc", "sommerfeld-1902", "--quiet")
+        self.assertEqual(done.returncode, 0)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
+        self.assertIn("11 of 11 numbers agree, 0 differ", done.stdout)
+        data = json.loads(run("reproduce", "sommerfeld-1902", "--json", "--quiet").stdout)
+        self.assertFalse(data["differs"])
+        (publication,) = data["publications"]
+        for row in publication["rows"]:
+            away = abs(row["published"]["value"] - row["computed"]["value"])
+            self.assertEqual(row["verdict"], "agrees")
+            self.assertLessEqual(away, row["published"]["error"] + row["computed"]["error"])
+
+    def test_refuse_what_belongs_to_the_paper(self):
+        self.refused("reproduce", "jeffcott-1919", "table-1", "--quiet", words=["parts of Wright and Peng"])
+        self.refused("reproduce", "jeffcott-1919", "--starts", "4", "--quiet", words=["Wright and Peng alone"])
+        self.refused("reproduce", "nobody-1900", "--quiet", words=["--list"])
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=2)

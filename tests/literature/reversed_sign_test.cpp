@@ -12,6 +12,7 @@
 
 #include "equipoise/publications/measures.hpp"
 #include "equipoise/publications/publication.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 
 namespace {
 
@@ -161,6 +162,20 @@ TEST(ReversedSign, MakesEnergyThatNothingSupplies) {
   EXPECT_NEAR(energy_made(m, 1.0), 1.361, 1e-3);
   m.coupling = Coupling::right;
   EXPECT_NEAR(energy_made(m, 1.0), 0.0, 1e-10);
+}
+
+// What the mapping of symbols says: with the right sign these are the program's equations.
+TEST(ReversedSign, IsAllThatDiffersFromTheProgram) {
+  const equipoise::Publication& mirkov = *equipoise::find_publication("mirkov-2026");
+  equipoise::Study study = study_of(mirkov, mirkov.rows.front());
+  study.initial.phi = {0.3, 2.5};
+  const Machine m;
+  const Turning z = advanced(start(0.3, 2.5), 5.0, 1e-3, [&](const Turning& at) { return flow(m, 12.0, at); });
+  const equipoise::Trajectory ours = equipoise::simulate(study, {5.0 * study.scales->frequency});
+  EXPECT_NEAR(ours.x.back() * m.race, z[0], 1e-12);
+  EXPECT_NEAR(ours.y.back() * m.race, z[1], 1e-12);
+  EXPECT_NEAR(ours.phi[0].back(), z[4], 1e-9);
+  EXPECT_NEAR(ours.phi[1].back(), z[5], 1e-9);
 }
 
 TEST(ReversedSign, TurnsTheRatesNearBalanceRound) {

@@ -300,6 +300,15 @@ TEST(StudyHeading, SaysHowLongBallsAreHeld) {
       << heading_of(machine, {seconds, "release.speed=1000 rpm"});
 }
 
+TEST(StudyHeading, TellsOfARunUpByAHillFunction) {
+  const std::string hill = "speed={profile='hill', final=3.0, half_time=20.0, exponent=3.0, until=60.0}";
+  const std::string heading = heading_of(constant_speed, {hill});
+  EXPECT_TRUE(holds(heading, "run-up to 3 by a Hill function, half of it at 20, exponent 3; kinematic")) << heading;
+  // The tangent at 60: 27/28 of the limit, and 9/28 of that in 60 more.
+  EXPECT_TRUE(holds(heading, "\nballs held until t = 80.7407, the end of the run-up\n")) << heading;
+  EXPECT_FALSE(holds(heading_of(constant_speed, {}), "Hill"));
+}
+
 TEST(StartText, NamesWhatIsDrawnInsteadOfWhatTheStudyStates) {
   const auto drawn = [](const std::vector<std::string>& overrides) {
     return uncertain_text(parse_study(constant_speed, "rotor", overrides));

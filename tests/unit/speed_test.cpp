@@ -207,10 +207,11 @@ TEST(HillFunction, IsFollowedByTheSegments) {
             const double t = s.begin + part * (s.end - s.begin), x = std::pow(t / 200.0, n);
             EXPECT_NEAR(s.speed_at(t), omega_at(t), allowed) << n << " at " << t;
             // A polynomial's slope is less exact than itself by the square of its degree over its length.
-            if (t > 0.0)
+            if (t > 0.0) {
               EXPECT_NEAR(s.acceleration_at(t), limit * n * x / (t * (1.0 + x) * (1.0 + x)),
                           225.0 * allowed / (s.end - s.begin))
                   << n << " at " << t;
+            }
           }
           psi += Quadrature::integrate(omega_at, s.begin, s.end, 3, 1e-14);
           EXPECT_NEAR(s.psi_at(s.end), psi, 1e-12 * (1.0 + std::fabs(psi)));

@@ -31,8 +31,8 @@ struct SpeedProfile {
   std::vector<double> times{0.0};   ///< strictly increasing, first 0
   std::vector<double> speeds{0.0};  ///< in units of the critical speed
   SpeedLaw law = SpeedLaw::kinematic;
-  double initial_angle = 0.0;        ///< psi(0)
-  std::optional<HillFunction> hill;  ///< what the speed follows up to times[1], instead of a line; kinematic law
+  double initial_angle = 0.0;          ///< psi(0)
+  std::optional<HillFunction> hill{};  ///< what the speed follows up to times[1], instead of a line; kinematic law
 
   double ramp_function(double t) const;
   double final_speed() const { return speeds.back(); }

@@ -138,7 +138,7 @@ class RotorDrive {
     const T prescribed = speed_ + acceleration_ * elapsed;
     RotorMotion<T> rotor{layout_.speed < 0 ? prescribed : y[layout_.speed], acceleration_, T(0.0), T(1.0)};
     if (curve_.present()) {
-      rotor.speed = rotor.speed + curve_.speed(elapsed);
+      if (layout_.speed < 0) rotor.speed = rotor.speed + curve_.speed(elapsed);
       rotor.acceleration = rotor.acceleration + curve_.acceleration(elapsed);
     }
     if (!turning_) return rotor;

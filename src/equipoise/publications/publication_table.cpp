@@ -46,20 +46,20 @@ std::vector<PublicationRow> figure_11() {
        nullptr,
        "balance breaks up by a conical motion, which grows from rounding: needs a rotor that tilts"},
       {"fig. 11 (iii)",
-       "highest deflection from t = 500 to 550",
+       "highest deflection from t = 750 to 800",
        "",
        plot,
        {0.0, 0.001},
        third,
-       [](const Study& s, const RunOptions&) { return highest(s, 500.0, 550.0); }},
+       [](const Study& s, const RunOptions&) { return highest(s, 750.0, 800.0); }},
       {"fig. 11 (iii)", "deflection without balls", "", plot, {0.0107, 0.001}, third, alone},
       {"fig. 11 (iv)",
-       "highest deflection of an irregular motion to t = 550",
+       "highest deflection of an irregular motion to t = 800",
        "",
        plot,
        {0.39, 0.01},
        fourth,
-       [](const Study& s, const RunOptions&) { return highest_of_irregular(s, 0.0, 550.0); }},
+       [](const Study& s, const RunOptions&) { return highest_of_irregular(s, 0.0, 800.0); }},
       {"fig. 11 (iv)", "deflection without balls", "", plot, {0.045, 0.001}, fourth, alone},
   };
 }
@@ -69,7 +69,7 @@ Publication jeffcott() {
                 "Jeffcott's rotor",
                 "H. H. Jeffcott. The lateral vibration of loaded shafts in the neighbourhood of a whirling speed. "
                 "Philosophical Magazine (6) 37 (1919), 304-314",
-                "not read; its formula is in every textbook: r = lambda Omega^2/|kappa - Omega^2 + i zeta Omega|",
+                "nothing; the formula is in every textbook: r = lambda Omega^2/|kappa - Omega^2 + i zeta Omega|",
                 "jeffcott-1919",
                 {{"eccentricity e, stiffness k, damping c, mass M",
                   "rotor.eccentricity, units in which k = M = 1, rotor.damping = c/sqrt(k M)"},
@@ -94,7 +94,8 @@ Publication sommerfeld() {
       "Sommerfeld's effect",
       "A. Sommerfeld. Beitraege zum dynamischen Ausbau der Festigkeitslehre. Zeitschrift des Vereins deutscher "
       "Ingenieure 46 (1902), 391-394; V. O. Kononenko. Vibrating Systems with a Limited Power Supply. Iliffe (1969)",
-      "neither; the balance of torques of a rotor that circles evenly: tau(w) = zeta w r(w)^2, with Jeffcott's r",
+      "neither of them; the balance of torques of a rotor that circles evenly: tau(w) = zeta w r(w)^2, with Jeffcott's "
+      "r",
       "sommerfeld-1902",
       {{"motor's torque L(w)", "speed.torque: stall - stall w/no_load_speed"}, {"vibration torque", "zeta w r^2"}},
       {{"balance of torques",
@@ -296,7 +297,7 @@ Publication mirkov() {
   const auto share = [](const Study& s, const RunOptions& o) { return balanced_percent(s, o); };
   const auto fate = [&](const char* quantity, double percent, std::vector<std::string> settings) {
     constexpr double wilson = 6.1;  // 95 % of 60 pairs that all go one way
-    return PublicationRow{"default pair of balls", quantity, "%",     code, {percent, wilson},
+    return PublicationRow{"random pairs of balls", quantity, "%",     code, {percent, wilson},
                           std::move(settings),     share,    reversed};
   };
   const std::vector<std::string> thin{"balancer.drag=0.0001 N m s"};

@@ -23,7 +23,7 @@ std::string name_of_source(KnownBy known_by) { return known_by_names[static_cast
 
 std::string with_error(const Estimate& e, const char* unit) {
   std::string text = fmt::format("{:.5g}", e.value);
-  if (e.error > 0.0) text += fmt::format(" ± {:.1g}", e.error);
+  if (e.error > 0.0) text += e.error < 1.0 ? fmt::format(" ± {:.1g}", e.error) : fmt::format(" ± {:.2g}", e.error);
   return *unit ? text + " " + unit : text;
 }
 
@@ -49,9 +49,11 @@ std::string settings_text(const PublicationRow& row) { return fmt::format("{}", 
 
 std::string row_text(const JudgedRow& r) {
   const PublicationRow& row = *r.row;
-  std::string text = filled(fmt::format("{}: {}", row.place, row.quantity), 2);
+  std::string heading = fmt::format("{}: {}", row.place, row.quantity);
+  if (!row.settings.empty()) heading += " (" + settings_text(row) + ")";
+  std::string text = filled(heading, 2);
   const bool computed = r.verdict != RowVerdict::not_computed;
-  text += fmt::format("    {:<9}{:<28}{:<5}{:<22}{}\n", name_of_source(row.known_by), with_error(r.published, row.unit),
+  text += fmt::format("    {:<9}{:<23}{:<5}{:<23}{}\n", name_of_source(row.known_by), with_error(r.published, row.unit),
                       computed ? "here" : "", computed ? with_error(r.computed, row.unit) : "", name_of(r.verdict));
   if (r.verdict == RowVerdict::explained || !computed) text += filled(row.reason, 6);
   return text;
@@ -187,13 +189,13 @@ Document publications_document(const JudgedPublications& r) {
       d.blocks.push_back(Paragraph{fmt::format(words::publications::study_file,
                                                fmt::format("studies/publications/{}.toml", p.publication->study))});
   }
-  d.blocks.push_back(Paragraph{fmt::format(words::publications::made_by, r.command, version_string)});
+  d.blocks.push_back(Paragraph{fmt::format(words::publications::made_by, r.command)});
   return d;
 }
 
 std::string publications_list(const std::vector<std::string>& parts) {
   std::string text =
-      fmt::format(words::publications::list_heading, filled(fmt::format("{}", fmt::join(parts, ", ")), 2).substr(2));
+      fmt::format(words::publications::list_heading, filled(fmt::format("{}", fmt::join(parts, ", ")), 2));
   for (const Publication& p : publications()) {
     const auto computed = std::count_if(p.rows.begin(), p.rows.end(), [](const auto& row) { return row.computed; });
     text += fmt::format(words::publications::list_line, p.name, p.title, "", computed, p.rows.size());

@@ -111,8 +111,7 @@ std::string speed_text(const Study& study) {
     text = fmt::format(words::text::trapezoid, speed(s.initial), speed(s.peak), time(s.rise_until), time(s.hold_until),
                        speed(s.final), time(s.fall_until));
   else if (s.profile == Profile::hill)
-    text = fmt::format(words::text::hill, speed(s.final), time(s.half_time), s.exponent,
-                       time(study.speed_profile().times[1]), time(study.speed_profile().settled_time()));
+    text = fmt::format(words::text::hill, speed(s.final), time(s.half_time), s.exponent);
   else
     text = fmt::format(words::text::speed_points, s.times.size(), speed(s.speeds.back()), time(s.times.back()));
   if (s.profile != Profile::constant && !s.driven())

@@ -9,8 +9,8 @@ inline constexpr char unknown[] = "must be one of {}; separate several by commas
 
 // Heading of the list: what can be named.
 inline constexpr char list_heading[] =
-    "Wright and Peng 2019, the paper of this model (`equipoise reproduce` alone is all of it):\n  {}\n\n"
-    "Other publications (`publications` is all of them):\n";
+    "Wright and Peng 2019, the paper of this model; all of it if nothing is named:\n{}\n"
+    "Other publications; `publications` is all of them:\n";
 inline constexpr char list_line[] = "  {:<16}{}\n  {:<16}{} of {} numbers can be computed here\n";
 
 // Title of the page, and how to read it.
@@ -26,7 +26,7 @@ inline constexpr char page_note[] =
 inline constexpr char tally[] =
     "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
 inline constexpr char seen[] = "Read: {}";
-inline constexpr char made_by[] = "Made by `{}` of equipoise {}.";
+inline constexpr char made_by[] = "Made by `{}`.";
 inline constexpr char study_file[] = "Study: {}";
 
 }  // namespace equipoise::words::publications

@@ -129,9 +129,8 @@ inline constexpr char constant_speed[] = "constant speed {}";
 inline constexpr char ramp[] = "ramp {} to {} in {}";
 // First speed, highest, by when, held to, last speed, by when.
 inline constexpr char trapezoid[] = "trapezoid {} to {} by {}, held to {}, to {} by {}";
-// Last speed, half time, exponent, until when, when it is reached.
-inline constexpr char hill[] =
-    "run-up to {} by a Hill function, half of it at {}, exponent {:.6g}, to {}; reached at {}";
+// Last speed, half time, exponent.
+inline constexpr char hill[] = "run-up to {} by a Hill function, half of it at {}, exponent {:.6g}";
 // Points, last speed, its time.
 inline constexpr char speed_points[] = "{} speed points to {} at {}";
 inline constexpr char published_law[] = "; PUBLISHED speed law, psi = t Omega(t)";
