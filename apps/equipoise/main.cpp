@@ -97,6 +97,7 @@ int run(int given, char** arguments) {
   add("reproduce", help::reproduce::about, add_reproduce);
   add("simulate", help::simulate::about, add_simulate);
   add("stability", help::stability::about, add_stability);
+  add("chart", help::chart::about, add_chart);
   add("sweep", help::sweep::about, add_sweep);
   std::vector<char*> words = words_of(app, given, arguments);
   const int argc = static_cast<int>(words.size());

@@ -184,13 +184,17 @@ std::string stability_answer(const StabilityPlane& plane) {
   return text;
 }
 
-std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
-  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
+std::string plane_heading(const StabilityPlane& plane) {
   std::string heading = study_heading(plane.study);
   for (const auto& [letter, axis] : {std::pair{"x", &plane.x}, {"y", &plane.y}})
     heading += fmt::format(words::stability::axis, letter, axis->key, parameter_text(plane.study, axis->key, axis->low),
                            parameter_text(plane.study, axis->key, axis->high), axis->pixels);
-  text += lines_filled(heading, style) + "\n";
+  return heading;
+}
+
+std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
+  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
+  text += lines_filled(plane_heading(plane), style) + "\n";
   DocumentTable table{
       {words::stability::what_balance_is, "points", words::stability::of_the_plane, words::stability::slowest_decay},
       {},
