@@ -15,6 +15,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr std::size_t most_places = 20000;
+constexpr double nearly_there = 1e-5;  // from an edge: ten of the differences by which slopes are taken
 
 bool is_inside(const VectorXd& at) { return at.minCoeff() >= 0.0 && at.maxCoeff() <= 1.0; }
 
@@ -174,6 +175,10 @@ BalanceCurve::Way BalanceCurve::way(const CurvePlace& from, const VectorXd& towa
   while (way.places.size() < most_places && !is_set(stop)) {
     const auto next = follower_.next(here, step);
     if (!next) {
+      if (!is_inside(here.point + nearly_there * here.tangent)) {  // nothing is defined beyond the plane's edge
+        way.end = CurveEnd::plane;
+        return way;
+      }
       way.end = kind_ == CurveKind::existence ? CurveEnd::lost : reason_beyond(here, step);
       const auto end =
           way.end == CurveEnd::no_balance && kind_ == CurveKind::hopf ? at_balance_end(last) : std::nullopt;
