@@ -292,6 +292,7 @@ TEST(Chart, TheLineWhereBalanceEndsIsWhereTheBallsJustReach) {
     if (p.kind == SpecialKind::zero_hopf) {
       ++met;
       EXPECT_NEAR(p.y, 0.1, 1e-11);
+      EXPECT_GT(p.frequency, 0.1);
       // Close to it the pair hardly grows, and a real eigenvalue is small.
       Study study = chart_rotor(p.x, 0.05);
       study.parameters.eccentricity = 0.1 * (1.0 - 1e-8);
@@ -299,6 +300,11 @@ TEST(Chart, TheLineWhereBalanceEndsIsWhereTheBallsJustReach) {
       EXPECT_NEAR(nearest_pair(spectrum->rates, {0.0, p.frequency * p.frequency, {}})->mean, 0.0, 1e-4);
     }
   EXPECT_GE(met, 1);
+  // At the critical speed of the rotor with its balls, 1/sqrt(1.1), the frequency is 0 where balance ends.
+  EXPECT_TRUE(std::any_of(chart.specials.begin(), chart.specials.end(), [](const SpecialPoint& p) {
+    return p.kind == SpecialKind::bogdanov_takens && std::fabs(p.x - 1.0 / std::sqrt(1.1)) < 1e-6 &&
+           std::fabs(p.y - 0.1) < 1e-9;
+  }));
   EXPECT_TRUE(holds(chart_answer(chart), "all balls stand in line"));
   EXPECT_FALSE(holds(chart_answer(wide_chart()), "all balls stand in line"));
 }
@@ -412,6 +418,15 @@ TEST(Chart, SaysWhyNothingIsProved) {
   by_unbalance.y.key = "rotor.eccentricity";
   EXPECT_TRUE(holds(chart_text(bifurcation_chart(machine, by_unbalance)), "Nothing is proved") ||
               !bifurcation_chart(machine, by_unbalance).boxes.empty());
+}
+
+TEST(Chart, SaysWhetherMoreBoxesWouldDecideMore) {
+  const auto text = [](std::uint64_t boxes) {
+    return chart_text(bifurcation_chart(chart_rotor(2.4, 0.05), over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, boxes)));
+  };
+  EXPECT_TRUE(holds(text(50), "More boxes"));
+  EXPECT_FALSE(holds(text(100000), "More boxes"));
+  EXPECT_FALSE(holds(text(0), "More boxes"));
 }
 
 TEST(Chart, RotorsWithoutCurvesAreRefused) {

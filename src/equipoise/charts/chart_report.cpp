@@ -75,7 +75,7 @@ std::string proof_sentence(const BifurcationChart& chart) {
                      fmt::format("{:.2f} %", std::ceil(1e4 * open) / 100.0));
 }
 
-std::string place_text(double x, double y) { return fmt::format("{:.5g}, {:.5g}", x, y); }
+std::string place_text(double x, double y) { return fmt::format("{:.4g}, {:.4g}", x, y); }
 
 const char* curve_words(CurveKind kind) {
   return kind == CurveKind::hopf   ? words::chart::is_hopf
@@ -117,7 +117,8 @@ const char* special_words(SpecialKind kind) {
 
 std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
   namespace w = words::chart;
-  DocumentTable table{{w::curve, w::what_crosses, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {}};
+  DocumentTable table{
+      {w::curve, w::what_crosses, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {4, 3}};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const ChartCurve& c = chart.curves[k];
     const CurvePoint &a = c.points.front(), &b = c.points.back();
@@ -129,11 +130,12 @@ std::string curves_table(const BifurcationChart& chart, const TextStyle& style) 
 
 std::string specials_table(const BifurcationChart& chart, const TextStyle& style) {
   namespace w = words::chart;
-  DocumentTable table{{w::curve, w::place, w::frequency, w::meaning}, {}, "", false, {}};
+  DocumentTable table{{w::place, w::meaning, w::frequency, w::curve}, {}, "", false, {3, 2}};
   for (const SpecialPoint& p : chart.specials) {
     const std::string second = p.second > 0.0 ? fmt::format(", {:.3g}", p.second) : "";
-    table.rows.push_back(row_of("nttt", {fmt::format("{}", p.curve + 1), place_text(p.x, p.y),
-                                         fmt::format("{:.3g}{}", p.frequency, second), special_words(p.kind)}));
+    table.rows.push_back(
+        row_of("tttn", {place_text(p.x, p.y), special_words(p.kind), fmt::format("{:.3g}{}", p.frequency, second),
+                        fmt::format("{}", p.curve + 1)}));
   }
   return table_text(table, style);
 }
@@ -150,6 +152,8 @@ std::string chart_notes(const BifurcationChart& chart) {
   }
   if (chart.study.parameters.balls_collide()) text += words::chart::contact_bound;
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
+  if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
+    text += words::chart::boxes_used_up;
   if (!chart.complete) text += words::chart::partial;
   return text;
 }

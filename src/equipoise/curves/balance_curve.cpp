@@ -236,7 +236,9 @@ std::vector<SpecialPoint> BalanceCurve::specials() const {
   };
   const auto add_end = [&](CurveEnd end, const CurvePlace& place) {
     if (end == CurveEnd::no_pair) add(SpecialKind::bogdanov_takens, place, 0.0);
-    if (end == CurveEnd::no_balance && std::isnan(place.point.lyapunov)) add(SpecialKind::zero_hopf, place, 0.0);
+    if (end != CurveEnd::no_balance || !std::isnan(place.point.lyapunov)) return;
+    constexpr double rounding = 1e-4;  // of the square root of a double zero, which eigenvalues give to 1e-8
+    add(place.point.frequency < rounding ? SpecialKind::bogdanov_takens : SpecialKind::zero_hopf, place, 0.0);
   };
   add_end(ends_[0], places_.front());
   for (std::size_t k = 1; k < places_.size(); ++k) {

@@ -32,6 +32,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   if (chart.plane.complete) {
     const PlaneStudies studies(study, settings.x, settings.y);
     add_curves(BalancePlane(studies, settings.x, settings.y), settings.stop, chart);
+    chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);

@@ -83,6 +83,7 @@ struct BifurcationChart {
   std::vector<ChartCurve> curves;
   std::vector<SpecialPoint> specials;
   std::vector<ProofBox> boxes;  ///< cover the plane; none if nothing was to be proved
+  double undecided = 0.0;       ///< the part of the plane at which proofs were to end
   std::string not_proved;       ///< why nothing can be proved of this rotor; empty: boxes were tried, or not asked for
   bool complete = true;
   int threads = 1;

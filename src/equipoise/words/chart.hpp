@@ -47,17 +47,17 @@ inline constexpr char not_proved[] = "Nothing is proved: {}.\n";
 inline constexpr char rotor_not_proved[] =
     "proofs are of two balls with equal drag that slide freely in a centred race, at a prescribed speed";
 inline constexpr char keys_not_proved[] = "a key of the axes is not itself a parameter of the equations";
-inline constexpr char boxes_used_up[] = "All {} boxes were used up before the plane was decided (--boxes).\n";
+inline constexpr char boxes_used_up[] = "More boxes (--boxes) would decide more of the plane.\n";
 
 // Tables.
 inline constexpr char curve[] = "curve";
-inline constexpr char what_crosses[] = "what happens there";
+inline constexpr char what_crosses[] = "what it is";
 inline constexpr char from_place[] = "from";
 inline constexpr char to_place[] = "to";
 inline constexpr char frequency[] = "frequency";
 inline constexpr char how[] = "balance is lost";
-inline constexpr char is_hopf[] = "a swing begins (Hopf)";
-inline constexpr char is_zero[] = "a real eigenvalue crosses";
+inline constexpr char is_hopf[] = "Hopf";
+inline constexpr char is_zero[] = "real eigenvalue";
 inline constexpr char is_existence[] = "balance ends";
 inline constexpr char how_softly[] = "softly";
 inline constexpr char how_abruptly[] = "abruptly";
@@ -69,10 +69,10 @@ inline constexpr char how_unknown[] = "not known how";
 inline constexpr char point[] = "point";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
-inline constexpr char is_generalised_hopf[] = "softly on one side, abruptly on the other (generalised Hopf)";
-inline constexpr char is_double_hopf[] = "two swings begin at once (double Hopf)";
-inline constexpr char is_zero_hopf[] = "a swing begins where balance ends or turns (zero-Hopf)";
-inline constexpr char is_bogdanov_takens[] = "the swing's frequency falls to 0 (Bogdanov-Takens)";
+inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
+inline constexpr char is_double_hopf[] = "double Hopf: two swings begin at once";
+inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real eigenvalue is 0";
+inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
 
 // Notes.
 inline constexpr char no_curve[] = "No curve on which balance changes was found.\n";
