@@ -429,6 +429,15 @@ TEST(Chart, SaysWhetherMoreBoxesWouldDecideMore) {
   EXPECT_FALSE(holds(text(0), "More boxes"));
 }
 
+TEST(Chart, SaysWhatLinearTheoryLeavesOut) {
+  const ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, 100);
+  const Study sticky = parse_study(with(constant_speed, "balls = 2", "balls = 2\nstiction = 0.001"), "rotor");
+  const BifurcationChart chart = bifurcation_chart(sticky, settings);
+  EXPECT_TRUE(holds(chart_text(chart), "At all points dry friction is left out."));
+  EXPECT_TRUE(holds(chart_text(chart), "Nothing is proved"));
+  EXPECT_FALSE(holds(chart_text(wide_chart()), "left out"));
+}
+
 TEST(Chart, RotorsWithoutCurvesAreRefused) {
   const ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 4);
   for (const auto& [from, to] : {std::pair{"damping = 0.5", "damping = 0.5\ngravity = 0.01"},

@@ -154,7 +154,8 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
     text += words::chart::boxes_used_up;
-  if (!chart.complete) text += words::chart::partial;
+  text += plane_notes(chart.plane);
+  if (!chart.complete && chart.plane.complete) text += words::chart::partial;
   return text;
 }
 

@@ -14,6 +14,9 @@ std::string stability_answer(const StabilityPlane& plane);
 /// The study, and both axes with their points: lines.
 std::string plane_heading(const StabilityPlane& plane);
 
+/// What linear theory leaves out, and how rates are meant: lines.
+std::string plane_notes(const StabilityPlane& plane);
+
 /// "stable", "impossible": what balance is, in words.
 const char* balance_words(BalanceKind kind);
 
