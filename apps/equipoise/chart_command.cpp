@@ -69,8 +69,8 @@ int run_chart(const ChartArguments& a) {
 Command add_chart(CLI::App& app) {
   const auto a = std::make_shared<ChartArguments>();
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--x", a->x, help::chart::x)->required()->type_name("KEY=LOW:HIGH");
-  app.add_option("--y", a->y, help::chart::y)->required()->type_name("KEY=LOW:HIGH");
+  app.add_option("--x", a->x, help::chart::x)->type_name("KEY=LOW:HIGH");
+  app.add_option("--y", a->y, help::chart::y)->type_name("KEY=LOW:HIGH");
   app.add_option("--size", a->size, help::chart::size)->type_name("WIDTHxHEIGHT");
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");

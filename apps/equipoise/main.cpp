@@ -85,6 +85,7 @@ int run(int given, char** arguments) {
   add("basin", help::basin::about, add_basin);
   add("capacity", help::capacity::about, add_capacity);
   add("certify", help::certify::about, add_certify);
+  add("chart", help::chart::about, add_chart);
   add("check", help::check::about, add_check);
   add("compare", help::compare::about, add_compare);
   add("design", help::design::about, add_design);
@@ -97,7 +98,6 @@ int run(int given, char** arguments) {
   add("reproduce", help::reproduce::about, add_reproduce);
   add("simulate", help::simulate::about, add_simulate);
   add("stability", help::stability::about, add_stability);
-  add("chart", help::chart::about, add_chart);
   add("sweep", help::sweep::about, add_sweep);
   std::vector<char*> words = words_of(app, given, arguments);
   const int argc = static_cast<int>(words.size());

@@ -276,7 +276,7 @@ TEST(Chart, BesideAnAbruptLossAPushDecidesAndNoSmallSwingIsLeft) {
 }
 
 TEST(Chart, TheLineWhereBalanceEndsIsWhereTheBallsJustReach) {
-  ChartSettings settings = over_speed_and_drag(0.5, 4.0, 0.0, 0.2);
+  ChartSettings settings = over_speed_and_drag(0.5, 4.0, 0.0, 0.2, 64);
   settings.y.key = "rotor.eccentricity";
   const BifurcationChart chart = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
   int ends = 0;

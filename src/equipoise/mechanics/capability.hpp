@@ -71,7 +71,7 @@ inline constexpr std::array<Capability, 9> capabilities{{
     {ResultKind::curves,
      "curves in a plane of two parameters",
      "chart",
-     {Need::centred_race, Need::equal_supports, Need::no_gravity, Need::lasting_drive}},
+     {Need::centred_race, Need::equal_supports, Need::no_gravity, Need::turning, Need::lasting_drive}},
 }};
 constexpr const Capability& capability(ResultKind result) { return capabilities[static_cast<std::size_t>(result)]; }
 
