@@ -44,7 +44,7 @@ class Results(Case):
         self.refused("chart", ROW, *AXES, "--size", "16x16", "-o", nc, words=(nc, "16"))
         self.refused("chart", ROW, *AXES, "-o", self.file("other.nc", "words"), words=("other.nc", "chart"))
 
-    def test_the_boundary_is_that_of_stability(self):
+    def test_the_boundary_is_that_of_stability_and_of_one_parameter(self):
         own = answer("stability", ROW, "--x-range", "1:6", "--y-range", "0.01:0.3", "--size", "2x2")["own"]
         at = next(b["value"] for b in own["boundaries"] if b["change"] == "hopf" and b["axis"] == "x")
         near = ["--x", f"speed.final={at - 0.05}:{at + 0.05}", "--y", "balancer.drag=0.045:0.055", "--boxes", "0"]
@@ -55,6 +55,9 @@ class Results(Case):
         part = (0.05 - below) / (above - below) if above > below else 0.0
         self.assertAlmostEqual(left + part * (right - left), at, delta=1e-5)  # the chord of one step
         self.assertIsNone(found["proof"])
+        along = answer("attractors", ROW, "--along", "speed.final=1.68:1.7:0.02", "--starts", "10")["events"]
+        low, high = next(event["between"] for event in along if event["type"] == "Hopf")
+        self.assertTrue(low <= at <= high, (low, at, high))
 
     def test_bad_axes_are_refused_in_one_line(self):
         self.refused("chart", ROW, "--x", "speed.final", "--y", "balancer.drag=0.1:1", words=("--x", "KEY=LOW:HIGH"))

@@ -464,7 +464,7 @@ TEST(Chart, AStoppedChartIsPartialAndThreadsMakeNoDifference) {
 TEST(Chart, ThePictureNamesWhatItShows) {
   const std::string script = chart_plot_script(wide_chart(), "rotor", "picture.svg");
   for (const char* words : {"balance is lost softly", "balance is lost abruptly", "proved: stable", "proved: unstable",
-                            "where curves change their kind"})
+                            "not decided", "where curves change their kind"})
     EXPECT_TRUE(holds(script, words)) << words;
   EXPECT_FALSE(holds(script, "balance ends"));
 }

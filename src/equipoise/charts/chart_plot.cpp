@@ -67,6 +67,11 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
     add(fmt::format("$box{} with boxxyerror fillcolor rgb '{}' fillstyle solid 1.0 noborder title {}",
                     static_cast<int>(look.kind), look.colour, quoted(words)));
   }
+  if (chart.proved(ProvedKind::open) > 0.0)
+    add(
+        fmt::format("keyentry with filledcurves fillcolor rgb '#FFFFFF' fillstyle solid 1.0 border linecolor rgb "
+                    "'#444444' title {}",
+                    quoted(words::chart::legend_open)));
   for (const StrokeStyle& style : strokes) {
     std::string data;
     for (const ChartCurve& curve : chart.curves)

@@ -79,10 +79,11 @@ BoxJudgement judge_box(const BoxRotor& r) {
   for (int k = 8; k >= 0; k -= 2) above.push_back(coefficient[static_cast<std::size_t>(k)]);
   for (int k = 7; k >= 0; k -= 2) row.push_back(coefficient[static_cast<std::size_t>(k)]);
   if (!certainly_positive(above.front())) return BoxJudgement::open;
-  bool negative = false;
+  // All zeros have negative real parts if the first column is positive. If none had a positive one, no entry after
+  // positive ones could be negative: it is a quotient of Hurwitz determinants, which are then 0 or more.
   for (int rows = 0; rows < 8; ++rows) {  // a sign for each power below the highest
-    if (!certainly_positive(row.front()) && !certainly_negative(row.front())) return BoxJudgement::open;
-    negative = negative || certainly_negative(row.front());
+    if (certainly_negative(row.front())) return BoxJudgement::unstable;
+    if (!certainly_positive(row.front())) return BoxJudgement::open;
     const BoxNumber ratio = above.front() / row.front();
     BoxPolynomial below;
     for (std::size_t k = 1; k < above.size(); ++k)
@@ -90,7 +91,7 @@ BoxJudgement judge_box(const BoxRotor& r) {
     above = row;
     row = below;
   }
-  return negative ? BoxJudgement::unstable : BoxJudgement::stable;
+  return BoxJudgement::stable;
 }
 
 }  // namespace equipoise
