@@ -74,6 +74,9 @@ ROOMS = {
     "stability":
         "running math model types mechanics study kernels periodic_orbits attractors results planes spin_up "
         "attractor_search start_runs continuation basin_slices",
+    "curves":
+        "running math model types mechanics study kernels periodic_orbits attractors proof results planes spin_up "
+        "attractor_search start_runs continuation basin_slices stability",
     "sweeps":
         "running types units study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",

@@ -31,6 +31,7 @@ Command add_attractors(CLI::App& app);
 Command add_basin(CLI::App& app);
 Command add_capacity(CLI::App& app);
 Command add_certify(CLI::App& app);
+Command add_chart(CLI::App& app);
 Command add_check(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_design(CLI::App& app);

@@ -183,6 +183,20 @@ inline constexpr char output[] = "write here (.csv or .nc) instead of CSV on sta
 inline constexpr char set[] = "override a study key, e.g. initial.phi=[1.0,4.0]; may be repeated";
 }  // namespace simulate
 
+namespace chart {
+inline constexpr char about[] =
+    "curves in a plane of two parameters on which balance changes, and what is proved beside";
+inline constexpr char x[] =
+    "what varies from left to right, and its range: a key of rotor, balancer or speed, e.g. speed.final=0.5:6";
+inline constexpr char y[] = "the same from bottom to top, e.g. balancer.drag=0.001:1";
+inline constexpr char size[] = "points of the grid from which curves begin (default 64x64)";
+inline constexpr char boxes[] = "most boxes that proofs may try (default 200000); 0: prove nothing";
+inline constexpr char undecided[] = "proofs end when no more of the plane than this is undecided (default 1)";
+inline constexpr char output[] = "curves, points and boxes as NetCDF (.nc)";
+inline constexpr char csv[] = "one line per point of a curve (.csv)";
+inline constexpr char plot[] = "a picture (.png or .svg) of curves, points and boxes; drawn by gnuplot";
+}  // namespace chart
+
 namespace stability {
 inline constexpr char about[] = "where balance is stable in a plane of two parameters, by eigenvalues alone";
 inline constexpr char x[] =

@@ -83,6 +83,7 @@ int run(int given, char** arguments) {
   add("basin", help::basin::about, add_basin);
   add("capacity", help::capacity::about, add_capacity);
   add("certify", help::certify::about, add_certify);
+  add("chart", help::chart::about, add_chart);
   add("check", help::check::about, add_check);
   add("compare", help::compare::about, add_compare);
   add("design", help::design::about, add_design);

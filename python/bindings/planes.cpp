@@ -6,11 +6,14 @@
 #include "convert.hpp"
 #include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
+#include "equipoise/charts/chart_report.hpp"
 #include "equipoise/charts/stability_report.hpp"
+#include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/html/capacity_html.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/map_html.hpp"
 #include "equipoise/html/sweep_html.hpp"
+#include "equipoise/planes/chart_file.hpp"
 #include "equipoise/planes/stability_file.hpp"
 #include "equipoise/reports/capacity_report.hpp"
 #include "equipoise/reports/map_report.hpp"
@@ -155,6 +158,22 @@ py::dict summary_of_plane(const Stability& kept) {
   return summary;
 }
 
+using Chart = Kept<BifurcationChart>;
+
+Chart draw_chart(const PyStudy& s, const py::tuple& x, const py::tuple& y, std::uint64_t boxes, double undecided,
+                 const std::string& output, const py::dict& settings) {
+  const Study study = with_medians(s.study);
+  Call call(settings);
+  ChartSettings how;
+  call.set(how);
+  set_axes(study, x, y, how);
+  how.boxes = boxes;
+  how.undecided = 0.01 * undecided;
+  how.output = output;
+  BifurcationChart chart = Call::run([&] { return bifurcation_chart(study, how); });
+  return {std::move(chart), call.interrupted()};
+}
+
 using Sweep = Kept<SweepResult>;
 
 Sweep run_sweep(const PyStudy& s, const std::vector<std::string>& over, bool zip, double half_width, bool limit_given,
@@ -232,6 +251,11 @@ void bind_planes(py::module_& module) {
       .def("save", [](const Stability& s, const std::string& path) { write_stability_file(path, s.result); });
   module.def("stability", &look_at_balance, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("output"),
              py::arg("settings"));
+  bind_kept<BifurcationChart>(module, "Chart", &chart_text, &chart_json)
+      .def("csv", [](const Chart& c) { return chart_csv(c.result); })
+      .def("save", [](const Chart& c, const std::string& path) { write_chart_file(path, c.result); });
+  module.def("chart", &draw_chart, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("boxes"), py::arg("undecided"),
+             py::arg("output"), py::arg("settings"));
   bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
       .def("csv", [](const Sweep& s) { return sweep_csv(s.result); })
       .def("page", [](const Sweep& s) { return sweep_html(s.result, machine_of(s)); })

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from .capacities import CapacityResult, capacity
+from .charts import ChartResult, Curve, SpecialPoint, chart, curve
 from .comparisons import Comparison, Difference, compare
 from .designs import DesignResult, design
 from .ensembles import AttractorShare, BasinResult, basin
@@ -39,10 +40,10 @@ __version__: str = _core.version
 
 __all__ = [
     "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
-    "CertificateCheck", "CertifyResult", "Comparison", "DesignResult", "Difference", "Explanation", "Inspection",
-    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "StabilityResult",
+    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
+    "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "SpecialPoint", "StabilityResult",
     "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
-    "capacity", "certify", "check", "check_certificates", "compare", "cpu_targets", "design", "explain", "follow", "inspect",
+    "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "curve", "design", "explain", "follow", "inspect",
     "machines", "map", "merge", "new", "paper_studies", "paper_study", "plot", "replay", "report", "reproduce",
     "reproducible", "simulate", "stability", "sweep",
 ]

@@ -139,6 +139,38 @@ def test_stability(program, tmp_path):
             eq.stability(study, **{"size": 4, "x_range": (1.0, 2.0), "y_range": (0.1, 0.2), **wrong})
 
 
+def test_chart(program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    study = eq.Study.from_file(PAPER)
+    file = tmp_path / "chart.nc"
+    axes = ("--x", "speed.final=0.5:6", "--y", "balancer.drag=0.01:0.3", "--size", "24x24", "--undecided", "2")
+    run = program("chart", PAPER, *axes, "-o", file, "--quiet")
+    assert run.returncode == 0, run.stderr
+    ranges = dict(x_range=(0.5, 6.0), y_range=(0.01, 0.3))
+    made = eq.chart(study, size=24, undecided=2.0, **ranges)
+    with xarray.open_dataset(file) as stored:
+        np.testing.assert_array_equal(np.concatenate([c.x for c in made.curves]), stored.point_x.values)
+        np.testing.assert_array_equal(np.concatenate([c.lyapunov for c in made.curves]), stored.lyapunov.values)
+        np.testing.assert_array_equal(made.box_kind, stored.box_kind.values)
+    assert without_times(made.data) == without_times(told(program, "chart", PAPER, *axes))
+    assert sum(made.proved.values()) == pytest.approx(1.0) and made.proved["open"] <= 0.02
+    curves = eq.curve(study, size=24, **ranges)
+    assert [c.kind for c in curves] == ["hopf"] * len(curves) and len(curves) == len(made.curves)
+    point = curves[0]
+    k = len(point.x) // 2
+    for side, kind in ((1.0 - 1e-6, 2), (1.0 + 1e-6, 1)):  # below the curve of that drag unstable, above it stable
+        if point.others[k] == 0:
+            there = eq.stability(study, size=1, x_range=(point.x[k] - 1e-9, point.x[k] + 1e-9),
+                                 y_range=(side * point.y[k] - 1e-9, side * point.y[k] + 1e-9))
+            assert there.kind[0, 0] == kind
+    again = pickle.loads(pickle.dumps(made))
+    assert again.answer == made.answer and "balance is stable" in again._repr_html_() and "curves" in repr(made)
+    made.save(tmp_path / "again.nc")
+    for wrong in (dict(x="initial.phi_1"), dict(y_range=(-1.0, 1.0)), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
+        with pytest.raises(eq.StudyError):
+            eq.chart(study, **{"size": 4, "boxes": 0, "x_range": (1.0, 2.0), "y_range": (0.1, 0.2), **wrong})
+
+
 def test_sweeps(program, tmp_path):
     study = eq.Study.from_file(PAPER)
     over = {"speed.final": [2.0, 2.4], "balancer.drag": "0.05,0.1"}

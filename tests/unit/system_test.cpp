@@ -219,13 +219,13 @@ TEST(System, WhatAnAnswerLacksIsSaid) {
     EXPECT_EQ(lacks(still), c.needs.has(Need::equal_supports) || c.needs.has(Need::turning)) << c.name;
     EXPECT_EQ(lacks(coasting), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::lasting_drive)) << c.name;
     EXPECT_EQ(lacks(hanging), c.needs.has(Need::prescribed_speed) || c.needs.has(Need::equal_supports)) << c.name;
-    EXPECT_EQ(lacks(touching), c.needs.has(Need::passing_balls)) << c.name;
+    EXPECT_EQ(lacks(touching), c.needs.has(Need::passing_balls) || c.needs.has(Need::equal_supports)) << c.name;
   }
   EXPECT_EQ(model::lacking(strobed, ResultKind::proofs)->reason,
             "proofs need equal values in x and y (simulate, basin, attractors and map take any)");
   EXPECT_FALSE(model::lacking(driven, ResultKind::proofs));
   EXPECT_EQ(model::lacking(driven, ResultKind::displacements)->reason,
-            "observed displacements need a prescribed speed (simulate, basin, attractors and map take any)");
+            "observed displacements need a prescribed speed (simulate, basin, attractors, map and chart take any)");
   EXPECT_EQ(model::lacking(coasting, ResultKind::maps)->reason,
             "maps need a drive that lasts (simulate and basin take any)");
   EXPECT_EQ(model::lacking(still, ResultKind::shares)->reason,

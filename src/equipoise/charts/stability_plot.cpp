@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/answers/quantities.hpp"
+#include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/echo/given_value.hpp"
@@ -37,18 +38,6 @@ StabilityPlane drawn_part(const StabilityPlane& plane) {
     for (int column = first_of(every); column < plane.x.pixels; column += every)
       part.points.push_back(plane.points[plane.at(column, row)]);
   return part;
-}
-
-// How an axis is labelled, and what a dimensionless value is multiplied by.
-struct ShownAxis {
-  std::string label;
-  double factor = 1.0;
-};
-ShownAxis shown(const Study& study, const SliceAxis& axis) {
-  const auto unit = study::unit_of(study, axis.key);
-  if (!unit) return {axis_label(axis.key), 1.0};
-  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
-  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si};
 }
 
 // Packed red, green and blue, lighter for slow rates.
@@ -119,9 +108,16 @@ bool turns_at(const StabilityPlane& plane, const MapPoint& place) {
 
 }  // namespace
 
+ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
+  const auto unit = study::unit_of(study, axis.key);
+  if (!unit) return {axis_label(axis.key), 1.0};
+  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si};
+}
+
 std::string stability_plot_script(const StabilityPlane& whole, const std::string& title, const std::string& path) {
   const StabilityPlane plane = drawn_part(whole);
-  const ShownAxis x = shown(plane.study, plane.x), y = shown(plane.study, plane.y);
+  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
   std::vector<float> growth, exists;
   for (const BalancePoint& p : plane.points) {
     growth.push_back(static_cast<float>(p.growth));

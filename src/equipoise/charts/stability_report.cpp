@@ -90,39 +90,6 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
   return fmt::format(words::stability::change_at, way, key_words(key), at, what);
 }
 
-std::string notes(const StabilityPlane& plane) {
-  std::string text;
-  constexpr std::array<std::pair<LeftOut, const char*>, 4> all{
-      {{dry_friction_left_out, words::stability::dry_friction},
-       {gravity_left_out, words::stability::gravity},
-       {unequal_supports_left_out, words::stability::unequal_supports},
-       {motor_left_out, words::stability::motor}}};
-  const auto count = [&](const auto& holds) {
-    return static_cast<std::size_t>(std::count_if(plane.points.begin(), plane.points.end(), holds));
-  };
-  const std::size_t exists = count([](const BalancePoint& p) { return std::isfinite(p.growth); });
-  for (const auto& [bit, name] : all) {
-    const std::size_t points = count([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
-    if (points > 0)
-      text += fmt::format(
-          words::stability::left_out_at,
-          points >= exists ? words::stability::all_points : fmt::format(words::stability::some_points, points), name);
-  }
-  const model::Parameters& p = plane.study.parameters;
-  if (p.balls > 2 || p.eccentricity == 0.0) text += words::stability::one_of_many;
-  if (p.balls_collide()) text += words::stability::balls_at_rest;
-  const auto by_multipliers = [&](const BalancePoint& point) {
-    return (p.gravity != 0.0 && !(point.left_out & gravity_left_out)) ||
-           (!p.isotropic() && !(point.left_out & unequal_supports_left_out));
-  };
-  if (exists > 0 && count([&](const BalancePoint& q) { return std::isfinite(q.growth) && by_multipliers(q); }) > 0)
-    text += words::stability::by_multipliers;
-  if (!plane.complete)
-    text += fmt::format(words::stability::partial, plane.points.size() - plane.count(BalanceKind::not_computed),
-                        plane.points.size());
-  return text;
-}
-
 using PlaneJson = nlohmann::ordered_json;
 
 PlaneJson number_json(double value) { return std::isfinite(value) ? PlaneJson(value) : PlaneJson(nullptr); }
@@ -184,13 +151,50 @@ std::string stability_answer(const StabilityPlane& plane) {
   return text;
 }
 
-std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
-  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
+std::string plane_notes(const StabilityPlane& plane) {
+  std::string text;
+  constexpr std::array<std::pair<LeftOut, const char*>, 4> all{
+      {{dry_friction_left_out, words::stability::dry_friction},
+       {gravity_left_out, words::stability::gravity},
+       {unequal_supports_left_out, words::stability::unequal_supports},
+       {motor_left_out, words::stability::motor}}};
+  const auto count = [&](const auto& holds) {
+    return static_cast<std::size_t>(std::count_if(plane.points.begin(), plane.points.end(), holds));
+  };
+  const std::size_t exists = count([](const BalancePoint& p) { return std::isfinite(p.growth); });
+  for (const auto& [bit, name] : all) {
+    const std::size_t points = count([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
+    if (points > 0)
+      text += fmt::format(
+          words::stability::left_out_at,
+          points >= exists ? words::stability::all_points : fmt::format(words::stability::some_points, points), name);
+  }
+  const model::Parameters& p = plane.study.parameters;
+  if (p.balls > 2 || p.eccentricity == 0.0) text += words::stability::one_of_many;
+  if (p.balls_collide()) text += words::stability::balls_at_rest;
+  const auto by_multipliers = [&](const BalancePoint& point) {
+    return (p.gravity != 0.0 && !(point.left_out & gravity_left_out)) ||
+           (!p.isotropic() && !(point.left_out & unequal_supports_left_out));
+  };
+  if (exists > 0 && count([&](const BalancePoint& q) { return std::isfinite(q.growth) && by_multipliers(q); }) > 0)
+    text += words::stability::by_multipliers;
+  if (!plane.complete)
+    text += fmt::format(words::stability::partial, plane.points.size() - plane.count(BalanceKind::not_computed),
+                        plane.points.size());
+  return text;
+}
+
+std::string plane_heading(const StabilityPlane& plane) {
   std::string heading = study_heading(plane.study);
   for (const auto& [letter, axis] : {std::pair{"x", &plane.x}, {"y", &plane.y}})
     heading += fmt::format(words::stability::axis, letter, axis->key, parameter_text(plane.study, axis->key, axis->low),
                            parameter_text(plane.study, axis->key, axis->high), axis->pixels);
-  text += lines_filled(heading, style) + "\n";
+  return heading;
+}
+
+std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
+  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
+  text += lines_filled(plane_heading(plane), style) + "\n";
   DocumentTable table{
       {words::stability::what_balance_is, "points", words::stability::of_the_plane, words::stability::slowest_decay},
       {},
@@ -207,7 +211,7 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
                         low <= high ? fmt::format("{:.3g} to {:.3g}", low, high) : ""}));
   }
   text += table_text(table, style);
-  return text + lines_filled("\n" + notes(plane) +
+  return text + lines_filled("\n" + plane_notes(plane) +
                                  fmt::format(words::stability::made_with, plane.points.size(), computed_text(plane),
                                              static_cast<double>(plane.points.size()) / std::max(plane.seconds, 1e-9),
                                              version_string),

@@ -11,6 +11,12 @@ namespace equipoise {
 /// The parts of the plane, and the study's own point with its ways to the boundaries, in sentences.
 std::string stability_answer(const StabilityPlane& plane);
 
+/// The study, and both axes with their points: lines.
+std::string plane_heading(const StabilityPlane& plane);
+
+/// What linear theory leaves out, and how rates are meant: lines.
+std::string plane_notes(const StabilityPlane& plane);
+
 /// "stable", "impossible": what balance is, in words.
 const char* balance_words(BalanceKind kind);
 

@@ -11,7 +11,7 @@
 namespace equipoise::model {
 
 /// The kinds of result about a system.
-enum class ResultKind { trajectory, shares, attractors, proofs, displacements, branches, maps, torus_regions };
+enum class ResultKind { trajectory, shares, attractors, proofs, displacements, branches, maps, torus_regions, curves };
 
 /// Properties of a system that a result may need.
 enum class Need {
@@ -48,7 +48,7 @@ struct Capability {
 };
 
 /// One row per result, in the order of ResultKind. docs/reference/commands/index.md shows it.
-inline constexpr std::array<Capability, 8> capabilities{{
+inline constexpr std::array<Capability, 9> capabilities{{
     {ResultKind::trajectory, "trajectories", "simulate", {}},
     {ResultKind::shares, "shares", "basin", {Need::turning}},
     {ResultKind::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive}},
@@ -68,6 +68,10 @@ inline constexpr std::array<Capability, 8> capabilities{{
      "trapping regions of tori",
      "",
      {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity}},
+    {ResultKind::curves,
+     "curves in a plane of two parameters",
+     "chart",
+     {Need::centred_race, Need::equal_supports, Need::no_gravity, Need::turning, Need::lasting_drive}},
 }};
 constexpr const Capability& capability(ResultKind result) { return capabilities[static_cast<std::size_t>(result)]; }
 

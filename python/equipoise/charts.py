@@ -1,0 +1,176 @@
+"""Charts: curves in a plane of two parameters on which balance changes, and what is proved beside them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from html import escape
+from typing import Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arguments import checked_study
+from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
+from ._html import table
+from ._ranges import Range, path_text, range_text
+from .maps import _size
+from .results import Result
+from .stability_planes import _key
+from .study import Study
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A curve on which balance changes.
+
+    Attributes
+    ----------
+    kind : str
+        "hopf": a pair of eigenvalues crosses; "zero": a real one does; "existence": the balanced state ends.
+    ends : tuple[str, str]
+        Why it ends: "plane", "closed", "no-balance", "no-pair", "lost".
+    x, y : ndarray
+        Its points, in order.
+    frequency : ndarray
+        Of the pair, in omega_c; nan without a pair.
+    lyapunov : ndarray
+        First Lyapunov coefficient: growth rate per square of the largest swing, omega_c/rad^2. Negative: balance is lost softly.
+    others : ndarray of int
+        Unstable eigenvalues besides the pair: 0 where balance itself loses stability.
+    """
+
+    kind: str
+    ends: tuple[str, str]
+    x: Array
+    y: Array
+    frequency: Array
+    lyapunov: Array
+    others: npt.NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A point where a curve changes its kind.
+
+    `kind` is "generalised-hopf", "double-hopf", "zero-hopf" or "bogdanov-takens"; `curve` the number of its curve; `x`, `y`
+    its place; `frequency` that of the curve's pair; `second` that of a double Hopf point's other pair.
+    """
+
+    kind: str
+    curve: int
+    x: float
+    y: float
+    frequency: float
+    second: float
+
+
+def _numbers(values: list[Optional[float]]) -> Array:
+    return np.array([np.nan if value is None else value for value in values], dtype=float)
+
+
+class ChartResult(Result):
+    """Curves on which balance changes, and boxes in which it is proved.
+
+    Attributes
+    ----------
+    answer : str
+        What `text` begins with.
+    curves : list[Curve]
+    specials : list[SpecialPoint]
+    boxes : ndarray (n, 4)
+        x from, x to, y from, y to; empty if nothing was proved.
+    box_kind : ndarray (n,)
+        -1 not decided, 0 no balanced state, 1 stable, 2 unstable all over the box.
+    proved : dict[str, float]
+        Part of the plane by what is proved: "stable", "unstable", "none", "open"; empty if nothing was tried.
+    """
+
+    def __init__(self, core: _core.Chart, study: Study) -> None:
+        super().__init__(core, study)
+        data = self.data
+        self.answer: str = data["answer"]
+        self.curves: list[Curve] = [
+            Curve(
+                c["kind"], (c["ends"][0], c["ends"][1]), _numbers(c["x"]), _numbers(c["y"]), _numbers(c["frequency"]),
+                _numbers(c["lyapunov"]), np.array(c["others"], dtype=np.int64),
+            )
+            for c in data["curves"]
+        ]
+        self.specials: list[SpecialPoint] = [SpecialPoint(**point) for point in data["specials"]]
+        proof = data["proof"] or {"boxes": []}
+        boxes = np.array(proof["boxes"], dtype=float).reshape(-1, 5)
+        self.boxes: Array = boxes[:, :4]
+        self.box_kind: npt.NDArray[np.int64] = boxes[:, 4].astype(np.int64)
+        self.proved: dict[str, float] = {name: part for name, part in proof.items() if name != "boxes"}
+
+    def __repr__(self) -> str:
+        return f"<ChartResult of {self.study.name}: {len(self.curves)} curves, {len(self.specials)} special points>"
+
+    def _repr_html_(self) -> str:
+        rows = [(c.kind, f"{c.x[0]:.5g}, {c.y[0]:.5g}", f"{c.x[-1]:.5g}, {c.y[-1]:.5g}") for c in self.curves]
+        return f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}" + table(("curve", "from", "to"), rows)
+
+    def to_csv(self) -> str:
+        """The table that the command line writes with ``--csv``."""
+        return self._saved_core().csv()
+
+
+def chart(
+    study: Study,
+    x: str = "speed.final",
+    y: str = "balancer.drag",
+    size: int | tuple[int, int] = 64,
+    *,
+    x_range: Range,
+    y_range: Range,
+    boxes: int = 200000,
+    undecided: float = 1.0,
+    output: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0,
+    progress: ProgressArgument = False,
+    cpu: Optional[str] = None,
+    within: WithinArgument = None,
+) -> ChartResult:
+    """Curves in a plane of two parameters on which balance changes, and what is proved beside them.
+
+    Parameters
+    ----------
+    x, y : str
+        Keys of rotor, balancer or speed that take a number.
+    size : int or (int, int)
+        Points of the grid from which curves begin.
+    x_range, y_range : (low, high) or str
+        Numbers, or quantities with units.
+    boxes : int
+        At most so many boxes are tried; 0 proves nothing.
+    undecided : float
+        Percent of the plane at which proofs may end.
+    output : path, optional
+        NetCDF file. An existing one has to hold the same chart of the same study.
+    threads, progress, cpu, within
+        As for :func:`basin`.
+    """
+    checked_study(study)
+    width, height = _size(size)
+    with settings(threads, progress, cpu, within) as how:
+        core = _core.chart(
+            study._core, (_key("x", x), range_text("x_range", x_range), width),
+            (_key("y", y), range_text("y_range", y_range), height), boxes, undecided, path_text(output), how,
+        )
+    return unless_interrupted(ChartResult(core, study), core.interrupted)
+
+
+def curve(
+    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: int | tuple[int, int] = 64, *,
+    x_range: Range, y_range: Range, threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None,
+    within: WithinArgument = None,
+) -> list[Curve]:
+    """The curves alone, as :func:`chart` finds them; nothing is proved."""
+    return chart(
+        study, x, y, size, x_range=x_range, y_range=y_range, boxes=0, threads=threads, progress=progress, cpu=cpu,
+        within=within,
+    ).curves

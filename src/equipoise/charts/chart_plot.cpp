@@ -1,0 +1,112 @@
+// The script: boxes, curves in pieces of one kind, points, the legend.
+#include "equipoise/charts/chart_plot.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/charts/shown_axis.hpp"
+#include "equipoise/charts/stability_report.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/words/chart.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// How a piece of a curve is drawn.
+enum class Stroke { soft, abrupt, hopf, zero, existence };
+
+struct StrokeStyle {
+  Stroke stroke;
+  const char* look;
+  const char* words;
+};
+constexpr std::array<StrokeStyle, 5> strokes{{
+    {Stroke::soft, "linecolor rgb '#000000' linewidth 4", words::chart::legend_soft},
+    {Stroke::abrupt, "linecolor rgb '#C00000' linewidth 4 dashtype (10,6)", words::chart::legend_abrupt},
+    {Stroke::hopf, "linecolor rgb '#000000' linewidth 1.5", words::chart::legend_hopf},
+    {Stroke::zero, "linecolor rgb '#000000' linewidth 2 dashtype (3,4)", words::chart::legend_zero},
+    {Stroke::existence, "linecolor rgb '#444444' linewidth 2.5 dashtype (12,4,3,4)", words::chart::legend_existence},
+}};
+
+Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
+  if (curve.kind == CurveKind::zero) return Stroke::zero;
+  if (curve.kind == CurveKind::existence) return Stroke::existence;
+  if (p.others > 0 || std::isnan(p.lyapunov)) return Stroke::hopf;
+  return p.lyapunov < 0.0 ? Stroke::soft : Stroke::abrupt;
+}
+
+struct BoxLook {
+  ProvedKind kind;
+  const char* colour;
+  BalanceKind balance;
+};
+constexpr std::array<BoxLook, 3> box_looks{{{ProvedKind::stable, "#8CC3E6", BalanceKind::stable},
+                                            {ProvedKind::unstable, "#F3CF8E", BalanceKind::unstable},
+                                            {ProvedKind::none, "#C8C8C8", BalanceKind::none}}};
+
+}  // namespace
+
+std::string chart_plot_script(const BifurcationChart& chart, const std::string& title, const std::string& path) {
+  const StabilityPlane& plane = chart.plane;
+  const ShownAxis x = shown_axis(chart.study, plane.x), y = shown_axis(chart.study, plane.y);
+  std::string script = canvas(path, 1600, 1000), items;
+  const auto add = [&](const std::string& item) { items += (items.empty() ? "" : ", \\\n  ") + item; };
+  for (const BoxLook& look : box_looks) {
+    std::string data;
+    for (const ProofBox& b : chart.boxes)
+      if (b.kind == look.kind)
+        data += fmt::format("{0:.8g} {2:.8g} {0:.8g} {1:.8g} {2:.8g} {3:.8g}\n", b.x[0] * x.factor, b.x[1] * x.factor,
+                            b.y[0] * y.factor, b.y[1] * y.factor);
+    if (data.empty()) continue;
+    script += fmt::format("$box{} << EOD\n{}EOD\n", static_cast<int>(look.kind), data);
+    const std::string words = fmt::format(words::chart::legend_proved, balance_words(look.balance));
+    add(fmt::format("$box{} with boxxyerror fillcolor rgb '{}' fillstyle solid 1.0 noborder title {}",
+                    static_cast<int>(look.kind), look.colour, quoted(words)));
+  }
+  if (chart.proved(ProvedKind::open) > 0.0)
+    add(
+        fmt::format("keyentry with filledcurves fillcolor rgb '#FFFFFF' fillstyle solid 1.0 border linecolor rgb "
+                    "'#444444' title {}",
+                    quoted(words::chart::legend_open)));
+  for (const StrokeStyle& style : strokes) {
+    std::string data;
+    for (const ChartCurve& curve : chart.curves)
+      for (std::size_t k = 1; k < curve.points.size(); ++k) {
+        const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
+        if (stroke_of(curve, std::isnan(a.lyapunov) ? b : a) != style.stroke) continue;
+        data += fmt::format("{:.8g} {:.8g}\n{:.8g} {:.8g}\n", a.x * x.factor, a.y * y.factor, b.x * x.factor,
+                            b.y * y.factor);
+        const bool goes_on = k + 1 < curve.points.size() && stroke_of(curve, b) == style.stroke;
+        if (!goes_on) data += "\n";
+      }
+    if (data.empty()) continue;
+    script += fmt::format("$curve{} << EOD\n{}EOD\n", static_cast<int>(style.stroke), data);
+    add(fmt::format("$curve{} with lines {} title {}", static_cast<int>(style.stroke), style.look,
+                    quoted(style.words)));
+  }
+  if (!chart.specials.empty()) {
+    script += "$special << EOD\n";
+    for (const SpecialPoint& p : chart.specials)
+      script += fmt::format("{:.8g} {:.8g}\n", p.x * x.factor, p.y * y.factor);
+    script += "EOD\n";
+    add("$special with points pointtype 7 pointsize 2.6 linecolor rgb '#FFFFFF' notitle");
+    add(fmt::format("$special with points pointtype 6 pointsize 2.2 linewidth 3 linecolor rgb '#000000' title {}",
+                    quoted(words::chart::legend_special)));
+  }
+  if (items.empty()) add("NaN notitle");
+  script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
+                        quoted(parameters_text(chart.study, {plane.x.key, plane.y.key})));
+  script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
+  script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,
+                        plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
+  script +=
+      "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
+      "set key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
+  return script + "plot " + items + "\n";
+}
+
+}  // namespace equipoise

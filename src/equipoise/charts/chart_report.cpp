@@ -1,0 +1,255 @@
+// Sentences, two tables and notes; numbers of curves, points and boxes.
+#include "equipoise/charts/chart_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/base/version.hpp"
+#include "equipoise/charts/stability_report.hpp"
+#include "equipoise/text/computed.hpp"
+#include "equipoise/text/text.hpp"
+#include "equipoise/words/chart.hpp"
+
+namespace equipoise {
+
+namespace {
+
+BalanceLoss loss_on(const BifurcationChart& chart, const ChartCurve& curve) {
+  BalanceLoss loss;
+  const double wide = chart.plane.x.high - chart.plane.x.low, high = chart.plane.y.high - chart.plane.y.low;
+  for (std::size_t k = 1; k < curve.points.size(); ++k) {
+    const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
+    if (a.others != 0 || b.others != 0) continue;
+    const double length = std::hypot((b.x - a.x) / wide, (b.y - a.y) / high);
+    const double lyapunov = std::isnan(a.lyapunov) ? b.lyapunov : a.lyapunov;
+    if (curve.kind == CurveKind::zero)
+      loss.real += length;
+    else if (curve.kind == CurveKind::hopf)
+      (lyapunov < 0.0 ? loss.soft : lyapunov > 0.0 ? loss.abrupt : loss.unknown) += length;
+  }
+  return loss;
+}
+
+std::string whole_percent(double part) {
+  const double percent = 100.0 * part;
+  return percent < 1.0 ? "less than 1 %" : percent > 99.0 ? "more than 99 %" : fmt::format("{:.0f} %", percent);
+}
+
+// Rounded down: no more is proved than is said.
+std::string proved_percent(double part) { return fmt::format("{:.2f} %", std::floor(1e4 * part) / 100.0); }
+
+std::string loss_sentences(const BifurcationChart& chart) {
+  const BalanceLoss loss = balance_loss(chart);
+  std::vector<std::string> sentences;
+  if (loss.soft > 0.0 && loss.abrupt > 0.0)
+    sentences.push_back(fmt::format(words::chart::both_ways, whole_percent(loss.soft / loss.length()),
+                                    whole_percent(loss.abrupt / loss.length())));
+  else if (loss.soft > 0.0)
+    sentences.push_back(words::chart::softly);
+  else if (loss.abrupt > 0.0)
+    sentences.push_back(words::chart::abruptly);
+  else if (loss.unknown > 0.0)
+    sentences.push_back(words::chart::way_unknown);
+  if (loss.real > 0.0) sentences.push_back(words::chart::real_loss);
+  if (sentences.empty()) sentences.push_back(words::chart::no_loss);
+  const auto ends = [](const ChartCurve& c) { return c.kind == CurveKind::existence; };
+  if (std::any_of(chart.curves.begin(), chart.curves.end(), ends)) sentences.push_back(words::chart::balance_ends);
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+std::string proof_sentence(const BifurcationChart& chart) {
+  std::vector<std::string> parts;
+  for (const auto& [kind, words] : {std::pair{ProvedKind::stable, words::chart::proved_stable},
+                                    {ProvedKind::unstable, words::chart::proved_unstable},
+                                    {ProvedKind::none, words::chart::proved_none}})
+    if (const double part = chart.proved(kind); part > 0.0)
+      parts.push_back(fmt::format(fmt::runtime(words), proved_percent(part)));
+  if (parts.empty()) return words::chart::proved_nothing;
+  const double open = chart.proved(ProvedKind::open);
+  return fmt::format(words::chart::proved, fmt::join(parts, ", "),
+                     fmt::format("{:.2f} %", std::ceil(1e4 * open) / 100.0));
+}
+
+std::string place_text(double x, double y) { return fmt::format("{:.4g}, {:.4g}", x, y); }
+
+const char* curve_words(CurveKind kind) {
+  return kind == CurveKind::hopf   ? words::chart::is_hopf
+         : kind == CurveKind::zero ? words::chart::is_zero
+                                   : words::chart::is_existence;
+}
+
+const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
+  if (curve.kind == CurveKind::existence) return words::chart::how_ends;
+  const BalanceLoss loss = loss_on(chart, curve);
+  if (loss.real > 0.0) return words::chart::how_real;
+  if (loss.soft > 0.0 && loss.abrupt > 0.0) return words::chart::how_both;
+  return loss.soft > 0.0      ? words::chart::how_softly
+         : loss.abrupt > 0.0  ? words::chart::how_abruptly
+         : loss.unknown > 0.0 ? words::chart::how_unknown
+                              : words::chart::how_before;
+}
+
+std::string frequency_text(const ChartCurve& curve) {
+  if (curve.kind != CurveKind::hopf) return "";
+  double low = INFINITY, high = -INFINITY;
+  for (const CurvePoint& p : curve.points) low = std::min(low, p.frequency), high = std::max(high, p.frequency);
+  const std::string least = fmt::format("{:.3g}", low), most = fmt::format("{:.3g}", high);
+  return least == most ? least : fmt::format("{} to {}", least, most);
+}
+
+const char* special_words(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::generalised_hopf:
+      return words::chart::is_generalised_hopf;
+    case SpecialKind::double_hopf:
+      return words::chart::is_double_hopf;
+    case SpecialKind::zero_hopf:
+      return words::chart::is_zero_hopf;
+    default:
+      return words::chart::is_bogdanov_takens;
+  }
+}
+
+std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
+  namespace w = words::chart;
+  DocumentTable table{
+      {w::curve, w::what_crosses, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {4, 3}};
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
+    const ChartCurve& c = chart.curves[k];
+    const CurvePoint &a = c.points.front(), &b = c.points.back();
+    table.rows.push_back(row_of("nttttt", {fmt::format("{}", k + 1), curve_words(c.kind), place_text(a.x, a.y),
+                                           place_text(b.x, b.y), frequency_text(c), loss_words(chart, c)}));
+  }
+  return table_text(table, style);
+}
+
+std::string specials_table(const BifurcationChart& chart, const TextStyle& style) {
+  namespace w = words::chart;
+  DocumentTable table{{w::place, w::meaning, w::frequency, w::curve}, {}, "", false, {3, 2}};
+  for (const SpecialPoint& p : chart.specials) {
+    const std::string second = p.second > 0.0 ? fmt::format(", {:.3g}", p.second) : "";
+    table.rows.push_back(
+        row_of("tttn", {place_text(p.x, p.y), special_words(p.kind), fmt::format("{:.3g}{}", p.frequency, second),
+                        fmt::format("{}", p.curve + 1)}));
+  }
+  return table_text(table, style);
+}
+
+std::string chart_notes(const BifurcationChart& chart) {
+  std::string text;
+  if (chart.curves.empty()) {
+    text += words::chart::no_curve;
+  } else {
+    text += fmt::format(words::chart::places_are, chart.plane.x.key, chart.plane.y.key);
+    double error = 0.0;
+    for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
+    text += fmt::format(words::chart::precise, std::max(error, 1e-16));
+  }
+  if (chart.study.parameters.balls_collide()) text += words::chart::contact_bound;
+  if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
+  if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
+    text += words::chart::boxes_used_up;
+  text += plane_notes(chart.plane);
+  if (!chart.complete && chart.plane.complete) text += words::chart::partial;
+  return text;
+}
+
+using ChartJson = nlohmann::ordered_json;
+
+ChartJson chart_number(double value) { return std::isfinite(value) ? ChartJson(value) : ChartJson(nullptr); }
+
+ChartJson curve_json(const ChartCurve& c) {
+  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
+  for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
+  json["error"] = c.error;
+  for (const char* name : {"x", "y", "frequency", "lyapunov", "others"}) json[name] = ChartJson::array();
+  for (const CurvePoint& p : c.points) {
+    json["x"].push_back(p.x);
+    json["y"].push_back(p.y);
+    json["frequency"].push_back(chart_number(p.frequency));
+    json["lyapunov"].push_back(chart_number(p.lyapunov));
+    json["others"].push_back(p.others);
+  }
+  return json;
+}
+
+}  // namespace
+
+BalanceLoss balance_loss(const BifurcationChart& chart) {
+  BalanceLoss loss;
+  for (const ChartCurve& curve : chart.curves) {
+    const BalanceLoss part = loss_on(chart, curve);
+    loss.soft += part.soft;
+    loss.abrupt += part.abrupt;
+    loss.unknown += part.unknown;
+    loss.real += part.real;
+  }
+  return loss;
+}
+
+std::string chart_answer(const BifurcationChart& chart) {
+  std::string text = stability_answer(chart.plane);
+  if (!chart.complete) return text;
+  text += " " + loss_sentences(chart);
+  if (!chart.boxes.empty()) text += " " + proof_sentence(chart);
+  return text;
+}
+
+std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
+  std::string text = filled("answer   ", chart_answer(chart), style) + "\n";
+  text += lines_filled(plane_heading(chart.plane), style) + "\n";
+  if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
+  if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
+  return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
+                                                              chart.boxes.size(), computed_text(chart), version_string),
+                             style);
+}
+
+std::string chart_json(const BifurcationChart& chart) {
+  ChartJson json;
+  for (const auto& [letter, axis] : {std::pair{"x", &chart.plane.x}, {"y", &chart.plane.y}})
+    json[letter] = {{"key", axis->key}, {"low", axis->low}, {"high", axis->high}, {"points", axis->pixels}};
+  json["answer"] = chart_answer(chart);
+  json["curves"] = ChartJson::array();
+  for (const ChartCurve& c : chart.curves) json["curves"].push_back(curve_json(c));
+  json["specials"] = ChartJson::array();
+  for (const SpecialPoint& p : chart.specials)
+    json["specials"].push_back({{"kind", special_kind_names[static_cast<std::size_t>(p.kind)]},
+                                {"curve", p.curve},
+                                {"x", p.x},
+                                {"y", p.y},
+                                {"frequency", p.frequency},
+                                {"second", p.second}});
+  const BalanceLoss loss = balance_loss(chart);
+  json["loss"] = {{"soft", loss.soft}, {"abrupt", loss.abrupt}, {"unknown", loss.unknown}, {"real", loss.real}};
+  ChartJson proof{{"stable", chart.proved(ProvedKind::stable)},
+                  {"unstable", chart.proved(ProvedKind::unstable)},
+                  {"none", chart.proved(ProvedKind::none)},
+                  {"open", chart.proved(ProvedKind::open)},
+                  {"boxes", ChartJson::array()}};
+  for (const ProofBox& b : chart.boxes)
+    proof["boxes"].push_back({b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)});
+  json["proof"] = chart.boxes.empty() ? ChartJson(nullptr) : proof;
+  json["partial"] = !chart.complete;
+  add_computed(json, chart);
+  return json.dump() + "\n";
+}
+
+std::string chart_csv(const BifurcationChart& chart) {
+  std::string text = fmt::format("curve,kind,{},{},frequency,lyapunov,others\n", chart.plane.x.key, chart.plane.y.key);
+  for (std::size_t k = 0; k < chart.curves.size(); ++k)
+    for (const CurvePoint& p : chart.curves[k].points) {
+      const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", k + 1,
+                     curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)], p.x, p.y, number(p.frequency),
+                     number(p.lyapunov), p.others);
+    }
+  return text;
+}
+
+}  // namespace equipoise

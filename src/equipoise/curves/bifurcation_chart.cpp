@@ -1,0 +1,55 @@
+// The grid, then the curves, then the proof.
+#include "equipoise/curves/bifurcation_chart.hpp"
+
+#include <chrono>
+
+#include "equipoise/curves/curve_starts.hpp"
+#include "equipoise/curves/proof_boxes.hpp"
+#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/planes/chart_file.hpp"
+#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/running/reporting.hpp"
+#include "equipoise/stability/over_plane.hpp"
+#include "equipoise/start_runs/checks.hpp"
+
+namespace equipoise {
+
+namespace {
+
+BifurcationChart computed_chart(const Study& study, const ChartSettings& settings) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = cpu_seconds();
+  StabilitySettings grid;
+  static_cast<RunOptions&>(grid) = settings;
+  grid.x = settings.x;
+  grid.y = settings.y;
+  BifurcationChart chart;
+  chart.study = chart.plane.study = study;
+  chart.plane.x = settings.x;
+  chart.plane.y = settings.y;
+  if (!settings.output.empty()) check_chart_file(settings.output, chart);
+  chart.plane = stability(study, grid);
+  if (chart.plane.complete) {
+    const PlaneStudies studies(study, settings.x, settings.y);
+    add_curves(BalancePlane(studies, settings.x, settings.y), settings.stop, chart);
+    chart.undecided = settings.undecided;
+    if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
+  }
+  chart.complete = chart.plane.complete && !is_set(settings.stop);
+  chart.threads = chart.plane.threads;
+  chart.cpu_target = chart.plane.cpu_target;
+  if (!settings.output.empty()) write_chart_file(settings.output, chart);
+  chart.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  chart.cpu_seconds = cpu_seconds() - cpu_begin;
+  return chart;
+}
+
+}  // namespace
+
+BifurcationChart bifurcation_chart(const Study& given, const ChartSettings& settings) {
+  const Study study = with_medians(given);
+  check_offers(study, model::ResultKind::curves);
+  return reported(settings, [&](const ChartSettings& s) { return computed_chart(study, s); });
+}
+
+}  // namespace equipoise

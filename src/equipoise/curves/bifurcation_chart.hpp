@@ -1,0 +1,24 @@
+// A chart of two parameters: curves on which balance changes, and boxes in which it is proved.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "equipoise/planes/bifurcation_chart.hpp"
+#include "equipoise/running/run_options.hpp"
+
+namespace equipoise {
+
+/// Progress is in points of the grid.
+struct ChartSettings : RunOptions {
+  SliceAxis x, y;                ///< with the grid's points
+  std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved
+  double undecided = 0.01;       ///< the part of the plane at which proofs may end
+  std::string output;            ///< NetCDF, written at the end; an existing file must hold the same chart. Empty: none
+};
+
+/// Curves begin where neighbours of the grid differ; one that passes between points without such a difference is not
+/// found. Throws InputError as stability() does, and for a study without curves (model::ResultKind::curves).
+BifurcationChart bifurcation_chart(const Study& study, const ChartSettings& settings);
+
+}  // namespace equipoise

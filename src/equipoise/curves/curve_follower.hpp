@@ -1,0 +1,45 @@
+// Follows a curve by pseudo-arclength continuation.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace equipoise {
+
+/// One equation fewer than unknowns; empty where the equations are not defined. Unknowns are of size 1. Method: H. B.
+/// Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977).
+class CurveFollower {
+ public:
+  using Equations = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd&)>;
+
+  static constexpr double longest_step = 0.01, shortest_step = 1e-7, precision = 1e-11;
+
+  explicit CurveFollower(Equations equations) : equations_(std::move(equations)) {}
+
+  /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to `precision`.
+  std::optional<Eigen::VectorXd> at_plane(const Eigen::VectorXd& guess, const Eigen::VectorXd& normal) const;
+  /// A point of the curve near `guess`: across the equations' gradients.
+  std::optional<Eigen::VectorXd> nearby(const Eigen::VectorXd& guess) const;
+  /// Unit tangent on the side of `towards`. Empty beside places where the equations are not defined.
+  std::optional<Eigen::VectorXd> tangent(const Eigen::VectorXd& at, const Eigen::VectorXd& towards) const;
+
+  struct Step {
+    Eigen::VectorXd point, tangent;
+  };
+  /// The next point: `step` is shortened until the curve turns by little, and lengthened where it turns by less. Empty
+  /// if even the shortest step fails.
+  std::optional<Step> next(const Step& from, double& step) const;
+
+  /// Last correction of the points that were found: their largest distance from the curve.
+  double error() const { return error_; }
+
+ private:
+  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const;
+
+  Equations equations_;
+  mutable double error_ = 0.0;
+};
+
+}  // namespace equipoise

@@ -1,0 +1,123 @@
+// Dimensions, variables and attributes of a chart; its identity.
+#include "equipoise/planes/chart_file.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/base/error.hpp"
+#include "equipoise/base/version.hpp"
+#include "equipoise/io/netcdf.hpp"
+#include "equipoise/result_files/result_identity.hpp"
+#include "equipoise/words/chart.hpp"
+#include "equipoise/words/files.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string chart_identity(const BifurcationChart& chart) {
+  const auto axis = [](const SliceAxis& a) {
+    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
+  };
+  return fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n", to_toml(chart.study), version_string,
+                     axis(chart.plane.x), axis(chart.plane.y));
+}
+
+// Columns of numbers over one dimension, which is absent if it is empty.
+class ChartColumns {
+ public:
+  ChartColumns(io::NetcdfFile& file, const char* dimension, std::size_t length) : file_(file), length_(length) {
+    if (length > 0) dimension_ = file.dimension(dimension, length);
+  }
+  template <class Value>
+  void add(const char* name, const char* long_name, Value&& value) {
+    if (length_ == 0) return;
+    variables_.push_back(file_.variable(name, NC_DOUBLE, {dimension_}, "1", long_name));
+    values_.emplace_back();
+    for (std::size_t k = 0; k < length_; ++k) values_.back().push_back(static_cast<double>(value(k)));
+  }
+  void write() const {
+    for (std::size_t k = 0; k < variables_.size(); ++k) file_.write(variables_[k], {0}, {length_}, values_[k].data());
+  }
+
+ private:
+  io::NetcdfFile& file_;
+  std::size_t length_;
+  int dimension_ = -1;
+  std::vector<int> variables_;
+  std::vector<std::vector<double>> values_;
+};
+
+}  // namespace
+
+void check_chart_file(const std::string& path, const BifurcationChart& chart) {
+  const std::string place = io::results_path(path, words::chart::file);
+  if (!std::filesystem::exists(place)) return;
+  std::string there;
+  try {
+    there = io::NetcdfFile(place, io::NetcdfFile::Mode::read, path).attribute("chart");
+  } catch (const RunError&) {
+  }
+  if (there.empty()) throw InputError(path, "", "", fmt::format(words::chart::no_such_file, words::chart::file));
+  io::require_same(there, chart_identity(chart), path, words::chart::these_results, words::chart::file);
+}
+
+void write_chart_file(const std::string& path, const BifurcationChart& chart) {
+  struct Numbered {
+    std::size_t curve;
+    CurvePoint point;
+  };
+  std::vector<Numbered> points;
+  for (std::size_t k = 0; k < chart.curves.size(); ++k)
+    for (const CurvePoint& p : chart.curves[k].points) points.push_back({k, p});
+  io::write_netcdf_file(path, [&](io::NetcdfFile& f) {
+    ChartColumns at(f, "point", points.size()), curve(f, "curve", chart.curves.size()),
+        special(f, "special", chart.specials.size()), box(f, "box", chart.boxes.size());
+    at.add("point_curve", "number of the curve, from 0", [&](std::size_t k) { return points[k].curve; });
+    at.add("point_x", "parameter x of the point", [&](std::size_t k) { return points[k].point.x; });
+    at.add("point_y", "parameter y of the point", [&](std::size_t k) { return points[k].point.y; });
+    at.add("frequency", "of the pair, omega_c", [&](std::size_t k) { return points[k].point.frequency; });
+    at.add("lyapunov", "growth rate per square of the swing, omega_c/rad^2",
+           [&](std::size_t k) { return points[k].point.lyapunov; });
+    at.add("others", "other unstable eigenvalues", [&](std::size_t k) { return points[k].point.others; });
+    curve.add("curve_kind", "0 hopf, 1 zero, 2 existence",
+              [&](std::size_t k) { return static_cast<int>(chart.curves[k].kind); });
+    curve.add("curve_first_end", "0 plane, 1 closed, 2 no balance, 3 no pair, 4 lost",
+              [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[0]); });
+    curve.add("curve_last_end", "the same of the last point",
+              [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[1]); });
+    special.add("special_kind", "0 generalised Hopf, 1 double Hopf, 2 zero-Hopf, 3 Bogdanov-Takens",
+                [&](std::size_t k) { return static_cast<int>(chart.specials[k].kind); });
+    special.add("special_curve", "number of the curve, from 0", [&](std::size_t k) { return chart.specials[k].curve; });
+    special.add("special_x", "parameter x", [&](std::size_t k) { return chart.specials[k].x; });
+    special.add("special_y", "parameter y", [&](std::size_t k) { return chart.specials[k].y; });
+    special.add("special_frequency", "of the pair, omega_c",
+                [&](std::size_t k) { return chart.specials[k].frequency; });
+    box.add("box_kind", "-1 not decided, 0 no balanced state, 1 stable, 2 unstable all over the box",
+            [&](std::size_t k) { return static_cast<int>(chart.boxes[k].kind); });
+    box.add("box_x_low", "parameter x, from", [&](std::size_t k) { return chart.boxes[k].x[0]; });
+    box.add("box_x_high", "parameter x, to", [&](std::size_t k) { return chart.boxes[k].x[1]; });
+    box.add("box_y_low", "parameter y, from", [&](std::size_t k) { return chart.boxes[k].y[0]; });
+    box.add("box_y_high", "parameter y, to", [&](std::size_t k) { return chart.boxes[k].y[1]; });
+    const auto say = [&](const char* name, const std::string& text) { f.attribute(NC_GLOBAL, name, text); };
+    say("Conventions", "CF-1.8");
+    say("title", words::chart::file_title);
+    say("source", fmt::format("equipoise {}", version_string));
+    say("chart", chart_identity(chart));
+    say("x_key", chart.plane.x.key);
+    say("y_key", chart.plane.y.key);
+    say("x_range", fmt::format("{} {}", chart.plane.x.low, chart.plane.x.high));
+    say("y_range", fmt::format("{} {}", chart.plane.y.low, chart.plane.y.high));
+    say("study", to_toml(chart.study));
+    say("complete", chart.complete ? "yes" : "no");
+    f.end_definitions();
+    at.write();
+    curve.write();
+    special.write();
+    box.write();
+  });
+}
+
+}  // namespace equipoise

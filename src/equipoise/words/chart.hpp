@@ -1,0 +1,97 @@
+// What is said of the curves in a plane of two parameters on which balance changes.
+#pragma once
+
+namespace equipoise::words::chart {
+
+// Input.
+inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6";
+inline constexpr char undecided_range[] = "must be a part of the plane in percent, more than 0 and less than 100";
+
+// Files.
+inline constexpr char file[] = "must be a new file, or one that \"chart -o\" wrote";
+inline constexpr char no_such_file[] = "holds no chart; {}";
+inline constexpr char these_results[] = "this chart of this study";
+inline constexpr char file_title[] = "curves in a plane of two parameters on which balance changes";
+
+// The answer: how balance is lost on Hopf curves. Percent.
+inline constexpr char no_loss[] = "No line on which a stable balance loses its stability crosses the plane.";
+inline constexpr char softly[] =
+    "Where balance loses its stability it does so softly: beyond the line the balls swing about their places, little "
+    "at "
+    "first and the more the farther from it.";
+inline constexpr char abruptly[] =
+    "Where balance loses its stability it does so abruptly: beyond the line no small swing is left, and the balls "
+    "leave "
+    "for another motion; shortly before it a push may be enough.";
+inline constexpr char both_ways[] =
+    "Balance loses its stability softly along {} of the line, where beyond it the balls swing about their places, "
+    "little "
+    "at first and the more the farther from it. Along {} it does so abruptly: beyond the line no small swing is left, "
+    "and "
+    "the balls leave for another motion; shortly before it a push may be enough.";
+inline constexpr char way_unknown[] =
+    "Where balance loses its stability the balls begin to swing; whether softly or abruptly is not told of balanced "
+    "states that form a continuum, nor under a motor.";
+inline constexpr char real_loss[] = "On another line balance loses its stability without a swing.";
+inline constexpr char balance_ends[] =
+    "On the line where balance ends all balls stand in line, and their states merge.";
+
+// The proof. Percent each.
+inline constexpr char proved[] = "Proved by interval arithmetic: {}; {} of the plane is not decided.";
+inline constexpr char proved_stable[] = "stable all over {}";
+inline constexpr char proved_unstable[] = "unstable all over {}";
+inline constexpr char proved_none[] = "impossible all over {}";
+inline constexpr char proved_nothing[] = "Interval arithmetic proved nothing.";
+// Why.
+inline constexpr char not_proved[] = "Nothing is proved: {}.\n";
+inline constexpr char rotor_not_proved[] =
+    "proofs are of two balls with equal drag that slide freely in a centred race, at a prescribed speed";
+inline constexpr char keys_not_proved[] = "a key of the axes is not itself a parameter of the equations";
+inline constexpr char boxes_used_up[] = "More boxes (--boxes) would decide more of the plane.\n";
+
+// Tables.
+inline constexpr char curve[] = "curve";
+inline constexpr char what_crosses[] = "what it is";
+inline constexpr char from_place[] = "from";
+inline constexpr char to_place[] = "to";
+inline constexpr char frequency[] = "frequency";
+inline constexpr char how[] = "balance is lost";
+inline constexpr char is_hopf[] = "Hopf";
+inline constexpr char is_zero[] = "real eigenvalue";
+inline constexpr char is_existence[] = "balance ends";
+inline constexpr char how_softly[] = "softly";
+inline constexpr char how_abruptly[] = "abruptly";
+inline constexpr char how_both[] = "softly, abruptly";
+inline constexpr char how_before[] = "it was before";
+inline constexpr char how_real[] = "without a swing";
+inline constexpr char how_ends[] = "it ends";
+inline constexpr char how_unknown[] = "not known how";
+inline constexpr char point[] = "point";
+inline constexpr char place[] = "at";
+inline constexpr char meaning[] = "what it is";
+inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
+inline constexpr char is_double_hopf[] = "double Hopf: two swings begin at once";
+inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real eigenvalue is 0";
+inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
+
+// Notes.
+inline constexpr char no_curve[] = "No curve on which balance changes was found.\n";
+inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
+// Error, part of the plane's sides.
+inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
+inline constexpr char contact_bound[] = "Where balls lack the room to balance, no curve is drawn.\n";
+inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
+// Points, boxes, time, version.
+inline constexpr char made_with[] = "{} curves, {} boxes; {}; equipoise {}\n";
+
+// Pictures.
+inline constexpr char legend_soft[] = "balance is lost softly";
+inline constexpr char legend_abrupt[] = "balance is lost abruptly";
+inline constexpr char legend_hopf[] = "a swing begins";
+inline constexpr char legend_zero[] = "a real eigenvalue crosses";
+inline constexpr char legend_existence[] = "balance ends";
+inline constexpr char legend_proved[] = "proved: {}";
+inline constexpr char legend_open[] = "not decided";
+inline constexpr char legend_special[] = "where curves change their kind";
+
+}  // namespace equipoise::words::chart
