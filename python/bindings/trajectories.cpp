@@ -18,7 +18,8 @@ py::dict to_dict(Trajectory run) {
   const std::size_t rows = run.t.size();
   result["status"] = run.stopped ? "stopped" : name_of(run.status);
   for (const TrajectoryColumn& c : trajectory_columns)
-    result[c.name] = c.by_ball ? columns_of(run.*c.by_ball, rows) : array_of(std::move(run.*c.values));
+    if (c.is_in(run))
+      result[c.name] = c.by_ball ? columns_of(run.*c.by_ball, rows) : array_of(std::move(run.*c.values));
   return result;
 }
 
@@ -38,7 +39,9 @@ py::dict simulate_study(const PyStudy& s, const std::optional<std::vector<double
 // The columns that to_dict() made, as a trajectory again.
 Trajectory from_dict(const py::dict& columns) {
   Trajectory run;
+  run.tilts = columns.contains("tilt_x");
   for (const TrajectoryColumn& c : trajectory_columns) {
+    if (!c.is_in(run)) continue;
     if (c.values) {
       run.*c.values = columns[c.name].cast<std::vector<double>>();
       continue;

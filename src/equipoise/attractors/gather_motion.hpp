@@ -15,7 +15,7 @@
 
 namespace equipoise {
 
-inline constexpr int most_components = HWY_NAMESPACE::SmoothFlow<double, model::any_count>::dimension;
+inline constexpr int most_components = HWY_NAMESPACE::SmoothFlow<double, model::any_count, true>::dimension;
 
 // A state with its rate of change. Watched are r^2, the ball rates and a driven rotor's psi', each with its derivative.
 struct Instant {

@@ -155,6 +155,7 @@ bool is_at_rest(const model::System& system, const PeriodicOrbit& orbit) {
   const int n = system.balls();
   const Eigen::VectorXd& z = orbit.nodes.front();
   return !system.autonomous() && system.parameters().gravity == 0.0 && z.head(4).lpNorm<Eigen::Infinity>() <= at_rest &&
+         (!system.tilts() || z.tail(4).lpNorm<Eigen::Infinity>() <= at_rest) &&
          z.segment(model::index::q(0, n), n).lpNorm<Eigen::Infinity>() <= at_rest;
 }
 

@@ -91,6 +91,8 @@ MotionFigures followed(const model::System& system, const Motion& motion, double
   if (motion.eventful && duration > 0.0) return followed_with_events(system, motion, duration);
   using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+  using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
+  if (system.tilts()) return followed(system, TiltFlow(system, 0.0), motion, duration);
   if (!system.plain()) return followed(system, GeneralFlow(system, 0.0), motion, duration);
   const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
   return followed(system, PlainFlow(system.parameters(), segment), motion, duration);
@@ -111,6 +113,7 @@ double stretch(const model::Parameters& p, const Motion& motion) {
 bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
   if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
   constexpr double rounding = 1e-10;  // refined equilibria are better than this
+  if (p.tilts() && motion.state.tail(4).cwiseAbs().maxCoeff() >= rounding) return false;
   return motion.state.head(4).cwiseAbs().maxCoeff() < rounding;
 }
 }  // namespace

@@ -70,9 +70,8 @@ std::string grouping(const std::vector<int>& groups, int count) {
 }
 
 MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
-  return model::off_balance(p, motion.state[0], motion.state[1]) < centred
-             ? MotionName{words::motions::balanced, "", balanced}
-             : MotionName{words::motions::locked, "", locked};
+  return model::off_balance(p, motion.state) < centred ? MotionName{words::motions::balanced, "", balanced}
+                                                       : MotionName{words::motions::locked, "", locked};
 }
 
 // Motions in step with the rotor: all balls captured; or all left behind by a turn every turn, at rest in space except

@@ -25,8 +25,9 @@ struct PlainFlow {
     return {system.parameters(), model::Segment{0.0, 0.0, 0.0, system.speed(), 0.0, false}};
   }
 };
+template <bool tilt>
 struct GeneralFlow {
-  using Flow = kernels::SmoothFlow<double, model::any_count>;
+  using Flow = kernels::SmoothFlow<double, model::any_count, tilt>;
   static constexpr bool sags = true;
   static Flow make(const model::System& system) { return {system, 0.0}; }
 };
@@ -121,7 +122,8 @@ IntegrationStatus follow(const model::System& system, Eigen::VectorXd& state, do
   const auto by = [&]<class Source>(Source) {
     return follow_balls<Source>(system, state, duration, tolerance, statistics, samples, stop);
   };
-  const IntegrationStatus status = !system.plain()       ? by(GeneralFlow{})
+  const IntegrationStatus status = system.tilts()        ? by(GeneralFlow<true>{})
+                                   : !system.plain()     ? by(GeneralFlow<false>{})
                                    : system.autonomous() ? by(Autonomous{})
                                                          : by(AngleDependent{});
   return is_set(stop) ? IntegrationStatus::failed : status;

@@ -211,8 +211,7 @@ std::int64_t count_copies(const model::System& system, const Motion& motion) {
 }
 
 bool is_balanced(const model::System& system, const Motion& motion) {
-  return motion.kind == MotionKind::equilibrium &&
-         model::off_balance(system.parameters(), motion.state[0], motion.state[1]) < same_point;
+  return motion.kind == MotionKind::equilibrium && model::off_balance(system.parameters(), motion.state) < same_point;
 }
 
 bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {

@@ -87,6 +87,7 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
                       BalancedAnalysis& result) {
   const model::Parameters& p = at.system.parameters();
   std::vector<Angles> angles = result.states.angles;
+  const std::size_t most_regions = p.tilts() ? most_balanced_of_tilt : most_balanced;
   const bool images = p.balls == 2 && p.equal_balls() && angles.size() == 2;
   if (images) angles.pop_back();  // the other one follows by exchange of the balls
   double slowest = -std::numeric_limits<double>::infinity(), farthest = 0.0;
@@ -106,7 +107,7 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
     }
     slowest = std::max(slowest, rate);
     result.stable = true;
-    if (!at.system.autonomous()) continue;
+    if (!at.system.autonomous() || result.regions.size() == most_regions) continue;
     std::vector<ModeWeight> weights = known;
     result.regions.push_back(balanced_region(at.system, phi, weights));
     if (result.weights.empty()) result.weights = std::move(weights);

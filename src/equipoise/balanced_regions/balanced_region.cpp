@@ -166,12 +166,16 @@ BalancedRegion isolated_region(const model::System& system, const Angles& phi, d
 }
 
 // Sign of a state's component in the mirror image, whose rotor turns the other way.
-double mirror_sign(int place) { return place == model::index::x || place == model::index::u ? 1.0 : -1.0; }
+double mirror_sign(const model::System& system, int place) {
+  if (const int tilt = system.layout().tilt; tilt >= 0 && place >= tilt) place -= tilt;  // sx, us as x, u
+  return place == model::index::x || place == model::index::u ? 1.0 : -1.0;
+}
 
 model::System reflected(const model::System& system) {
   model::Parameters p = system.parameters();
   model::DrivePiece drive = system.drive();
   p.race_offset[1] = -p.race_offset[1];
+  p.eccentricity_angle = -p.eccentricity_angle;
   drive.speed = -drive.speed;
   drive.motor = drive.motor.mirrored();
   return {p, drive};
@@ -181,7 +185,7 @@ BalancedRegion reflected(const model::System& system, const BalancedRegion& regi
   Eigen::VectorXd sign(system.dimension());
   Centre centre = region.centre;
   for (int i = 0; i < system.dimension(); ++i) {
-    sign[i] = mirror_sign(i);
+    sign[i] = mirror_sign(system, i);
     centre[i] *= sign[i];
   }
   Angles phi{};

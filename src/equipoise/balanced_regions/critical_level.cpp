@@ -21,6 +21,7 @@ namespace kernels = HWY_NAMESPACE;
 template <int room>
 using PlainFlow = kernels::FreeFlow<double, room, kernels::Terms{false, false, false}>;
 using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
 
 template <int room>
 PlainFlow<room> plain_flow(const model::System& system) {
@@ -210,6 +211,7 @@ double least_level(const model::System& system, const Eigen::VectorXd& centre, c
     return model::with_ball_count<unrolled>(system.balls(), [&](auto room) {
       return least_level(system, plain_flow<room>(system), centre, form, rays, vectors, descending);
     });
+  if (system.tilts()) return least_level(system, TiltFlow(system, 0.0), centre, form, rays, vectors, descending);
   return least_level(system, GeneralFlow(system, 0.0), centre, form, rays, vectors, descending);
 }
 

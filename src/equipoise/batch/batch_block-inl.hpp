@@ -122,7 +122,7 @@ class BatchBlock {
 
   const Pack& end(int g) const { return end_[own ? g : 0]; }
   double inverse_scale(const model::Parameters& p, int component) const {
-    return 1.0 / (task_.tolerance * batch_error_scale(p, component));
+    return 1.0 / (task_.tolerance * batch_error_scale(p, component, task_.layout().tilt));
   }
 
   // Puts the rotor of trajectory `start` into its lane.

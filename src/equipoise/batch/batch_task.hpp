@@ -31,7 +31,8 @@ struct BatchWork {
 /// Which equations a task needs. Plain and turning: a prescribed speed and a centred race; turning adds anisotropic
 /// supports, gravity and rolling balls. Smooth: any smooth system. Hybrid: any with contact or dry friction, smooth
 /// between events.
-enum class BatchKind { plain, turning, smooth, hybrid };
+/// Tilting: any rotor that tilts.
+enum class BatchKind { plain, turning, smooth, hybrid, tilting };
 
 /// Trajectories from segment.begin to `end`. Each result depends neither on its place nor on its neighbours.
 struct BatchTask {
@@ -64,6 +65,7 @@ struct BatchTask {
   }
   double end_of(std::size_t start) const { return own ? own[start]->end : end; }
   BatchKind kind() const {
+    if (system && system->tilts()) return BatchKind::tilting;
     if (system) return system->smooth() ? BatchKind::smooth : BatchKind::hybrid;
     return model::depends_on_rotor_angle(*parameters) || parameters->rolls ? BatchKind::turning : BatchKind::plain;
   }
@@ -93,10 +95,10 @@ enum class BatchEnd {
   failed,  ///< the step size vanished
 };
 
-/// Unit of the error of a component: lambda + sum mu_i for the rotor's position and velocity, 1 for all others.
-/// Constant, so that step control costs no comparison per component.
-inline double batch_error_scale(const model::Parameters& p, int component) {
-  return component < 4 ? p.all_unbalances() : 1.0;
+/// Unit of the error of a component: lambda + sum mu_i for the rotor's position and velocity, and for those of its
+/// tilt, which begin at `tilt`; 1 for all others. Constant, so that step control costs no comparison per component.
+inline double batch_error_scale(const model::Parameters& p, int component, int tilt = -1) {
+  return component < 4 || (tilt >= 0 && component >= tilt) ? p.all_unbalances() : 1.0;
 }
 
 }  // namespace equipoise

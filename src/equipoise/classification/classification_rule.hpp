@@ -105,6 +105,8 @@ inline constexpr double runaway_speed = 1e4;
 
 /// The most isolated balanced states: one ball has one, two balls have two, more have a continuum.
 inline constexpr std::size_t most_balanced = 2;
+/// Of a rotor that tilts; two planes of two balls have four, other planes may have more.
+inline constexpr std::size_t most_balanced_of_tilt = 4;
 
 struct ClassificationRule {
   int balls = 2;
@@ -114,7 +116,7 @@ struct ClassificationRule {
   /// Where rotors differ: chaos that may end for a rotor, or that differs a little from known chaos, is decided only
   /// after lasting this long. 0: all have one rotor.
   double chaos_lasts = 0.0;
-  std::vector<BalancedRegion> balanced;  ///< at most most_balanced
+  std::vector<BalancedRegion> balanced;  ///< at most most_balanced, or most_balanced_of_tilt
   std::vector<OrbitRegionTable> cycles;
   ContinuumRegions continuum;
   /// Trapping regions of a rotor with anisotropic supports or gravity, driven or not: tested at the end of each half

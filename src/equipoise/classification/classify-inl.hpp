@@ -33,8 +33,9 @@ namespace HWY_NAMESPACE {
 template <int room, int groups, BatchKind kind = BatchKind::plain>
 class ClassifyFate {
  public:
-  static constexpr bool angle_known = kind != BatchKind::plain, smooth = kind >= BatchKind::smooth;
-  static constexpr int dimension = model::dimension(room) + (smooth ? 3 : 0);  // the largest size
+  static constexpr bool angle_known = kind != BatchKind::plain, smooth = kind >= BatchKind::smooth,
+                        tilts = kind == BatchKind::tilting;
+  static constexpr int dimension = model::dimension(room) + (tilts ? 7 : smooth ? 3 : 0);  // the largest size
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
   ClassifyFate(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
@@ -314,7 +315,8 @@ class ClassifyFate {
   std::vector<PilotRecord>* pilot_;
   Pack least_value_[groups];
   // Of each lane's rotor.
-  Pack places_[groups][most_balanced][dimension], factors_[groups][most_balanced][dimension * dimension];
+  static constexpr std::size_t most_states = tilts ? most_balanced_of_tilt : most_balanced;
+  Pack places_[groups][most_states][dimension], factors_[groups][most_states][dimension * dimension];
   std::vector<std::array<double, max_dimension>> centres_;  // of the task's rotor: centres of balanced trapping regions
   std::size_t start_[groups * lanes] = {};
   Verdict verdict_[groups * lanes];

@@ -25,7 +25,7 @@ HWY_INLINE T shortest_turn(T angle) {
 
 // Room for a state of type `Size`: a constant size is that of rotor and balls alone; otherwise any system fits.
 template <int room, class Size>
-inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 3 : 0);
+inline constexpr int largest_state = model::dimension(room) + (std::is_same_v<Size, int> ? 7 : 0);
 
 // V of a balanced trapping region at state z of n balls and `dimension` components. `place`: the region's centre;
 // `factor`: F.

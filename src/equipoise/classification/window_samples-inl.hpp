@@ -21,20 +21,24 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
+// Of a rotor that tilts the slopes count beside x and y: r is 0 only where it neither shakes nor tilts.
+//
 // Windows are sampled at two stages inside each step and at its end (at 1/3, 0.6 and 1 of it, at most 0.4 apart). So
 // every motion is seen at least eight times a period at the steps that the tolerance allows;
 // tests/equivalence/window_sampling_test.cpp measures it.
 template <int room, int groups, BatchKind kind>
 class WindowSamples {
  public:
-  static constexpr bool angle_known = kind != BatchKind::plain, smooth = kind >= BatchKind::smooth;
+  static constexpr bool angle_known = kind != BatchKind::plain, smooth = kind >= BatchKind::smooth,
+                        tilts = kind == BatchKind::tilting;
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
   WindowSamples(const BatchTask& task, const ClassificationRule& rule)
       : n(task.held ? 1 : task.parameters->balls),
         rule_(rule),
         psi_place_(task.layout().psi),
-        speed_place_(task.layout().speed) {
+        speed_place_(task.layout().speed),
+        tilt_place_(task.layout().tilt) {
     for (int g = 0; g < groups; ++g) {
       segment_speed_[g] = Pack(task.segment.speed);
       segment_begin_[g] = Pack(task.segment.begin);
@@ -130,12 +134,21 @@ class WindowSamples {
   struct SmoothSample : PlacedSample {
     Pack psi, speed;
   };
-  using Taken = std::conditional_t<smooth, SmoothSample, std::conditional_t<angle_known, PlacedSample, Sample>>;
+  struct TiltSample : SmoothSample {
+    Pack slope2;
+  };
+  using Taken = std::conditional_t<
+      tilts, TiltSample,
+      std::conditional_t<smooth, SmoothSample, std::conditional_t<angle_known, PlacedSample, Sample>>>;
 
   HWY_INLINE void take(Taken& sample, const Pack* z) const {
     if constexpr (smooth) {
       if (psi_place_ >= 0) sample.psi = z[psi_place_];
       sample.speed = speed_place_ >= 0 ? z[speed_place_] : Pack(0.0);
+    }
+    if constexpr (tilts) {
+      const Pack &sx = z[tilt_place_], &sy = z[tilt_place_ + 1];
+      sample.slope2 = sx * sx + sy * sy;
     }
     if constexpr (angle_known) {
       sample.x = z[0];
@@ -155,6 +168,7 @@ class WindowSamples {
     if (!smooth || rule_.sag != 0.0) sin_cos(psi, sine, cosine);
     const Pack x = sample.x - sag_[g] * sine, y = sample.y - sag_[g] * cosine;
     sample.r2 = x * x + y * y;
+    if constexpr (tilts) sample.r2 = sample.r2 + sample.slope2;
   }
 
   // psi' like a ball's rate; psi by Radau quadrature, whose nodes are among the samples.
@@ -169,7 +183,7 @@ class WindowSamples {
 
   const model::BallCount<room> n;
   const ClassificationRule& rule_;
-  const int psi_place_, speed_place_;
+  const int psi_place_, speed_place_, tilt_place_;
   Taken first_[groups], second_[groups];
   Pack r2_min_[groups], r2_max_[groups], r2_integral_[groups], window_end_[groups];
   Pack q_min_[groups][room], q_max_[groups][room], phi_start_[groups][room];

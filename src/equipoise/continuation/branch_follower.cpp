@@ -35,7 +35,7 @@ constexpr double centred = 1e-9;  // off_balance() of balanced states
 
 // Properties that no smooth change of a motion alters.
 bool same_signature(const model::Parameters& p, const Motion& a, const Motion& b) {
-  const auto is_centred = [&](const Motion& m) { return model::off_balance(p, m.state[0], m.state[1]) < centred; };
+  const auto is_centred = [&](const Motion& m) { return model::off_balance(p, m.state) < centred; };
   return a.kind == b.kind && a.winding == b.winding && a.cluster == b.cluster &&
          a.half_period_exchange == b.half_period_exchange && a.copies == b.copies &&
          (a.kind != MotionKind::equilibrium || is_centred(a) == is_centred(b));

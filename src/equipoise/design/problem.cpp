@@ -239,7 +239,9 @@ void DesignProblem::check_candidates() const {
 void DesignProblem::check_one(const std::vector<DesignSetting>& settings, const std::string& key,
                               const std::string& text) const {
   try {
-    check_runnable(study_of(settings, first_look_, 1), transients());
+    const Study study = study_of(settings, first_look_, 1);
+    reject_if_lacking(study, model::ResultKind::designs);
+    check_runnable(study, transients());
   } catch (const InputError& e) {
     if (key.empty()) throw;
     const std::string of = e.key().empty() || e.key() == key ? "" : e.key() + " ";

@@ -48,6 +48,8 @@ StudyValue tree_with_medians(const Study& study) {
       if (study.speed.driven()) table.set("torque", torque_table(study.speed.torque, study));
       if (study.speed.driven() && (!study.speed.load.is_none() || study.speed.load.at))
         table.set("load", table_of("speed.load", study));
+    } else if (name == "rotor" && study.parameters.tilts()) {
+      table.set("tilt", table_of("rotor.tilt", study));
     } else if (name == "sampling") {
       move_to_end(table, "method");
       if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study));

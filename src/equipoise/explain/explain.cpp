@@ -11,6 +11,7 @@
 #include "equipoise/mechanics/cancelling.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/run_up.hpp"
+#include "equipoise/start_runs/checks.hpp"
 #include "equipoise/words/explain.hpp"
 
 namespace equipoise {
@@ -47,6 +48,7 @@ void balance(Explanation& e) {
 }  // namespace
 
 Explanation explain(const Study& study, const BallDetails& balls) {
+  reject_if_lacking(study, model::ResultKind::pages);
   Explanation e;
   const model::Parameters& p = study.parameters;
   e.study = study;

@@ -31,10 +31,10 @@ struct Happened {
 
 // Events of one trajectory in doubles. Pair k: the ball in place k around the race and the next one. Its gap is the
 // angle between them beyond touching. The mode, a function of the state, is found by enter() and holds between events.
-template <int room>
+template <int room, bool tilt = false>
 class BallEvents {
  public:
-  using Flow = HybridFlow<double, room>;
+  using Flow = HybridFlow<double, room, tilt>;
   using Modes = ModeTable<double, room>;
   static constexpr int dimension = Flow::dimension;
 

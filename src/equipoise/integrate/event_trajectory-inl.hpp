@@ -27,14 +27,15 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <int room>
+template <int room, bool tilt = false>
 class EventTrajectory {
  public:
-  using Flow = HybridFlow<double, room>;
+  using Flow = HybridFlow<double, room, tilt>;
   static constexpr int dimension = Flow::dimension;  // the largest size, laid out as model::machine_layout()
   using Scale = ErrorScale<dimension>;
 
-  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp). `error`: the integral of the speed error there.
+  // `z`: dimension(n) numbers at t = 0 (model/parameters.hpp), then the four of a tilt. `error`: the integral of the
+  // speed error there.
   EventTrajectory(const model::Parameters& p, const model::Drive& drive, const Scale& scale, const double* z,
                   double error = 0.0)
       : n(p.balls),
@@ -45,6 +46,7 @@ class EventTrajectory {
         flow_(p, drive.pieces.front(), &modes_),
         balls_(p, flow_, modes_) {
     std::copy(z, z + model::dimension(n), state_.begin());
+    if constexpr (tilt) std::copy_n(z + model::dimension(n), 4, &state_[layout().tilt]);
     state_[layout().psi] = drive.psi;
     state_[layout().speed] = drive.speed;
     state_[layout().error] = error;
@@ -112,6 +114,7 @@ class EventTrajectory {
     if (piece().driven()) return;
     double& speed = state_[layout().speed];
     model::apply_speed_jump(piece().speed - speed, state_.data());
+    if constexpr (tilt) model::apply_speed_jump(piece().speed - speed, &state_[layout().tilt]);
     speed = piece().speed;
     state_[layout().psi] = piece().psi;
   }
@@ -172,7 +175,7 @@ class EventTrajectory {
   Scale scale_;
   ModeTable<double, room> modes_;
   Flow flow_;
-  BallEvents<room> balls_;
+  BallEvents<room, tilt> balls_;
   EventCount count_;
   std::array<double, dimension> state_{};
   double t_ = 0.0, released_ = std::numeric_limits<double>::infinity();

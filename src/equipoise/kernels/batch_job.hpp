@@ -26,6 +26,8 @@ bool run_general_batch(const BatchJob& job);
 bool run_smooth_batch(const BatchJob& job);
 /// Every system with contact or dry friction.
 bool run_hybrid_batch(const BatchJob& job);
+/// Every rotor that tilts.
+bool run_tilting_batch(const BatchJob& job);
 /// Driven rotors whose balls are held, to the task's end.
 bool advance_held_batch(const BatchJob& job);
 /// Driven rotors whose balls are held, until `rule` ends them.

@@ -75,6 +75,8 @@ bool run_kind(const BatchJob& job) {
       return run_smooth_batch(job);
     case BatchKind::hybrid:
       return run_hybrid_batch(job);
+    case BatchKind::tilting:
+      return run_tilting_batch(job);
     case BatchKind::turning:
       return run_general_batch(job);
     default:

@@ -73,6 +73,8 @@ template <int room, BatchKind kind, bool acceleration>
 auto flow_of(const model::Parameters& parameters, const model::System* system, const model::Segment& segment) {
   if constexpr (kind == BatchKind::smooth)
     return SmoothFlow<Pack, room>(*system, segment);
+  else if constexpr (kind == BatchKind::tilting)
+    return SmoothFlow<Pack, room, true>(*system, segment);
   else if constexpr (kind == BatchKind::hybrid)
     return HybridFlow<Pack, room>(*system, segment);
   else
@@ -133,7 +135,7 @@ template <BatchKind kind>
 bool run_job(const BatchJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time. Unrolling it for five and six balls too makes evaluations 22 and 9 % cheaper.
-  constexpr int most = kind == BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
+  constexpr int most = kind >= BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
   if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return classify_balls<room, kind>(job); });
   return model::with_ball_count < most < 4 ? most
                                            : 4 > (

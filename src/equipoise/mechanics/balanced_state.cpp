@@ -8,6 +8,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/cancelling.hpp"
+#include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/words/mechanics.hpp"
 
@@ -26,6 +27,7 @@ BalancedStates balanced_states(const Parameters& p) {
     result.reason = words::mechanics::gravity_moves_balls;
     return result;
   }
+  if (p.tilts()) return tilt_balanced_states(p);
   double largest = lambda;
   for (int i = 0; i < p.balls; ++i) largest = std::max(largest, p.mass[i]);
   const double slack = lambda + total - 2.0 * largest;
@@ -94,6 +96,7 @@ bool project_within_a_turn(const Parameters& p, double* phi) {
 }  // namespace
 
 bool project_to_balanced(const Parameters& p, double* phi) {
+  if (p.tilts()) return project_to_tilt_balanced(p, phi);
   std::array<double, max_balls> within{}, turns{};
   for (int i = 0; i < p.balls; ++i) {
     turns[i] = two_pi * std::trunc(phi[i] / two_pi);
@@ -176,8 +179,13 @@ Eigen::VectorXd balanced_state(const System& system, double speed, const double*
   return y;
 }
 
-double off_balance(const Parameters& p, double x, double y) {
-  return std::hypot(x + p.race_offset[0], y + p.race_offset[1]);
+double off_balance(const Parameters& p, const Eigen::VectorXd& state) {
+  const double away = std::hypot(state[index::x] + p.race_offset[0], state[index::y] + p.race_offset[1]);
+  return p.tilts() ? std::hypot(away, state.tail(4).head(2).norm()) : away;
+}
+
+int cancelling_freedom(const Parameters& p) {
+  return p.tilts() ? tilt_cancelling_freedom(p) : std::max(p.balls - 2, 1);
 }
 
 int balanced_freedom(const System& system) {
@@ -185,7 +193,7 @@ int balanced_freedom(const System& system) {
   const Parameters& p = system.parameters();
   if (p.gravity != 0.0 || !(p.race_is_centred() || p.isotropic())) return 0;
   const bool family = balanced_states(system, any_speed).kind == BalancedStates::Kind::continuum;
-  return (family ? std::max(system.balls() - 2, 1) : 0) + (system.coasts() && p.race_is_centred() ? 1 : 0);
+  return (family ? cancelling_freedom(p) : 0) + (system.coasts() && p.race_is_centred() ? 1 : 0);
 }
 
 }  // namespace equipoise::model

@@ -25,8 +25,9 @@ struct BalancedStates {
   std::string reason;
 };
 
-/// Exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda + sum mu_i (polygon inequality), balls that collide have
-/// room for it (mechanics/cancelling.hpp), and there is no gravity.
+/// Of a rotor that tilts: tilt_balanced_states(). Else it exists if and only if 2 max(lambda, mu_1..mu_n) <= lambda +
+/// sum mu_i (polygon inequality), balls that collide have room for it (mechanics/cancelling.hpp), and there is no
+/// gravity.
 BalancedStates balanced_states(const Parameters& p);
 
 /// Projects the ball angles `phi` onto a nearby member of the continuum: Newton's method with the least change of
@@ -53,8 +54,11 @@ BalancedStates balanced_states(const System& system, double coasting = 0.0);
 bool project_to_balanced(const System& system, double speed, double* phi);
 /// The balanced state with these ball angles at `speed`; psi, if in the state, is 0.
 Eigen::VectorXd balanced_state(const System& system, double speed, const double* phi);
-/// Distance from the axis of rotation of the race's centre, which lies on it in balance. (x, y): shaft centre O.
-double off_balance(const Parameters& p, double x, double y);
+/// Of a system's state: distance from the axis of rotation of the race's centre, which lies on it in balance. Of a
+/// rotor that tilts, with the slope of its shaft as a further distance.
+double off_balance(const Parameters& p, const Eigen::VectorXd& state);
+/// Dimension of a continuum of balanced states: how many angles are free.
+int cancelling_freedom(const Parameters& p);
 /// Number of directions in which a balanced state can be moved without force: along the continuum, and in speed if the
 /// rotor coasts. 0 with gravity, or with an off-centre race on unequal supports: no state is then at rest.
 int balanced_freedom(const System& system);

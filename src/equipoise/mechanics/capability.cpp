@@ -24,6 +24,8 @@ bool offers(const System& system, Need need) {
       return p.isotropic();
     case Need::no_gravity:
       return p.gravity == 0.0;
+    case Need::no_tilt:
+      return !system.tilts();
     case Need::turning:
       return system.section() != Section::stroboscopic || system.speed() != 0.0;
     case Need::linear_torque:
@@ -49,6 +51,8 @@ const char* words(Need need) {
       return words::mechanics::equal_supports;
     case Need::no_gravity:
       return words::mechanics::no_gravity;
+    case Need::no_tilt:
+      return words::mechanics::no_tilt;
     case Need::turning:
       return words::mechanics::turning;
     case Need::linear_torque:

@@ -11,7 +11,21 @@
 namespace equipoise::model {
 
 /// The kinds of result about a system.
-enum class ResultKind { trajectory, shares, attractors, proofs, displacements, branches, maps, torus_regions, curves };
+enum class ResultKind {
+  trajectory,
+  shares,
+  attractors,
+  proofs,
+  displacements,
+  branches,
+  maps,
+  torus_regions,
+  transients,
+  equations,
+  pages,
+  designs,
+  curves
+};
 
 /// Properties of a system that a result may need.
 enum class Need {
@@ -21,13 +35,14 @@ enum class Need {
   centred_race,
   equal_supports,
   no_gravity,
+  no_tilt,
   turning,        ///< a final speed other than 0, if the equations depend on the rotor's angle
   lasting_drive,  ///< a prescribed speed, or a torque that does not vanish for good
   linear_torque,  ///< a prescribed speed, or a torque that is linear in the speed
 };
-inline constexpr std::array all_needs{Need::prescribed_speed, Need::passing_balls,  Need::sliding_balls,
-                                      Need::centred_race,     Need::equal_supports, Need::no_gravity,
-                                      Need::turning,          Need::lasting_drive,  Need::linear_torque};
+inline constexpr std::array all_needs{
+    Need::prescribed_speed, Need::passing_balls, Need::sliding_balls, Need::centred_race,  Need::equal_supports,
+    Need::no_gravity,       Need::no_tilt,       Need::turning,       Need::lasting_drive, Need::linear_torque};
 
 class Needs {
  public:
@@ -48,30 +63,34 @@ struct Capability {
 };
 
 /// One row per result, in the order of ResultKind. docs/reference/commands/index.md shows it.
-inline constexpr std::array<Capability, 9> capabilities{{
+inline constexpr std::array<Capability, 13> capabilities{{
     {ResultKind::trajectory, "trajectories", "simulate", {}},
     {ResultKind::shares, "shares", "basin", {Need::turning}},
     {ResultKind::attractors, "attractors", "attractors", {Need::turning, Need::lasting_drive}},
     {ResultKind::proofs,
      "proofs",
      "",
-     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::lasting_drive,
-      Need::linear_torque}},
+     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::no_tilt,
+      Need::lasting_drive, Need::linear_torque}},
     {ResultKind::displacements,
      "observed displacements",
      "",
      {Need::prescribed_speed, Need::passing_balls, Need::sliding_balls, Need::centred_race, Need::equal_supports,
-      Need::no_gravity}},
-    {ResultKind::branches, "branches along a parameter", "", {Need::turning, Need::lasting_drive}},
-    {ResultKind::maps, "maps", "map", {Need::turning, Need::lasting_drive}},
+      Need::no_gravity, Need::no_tilt}},
+    {ResultKind::branches, "branches along a parameter", "", {Need::no_tilt, Need::turning, Need::lasting_drive}},
+    {ResultKind::maps, "maps", "map", {Need::no_tilt, Need::turning, Need::lasting_drive}},
     {ResultKind::torus_regions,
      "trapping regions of tori",
      "",
-     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity}},
+     {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::no_tilt}},
+    {ResultKind::transients, "figures of transients", "", {Need::no_tilt}},
+    {ResultKind::equations, "equations for other integrators", "", {Need::no_tilt}},
+    {ResultKind::pages, "explanations, reports and pages", "", {Need::no_tilt}},
+    {ResultKind::designs, "designs", "", {Need::no_tilt}},
     {ResultKind::curves,
      "curves in a plane of two parameters",
      "chart",
-     {Need::centred_race, Need::equal_supports, Need::no_gravity, Need::turning, Need::lasting_drive}},
+     {Need::centred_race, Need::equal_supports, Need::no_gravity, Need::turning, Need::lasting_drive, Need::no_tilt}},
 }};
 constexpr const Capability& capability(ResultKind result) { return capabilities[static_cast<std::size_t>(result)]; }
 

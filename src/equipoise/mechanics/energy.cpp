@@ -48,10 +48,14 @@ Powers powers(const Parameters& p, double inertia, const Segment& segment, doubl
                 segment.clamped ? 0.0 : energies.taken_by_drag(z)};
 }
 
-std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z) {
+std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z, const double* tilt) {
   const kernels::BallBalancer<double, 1, kernels::Terms{}> balancer(p);
   const kernels::RotorMotion<double> rotor{0.0, 0.0, std::sin(psi), std::cos(psi)};
-  const auto f = balancer.bearing_force(rotor, z);
+  auto f = balancer.bearing_force(rotor, z);
+  if (tilt) {
+    const std::array<double, 8> both{z[0], z[1], z[2], z[3], tilt[0], tilt[1], tilt[2], tilt[3]};
+    kernels::TiltConstants<double, 1>(p, 4).add_supports(rotor, both.data(), f);
+  }
   return in_fixed_axes(rotor.cos_psi, rotor.sin_psi, f.x, f.y);
 }
 

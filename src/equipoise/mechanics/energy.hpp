@@ -26,6 +26,7 @@ Powers powers(const Parameters& p, double inertia, const Segment& segment, doubl
 double full_energy(const Parameters& p, const double* z);
 
 /// Force of springs and dampers on the support in fixed axes, zeta X' + kappa X, as {X, Y}, at rotor angle `psi`.
-std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z);
+/// `tilt`: the four variables of a rotor that tilts, whose supports are taken together.
+std::array<double, 2> bearing_force(const Parameters& p, double psi, const double* z, const double* tilt = nullptr);
 
 }  // namespace equipoise::model

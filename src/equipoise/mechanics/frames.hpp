@@ -12,6 +12,8 @@ inline std::array<double, 2> in_fixed_axes(double cos_psi, double sin_psi, doubl
   return {x * cos_psi - y * sin_psi, x * sin_psi + y * cos_psi};
 }
 
+// The next three are as true of a tilt's four variables, sx, sy, us and vs.
+
 /// (x', y') of a state z, which holds the inertial velocity, at psi' = w.
 inline std::array<double, 2> rotating_velocity(double w, const double* z) {
   return {z[index::u] + w * z[index::y], z[index::v] - w * z[index::x]};

@@ -72,6 +72,7 @@ GravityWell::GravityWell(const System& system, std::complex<double> moment, doub
 
 std::optional<GravityWell> GravityWell::of(const System& system) {
   const Parameters& p = system.parameters();
+  if (p.tilts()) return std::nullopt;  // its energy is another
   const double mass = p.total_mass();
   const std::complex<double> moment =
       p.gravity * (p.eccentricity + mass * std::complex<double>(p.race_offset[0], p.race_offset[1]));

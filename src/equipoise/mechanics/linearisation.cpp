@@ -49,13 +49,16 @@ Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, d
 Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi) {
   if (system.plain()) return derivative(system.parameters(), system.speed(), y.data(), psi);
   Eigen::VectorXd rate(system.dimension());
-  kernels::SmoothFlow<double, any_count>(system, psi)(0.0, y.data(), rate.data());
+  kernels::with_tilt(system, [&](auto tilt) {
+    kernels::SmoothFlow<double, any_count, tilt>(system, psi)(0.0, y.data(), rate.data());
+  });
   return rate;
 }
 
-Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
-  if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
-  constexpr int most = kernels::SmoothFlow<double, any_count>::dimension;
+namespace {
+template <bool tilt>
+Eigen::MatrixXd smooth_jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
+  constexpr int most = kernels::SmoothFlow<double, any_count, tilt>::dimension;
   using Dual = Gradient<double, most>;
   const int size = system.dimension();
   Dual z[most], dz[most];
@@ -63,11 +66,17 @@ Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double 
     z[i] = Dual(y[i]);
     z[i].slope[i] = 1.0;
   }
-  kernels::SmoothFlow<Dual, any_count>(system, psi)(Dual(0.0), z, dz);
+  kernels::SmoothFlow<Dual, any_count, tilt>(system, psi)(Dual(0.0), z, dz);
   Eigen::MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
     for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];
   return result;
+}
+}  // namespace
+
+Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
+  if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
+  return kernels::with_tilt(system, [&](auto tilt) { return smooth_jacobian<tilt>(system, y, psi); });
 }
 
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi) {

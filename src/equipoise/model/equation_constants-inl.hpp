@@ -7,10 +7,13 @@
 #define EQUIPOISE_MODEL_EQUATION_CONSTANTS_INL
 #endif
 
+#include <type_traits>
+
 #include "equipoise/base/pack-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/equation_terms-inl.hpp"
 #include "equipoise/model/parameters.hpp"
+#include "equipoise/model/tilt-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -22,13 +25,15 @@ namespace HWY_NAMESPACE {
 template <class T, int room, Terms terms>
 class BalancerConstants {
  public:
-  explicit BalancerConstants(const model::Parameters& p)
+  // `tilt`: the place of sx in the state of a rotor that tilts.
+  explicit BalancerConstants(const model::Parameters& p, [[maybe_unused]] int tilt = -1)
       : n(p.balls),
         zeta_mean_(0.5 * (p.damping[0] + p.damping[1])),
         zeta_half_(0.5 * (p.damping[0] - p.damping[1])),
         kappa_mean_(0.5 * (p.stiffness[0] + p.stiffness[1])),
         kappa_half_(0.5 * (p.stiffness[0] - p.stiffness[1])),
-        gravity_(p.gravity) {
+        gravity_(p.gravity),
+        tilt_(tilt_of(p, tilt)) {
     // Sums and products of parameters are formed in T: where T is an interval they are bounded like all that follows,
     // where it is a double they have the same bits as ever. The means above are exact where supports are isotropic.
     rotor_.unbalance.x = T(p.eccentricity);
@@ -37,6 +42,11 @@ class BalancerConstants {
       offset_ = {T(p.race_offset[0]), T(p.race_offset[1])};
       rotor_.unbalance = {rotor_.unbalance.x - offset_.x, -offset_.y};
       rotor_.inertia = T(p.inertia) + rotor_.unbalance.x * rotor_.unbalance.x + rotor_.unbalance.y * rotor_.unbalance.y;
+    }
+    if constexpr (terms.tilt) {
+      T sine, cosine;
+      sin_cos(T(p.eccentricity_angle), sine, cosine);
+      rotor_.unbalance = {T(p.eccentricity) * cosine, T(p.eccentricity) * sine};
     }
     T mass(0.0);
     for (int i = 0; i < n; ++i) {
@@ -56,11 +66,20 @@ class BalancerConstants {
                  &B::gravity_, &B::inertia_sum_, &B::mu_, &B::beta_, &B::drag_force_, &B::offset_, &B::share_,
                  &B::sliding_mass_, &B::carried_, &B::effective_arm_, &B::euler_factor_, &B::inertia_along_,
                  &B::inverse_inertia_);
+    if constexpr (terms.tilt) tilt_.take_lane(from.tilt_, lane);
     sizes_differ_ = sizes_differ_ || from.sizes_differ_;
   }
 
  protected:
   static constexpr int places = room > 0 ? room : 1;  // arrays are never empty
+  using Tilt = std::conditional_t<terms.tilt, TiltConstants<T, places>, NoTilt>;
+  static Tilt tilt_of([[maybe_unused]] const model::Parameters& p, [[maybe_unused]] int place) {
+    if constexpr (terms.tilt)
+      return {p, place};
+    else
+      return {};
+  }
+
   // A ball into what slides and what is fixed to the race, which is made part of the rotor here. One that does not roll
   // slides as a whole; the numbers that say so are exact.
   void split_rolling_ball(int i, const model::Parameters& p) {
@@ -114,6 +133,7 @@ class BalancerConstants {
   T effective_arm_[places]{}, euler_factor_[places]{};     // Euler: psi'' times it is what a ball lags behind the race
   T inertia_along_[places]{}, inverse_inertia_[places]{};  // what resists a force along the race, and one over it
   bool sizes_differ_ = false;
+  [[no_unique_address]] Tilt tilt_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -22,7 +22,19 @@ struct Terms {
   bool body = false;     // any body in the rotor's place: a race off its centre, balls that are part of it; a motor
   bool actions = false;  // balls may be held, resist rolling or push each other
   bool rolls = true;     // balls roll if the parameters say so
+  bool tilt = false;     // the rotor tilts, and balls run in planes of their own (tilt-inl.hpp)
 };
+
+// Of any rotor at any drive, as a body; one that tilts has a centred race and balls that slide.
+constexpr Terms body_terms(bool tilt, bool actions = false) {
+  return {.acceleration = true,
+          .anisotropy = true,
+          .gravity = true,
+          .body = true,
+          .actions = actions,
+          .rolls = !tilt,
+          .tilt = tilt};
+}
 
 // Of the paper's rotor: isotropic and horizontal, its balls slide.
 constexpr Terms paper_terms(bool acceleration) {

@@ -32,7 +32,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
 
   using Constants::Constants;
 
-  // What springs and dampers exert on the support, in rotating components (fx, fy).
+  // What springs and dampers exert on the support for the centre's motion, in rotating components (fx, fy).
   HWY_INLINE Vector2<T> bearing_force(const RotorMotion<T>& rotor, const T* z) const {
     const T x = z[0], y = z[1], u = z[2], v = z[3];
     Vector2<T> f{zeta_mean_ * u + kappa_mean_ * x, zeta_mean_ * v + kappa_mean_ * y};
@@ -78,7 +78,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
       Constants::kappa_mean_, Constants::kappa_half_, Constants::gravity_, Constants::inertia_sum_, Constants::mu_,
       Constants::beta_, Constants::drag_force_, Constants::offset_, Constants::carried_, Constants::effective_arm_,
       Constants::euler_factor_, Constants::inertia_along_, Constants::inverse_inertia_, Constants::sizes_differ_,
-      Constants::sliding_mass, Constants::along_race, Constants::times_arm;
+      Constants::sliding_mass, Constants::along_race, Constants::times_arm, Constants::tilt_;
   // What is done for one lane and not for another is done for both and told apart afterwards.
   static constexpr bool masked = terms.actions && !std::is_same_v<MaskOf<T>, bool>;
 
@@ -109,6 +109,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
     Vector2<T> friction_arm;  // sum of resistance times radial direction: what A takes from the moment
     Vector2<T> carried;       // unbalance of what free balls have fixed to the race
     T joined_inertia;         // what joined balls of different size add to the body's
+    [[no_unique_address]] std::conditional_t<terms.tilt, TiltSums<T>, NoTilt> tilt;
   };
 
   // M's inverse is times_divisor() over divisor(); where no ball is free M is the body's mass.
@@ -137,6 +138,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
                           const T* torque, const T* z, Sums& sums, T* dz) const {
     const Vector2<T> f = bearing_force(rotor, z);
     add_body(rotor, body, f, sums);
+    if constexpr (terms.tilt) tilt_.add_body(rotor, z, sums.force_x, sums.force_y, sums.tilt);
     for (int i = 0; i < n; ++i)
       if (masked || !terms.actions || !is_held(actions, i)) add_ball(i, rotor, actions, z, sums);
     const T& inertia_sum = terms.body ? sums.inertia_sum : inertia_sum_;
@@ -145,6 +147,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
       for (int i = 0; i < n && actions->acted_on; ++i) add_actions(i, rotor, *actions, z, sums, m);
     if constexpr (terms.actions)
       if (actions->together) join(rotor, *actions, z, sums, m);
+    if constexpr (terms.tilt) return balance_tilt(rotor, body, actions, torque, z, sums, m, dz);
     // Symmetric positive definite, but for rolling resistance. The solution is left as solved times inverse, so that
     // all that can be done without the quotient need not wait for it.
     const T inverse = T(1.0) / divisor(m);
@@ -167,6 +170,22 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
       for (int i = 0; i < n; ++i) ball_rates(i, rotor.acceleration, z, sums, solved, along, dz);
       move_centre(rotor, z, solved, inverse, dz);
     }
+  }
+
+  // The same where A and the acceleration of the slope depend on each other.
+  HWY_INLINE BodyResult<T> balance_tilt(const RotorMotion<T>& rotor, const Body<T>& body,
+                                        const BallActions<T, room>* actions, const T* torque, const T* z,
+                                        const Sums& sums, const Matrix2<T>& m, T* dz) const {
+    static_assert(terms.body && !terms.rolls);
+    Wrench<T> solved{{sums.force_x, sums.force_y}, sums.tilt.moment};
+    const BodyResult<T> result = solve_tilt(m, sums.tilt, body, rotor.acceleration, torque, sums.moment, solved);
+    for (int i = 0; i < n; ++i) {
+      ball_rates(i, result.acceleration, z, sums, tilt_.in_plane(i, solved), T(1.0), dz);
+      if constexpr (terms.actions) apply_contact_and_friction(i, rotor, *actions, result, z, sums, dz);
+    }
+    move_centre(rotor, z, solved.centre, T(1.0), dz);
+    tilt_.move(rotor, z, solved.tilt, dz);
+    return result;
   }
 
   HWY_INLINE void add_body(const RotorMotion<T>& rotor, const Body<T>& body, const Vector2<T>& f, Sums& sums) const {
@@ -205,6 +224,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
     sums.force_y = centrifugal * s + (first ? pull * c - sums.resisting_y : pull * c + sums.force_y);
     sums.inertia_y = sums.inertia_y + mass_sine * s;
     sums.coupling = sums.coupling + mass_sine * c;
+    if constexpr (terms.tilt) tilt_.add_ball(i, centrifugal, pull, sliding, s, c, sums.tilt);
     if constexpr (terms.body) {
       sums.inertia_sum = sums.inertia_sum + sliding;
       sums.moment = sums.moment + times_arm(i, drag);
@@ -227,6 +247,7 @@ class BallBalancer : public BalancerConstants<T, room, terms> {
       body.unbalance.y = body.unbalance.y + mass * sums.s[i];
       body.mass = body.mass + sliding;
       body.inertia = body.inertia + times_arm(i, times_arm(i, sliding));
+      if constexpr (terms.tilt) tilt_.add_held(i, mass, sums.s[i], sums.c[i], sums.tilt);
     }
     return body;
   }

@@ -111,10 +111,11 @@ struct EventMargins {
 };
 
 // The state is that of the system or model::machine_layout().
-template <class T, int room>
+template <class T, int room, bool tilt = false>
 class HybridFlow {
  public:
-  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, padded to an even number
+  // Of the largest state, padded to an even number.
+  static constexpr int dimension = model::dimension(room) + (tilt ? 8 : 4);
   static constexpr int least_size = model::dimension(room == model::any_count ? 1 : room);
   using Modes = ModeTable<T, room>;
   using Forces = BallForces<T, room>;
@@ -126,7 +127,7 @@ class HybridFlow {
 
   // For any piece of a drive, laid out as model::machine_layout().
   HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const Modes* modes)
-      : HybridFlow(p, piece, model::machine_layout(p.balls), piece.begin, piece.psi, modes) {}
+      : HybridFlow(p, piece, model::machine_layout(p), piece.begin, piece.psi, modes) {}
 
   int size() const { return size_; }
   const model::StateLayout& layout() const { return drive_.layout(); }
@@ -217,7 +218,7 @@ class HybridFlow {
   HybridFlow(const model::Parameters& p, const model::DrivePiece& piece, const model::StateLayout& layout, double begin,
              double psi, const Modes* modes)
       : n(p.balls),
-        balancer_(p),
+        balancer_(p, layout.tilt),
         drive_(p, piece, layout, begin, psi),
         size_(layout.size),
         resists_(p.balls_stick()),
@@ -249,7 +250,7 @@ class HybridFlow {
   }
 
   const model::BallCount<room> n;
-  BallBalancer<T, room, Terms{true, true, true, true, true}> balancer_;
+  BallBalancer<T, room, body_terms(tilt, true)> balancer_;
   RotorDrive<T> drive_;
   int size_;
   bool resists_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 namespace equipoise::model {
 
@@ -15,6 +16,26 @@ struct Ratio {
 };
 /// Moment of inertia of a solid sphere about its centre, over its mass and the square of its radius.
 inline constexpr Ratio sphere_inertia{2.0, 5.0};
+
+/// How a rotor tilts, and where along its shaft the balls run (docs/explanation/equations.md, "A rotor that tilts").
+/// Places along the shaft count from the rotor's centre of mass, in R; moments of inertia in M R^2, without the balls.
+struct Tilt {
+  double transverse_inertia = 0.0;  ///< Jt, about a diameter; 0: the rotor does not tilt
+  double polar_inertia = 0.0;       ///< Jp, about its axis, >= 0
+  double misalignment = 0.0;        ///< chi, angle in rad between principal axis and shaft, towards angle 0
+  /// Of the supports in X and Y: {k12, k22}, the moment for a deflection, or force for a tilt, and the moment for a
+  /// tilt.
+  std::array<std::array<double, 2>, 2> stiffness{};
+  std::array<std::array<double, 2>, 2> damping{};  ///< likewise {c12, c22}
+  std::array<double, max_balls> plane{};           ///< z_i: of each ball's race
+
+  /// The couple unbalance chi (Jt - Jp), along angle 0.
+  double couple() const { return misalignment * (transverse_inertia - polar_inertia); }
+  bool isotropic() const { return stiffness[0] == stiffness[1] && damping[0] == damping[1]; }
+};
+
+/// Of a rotor without balls, about the shaft's axis at its centre of mass: what its inertia is unless stated.
+inline double axial_inertia(const Tilt& t) { return t.polar_inertia + t.couple() * t.misalignment; }
 
 /// Rotor, supports and balls; constant in time. Symbols as in Wright and Peng (2019) and docs/explanation/equations.md.
 /// Ranges are checked when a study is read.
@@ -36,6 +57,8 @@ struct Parameters {
   double restitution = 0.5;                     ///< of ball on ball, 0 to 1
   bool rolls = false;                           ///< balls are solid spheres that roll without slip; else they slide
   std::array<double, max_balls> ball_radius{};  ///< of a ball that rolls, over R; 0 to 1
+  Tilt tilt{};                                  ///< tilts() says whether the rotor does
+  double eccentricity_angle = 0.0;              ///< beta_0: of the centre of mass, from angle 0; 0 unless tilts()
 
   /// Sum of mu_i.
   double total_mass() const {
@@ -44,14 +67,19 @@ struct Parameters {
     return sum;
   }
   /// lambda + sum mu_i: the largest possible unbalance, and the order of magnitude of r and of the rotor's velocity.
-  double all_unbalances() const { return eccentricity + total_mass(); }
+  /// Of a rotor that tilts with the couple unbalance, and of the order of the tilt too.
+  double all_unbalances() const {
+    const double sum = eccentricity + total_mass();
+    return tilts() ? sum + std::fabs(tilt.couple()) : sum;
+  }
+  bool tilts() const { return tilt.transverse_inertia > 0.0; }
   /// Inertia of a ball along the race over its mass; a rolling ball adds its spin's.
   double inertia_along_race() const { return rolls ? 1.0 + sphere_inertia.value() : 1.0; }
-  bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1]; }
+  bool isotropic() const { return damping[0] == damping[1] && stiffness[0] == stiffness[1] && tilt.isotropic(); }
   /// Exchanging these two balls makes no difference.
   bool alike(int i, int k) const {
     return mass[i] == mass[k] && drag[i] == drag[k] && rolling[i] == rolling[k] && stiction[i] == stiction[k] &&
-           ball_radius[i] == ball_radius[k];
+           ball_radius[i] == ball_radius[k] && tilt.plane[i] == tilt.plane[k];
   }
   bool equal_balls() const {
     for (int i = 1; i < balls; ++i)
@@ -83,7 +111,8 @@ constexpr int q(int i, int balls) { return 4 + balls + i; }
 
 namespace equipoise {
 
-/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last.
-inline constexpr int max_dimension = model::dimension(model::max_balls) + 3;
+/// Of the state of any system (model/system.hpp): a driven rotor's angle, speed and speed error come last, then the
+/// four variables of a tilt.
+inline constexpr int max_dimension = model::dimension(model::max_balls) + 7;
 
 }  // namespace equipoise

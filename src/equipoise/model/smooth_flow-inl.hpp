@@ -8,6 +8,8 @@
 #define EQUIPOISE_MODEL_SMOOTH_FLOW_INL
 #endif
 
+#include <type_traits>
+
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/equations-inl.hpp"
@@ -18,10 +20,11 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
-template <class T, int room>
+template <class T, int room, bool tilt = false>
 class SmoothFlow {
  public:
-  static constexpr int dimension = model::dimension(room) + 4;  // of the largest state, padded to an even number
+  // Of the largest state, padded to an even number.
+  static constexpr int dimension = model::dimension(room) + (tilt ? 8 : 4);
   static constexpr int least_size = model::least_dimension<room>;
 
   // For the last piece of the drive, which no longer depends on time. `psi`: the rotor's angle at time 0, unless the
@@ -48,11 +51,17 @@ class SmoothFlow {
 
  private:
   SmoothFlow(const model::System& s, double begin, double psi)
-      : balancer_(s.parameters()), drive_(s.parameters(), s.drive(), s.layout(), begin, psi) {}
+      : balancer_(s.parameters(), s.layout().tilt), drive_(s.parameters(), s.drive(), s.layout(), begin, psi) {}
 
-  BallBalancer<T, room, Terms{true, true, true, true}> balancer_;
+  BallBalancer<T, room, body_terms(tilt)> balancer_;
   RotorDrive<T> drive_;
 };
+
+// Calls `f(std::bool_constant<tilt>{})`: code for rotors that tilt is apart from that of all others.
+template <class F>
+decltype(auto) with_tilt(const model::System& system, F&& f) {
+  return system.tilts() ? f(std::true_type{}) : f(std::false_type{});
+}
 
 // A rotor whose balls are held: one body, whose constant unbalance is part of the state (model/held_state.hpp).
 template <class T>

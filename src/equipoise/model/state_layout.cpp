@@ -18,6 +18,12 @@ std::vector<StateVariable> state_variables(const StateLayout& layout) {
   if (layout.speed >= 0) v.push_back({"psi_dot", "omega_c", "speed of the rotor"});
   if (layout.error >= 0)
     v.push_back({"speed_error_integral", "rad", "integral of what the speed lacks of the control's target"});
+  if (layout.tilt >= 0) {
+    v.push_back({"tilt_x", "rad", "slope of the shaft along the rotating x axis"});
+    v.push_back({"tilt_y", "rad", "slope of the shaft along the rotating y axis"});
+    v.push_back({"tilt_u", "omega_c", "inertial rate of the slope along the rotating x axis"});
+    v.push_back({"tilt_v", "omega_c", "inertial rate of the slope along the rotating y axis"});
+  }
   return v;
 }
 

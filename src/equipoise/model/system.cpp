@@ -22,7 +22,7 @@ System::System(const Parameters& p, const DrivePiece& last)
       drive_(last),
       section_(section_of(p, last.prescribed)),
       layout_(StateLayout::of(p.balls, section_ == Section::turn, last.driven(),
-                              last.driven() && last.motor.integral != 0.0)) {}
+                              last.driven() && last.motor.integral != 0.0, p.tilts())) {}
 
 std::optional<double> System::no_load_speed() const {
   if (prescribed()) return std::nullopt;
@@ -67,6 +67,7 @@ Eigen::VectorXd state_scale(const Parameters& p) {
 Eigen::VectorXd System::scale() const {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension());
   result.head(model::dimension(p_.balls)) = state_scale(p_);
+  if (layout_.tilt >= 0) result.segment(layout_.tilt, 4).setConstant(p_.all_unbalances());
   return result;
 }
 

@@ -54,8 +54,9 @@ class System {
   bool autonomous() const { return section_ == Section::none; }
   Events events() const { return {p_.balls_collide(), p_.balls_stick()}; }
   bool smooth() const { return !events().any(); }
-  /// A prescribed speed and a centred race: FreeFlow (flow-inl.hpp) has all the equations.
-  bool plain() const { return prescribed() && p_.race_is_centred(); }
+  /// A prescribed speed, a centred race and no tilt: FreeFlow (flow-inl.hpp) has all the equations.
+  bool plain() const { return prescribed() && p_.race_is_centred() && !tilts(); }
+  bool tilts() const { return p_.tilts(); }
   /// Plain and smooth: no events but the corners of the drive.
   bool simple() const { return plain() && smooth(); }
 
@@ -92,7 +93,7 @@ class System {
   std::vector<Angle> angles() const;
   /// The same state with its angles in [0, turn).
   Eigen::VectorXd with_angles_reduced(Eigen::VectorXd y) const;
-  /// state_scale(), then 1 for the drive's components.
+  /// state_scale(), then 1 for the drive's components, and for a tilt what state_scale() has for the centre.
   Eigen::VectorXd scale() const;
 
   /// Exchanging these two balls makes no difference.

@@ -26,7 +26,8 @@ bool ContinuumDraws::next(std::array<double, model::max_balls>& phi) {
   for (int k = 0; k < most && !walking_; ++k) {
     for (int i = 0; i < p_.balls; ++i) phi[i] = two_pi * random_.uniform();
     if (p_.balls_collide()) model::make_room(p_, phi.data());
-    if (std::abs(model::unbalance(p_, phi.data())) < near && balance(phi)) return true;
+    const bool nearly = p_.tilts() || std::abs(model::unbalance(p_, phi.data())) < near;
+    if (nearly && balance(phi)) return true;
   }
   if (!walking_) {
     if (!p_.balls_collide()) return false;

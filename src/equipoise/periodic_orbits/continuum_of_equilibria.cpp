@@ -67,7 +67,7 @@ ContinuumOfEquilibria::ContinuumOfEquilibria(const model::System& system)
       speed_(model::balanced_speed(system).value_or(0.0)),
       section_period_(system.autonomous() ? 0.0 : system.section_period()),
       rests_(model::balanced_freedom(system) > 0),
-      dimension_(std::max(system.balls() - 2, 1)),
+      dimension_(model::cancelling_freedom(twin_.parameters)),
       scale_(system.scale()) {}
 
 // Fills everything except `phi` and the form. Gravity moves the centre off the balanced state. Newton's method across

@@ -125,7 +125,7 @@ bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {
     if (!rest || !((rest->state - state).lpNorm<Eigen::Infinity>() < 0.01)) return false;
     state = rest->state;
   }
-  return model::off_balance(system.parameters(), state[0], state[1]) < centred * system.scale()[0];
+  return model::off_balance(system.parameters(), state) < centred * system.scale()[0];
 }
 
 bool relaxes_to_balance(const model::System& system, const VectorXd& state) {

@@ -40,19 +40,23 @@ using Autonomous = PlainSource<room, Terms{false, false, false}>;
 template <int room>
 using AngleDependent = PlainSource<room, Terms{false, true, true}>;
 
-// All others: with a motor or an off-centre race.
-struct GeneralSource {
+// All others: with a motor or an off-centre race, or with a tilt.
+template <bool tilt>
+struct SmoothSource {
   // Of the largest state for that many balls.
   template <int balls>
-  static constexpr int largest = SmoothFlow<double, balls>::dimension;
+  static constexpr int largest = SmoothFlow<double, balls, tilt>::dimension;
   static constexpr int dimension = largest<model::max_balls>;
   template <class T>
-  using Flow = SmoothFlow<T, model::any_count>;
+  using Flow = SmoothFlow<T, model::any_count, tilt>;
   template <class T>
   static Flow<T> make(const model::System& system, double psi) {
     return {system, psi};
   }
 };
+
+using GeneralSource = SmoothSource<false>;
+using TiltSource = SmoothSource<true>;
 
 // Tangent vectors along a trajectory, as many as asked for but at most `width`. Component (1 + vectors) i is variable
 // i, the next `vectors` are its tangents.
@@ -90,6 +94,8 @@ template <int dimension>
 void set_system_scale(const model::System& system, int stride, ErrorScale<dimension>& scale) {
   set_state_scale(system.parameters(), stride, scale);
   for (int i = model::dimension(system.balls()); i < system.dimension(); ++i) scale.floor[stride * i] = smallest_share;
+  if (const int tilt = system.layout().tilt; tilt >= 0)
+    for (int i = tilt; i < tilt + 4; ++i) scale.floor[stride * i] = scale.floor[0];
   for (const auto& angle : system.angles()) {
     scale.floor[stride * angle.place] = 1.0;
     scale.absolute[stride * angle.place] = scale.angle[stride * angle.place] = true;

@@ -28,6 +28,8 @@ std::optional<TangentFlight> run_plain(const TangentJob& j) {
 
 std::optional<TangentFlight> run_tangents_target(const TangentJob& j) {
   using G = GeneralSource;
+  using T = TiltSource;
+  if (j.system.tilts()) return run_source<T, T::largest<4>, T::largest<16>>(j);
   if (!j.system.plain()) return run_source<G, G::largest<2>, G::largest<4>, G::largest<8>, G::largest<16>>(j);
   return j.system.autonomous() ? run_plain<Autonomous>(j) : run_plain<AngleDependent>(j);
 }

@@ -24,6 +24,7 @@ std::optional<TangentFlight> follow_derivative(const model::System& system, cons
 std::optional<VectorXd> advance_state(const model::System& system, const VectorXd& state, double duration, double psi,
                                       double tolerance) {
   constexpr int any = model::any_count;
+  if (system.tilts()) return kernels::advance<kernels::TiltSource>(system, state, duration, psi, tolerance);
   if (!system.plain()) return kernels::advance<kernels::GeneralSource>(system, state, duration, psi, tolerance);
   return system.autonomous() ? kernels::advance<kernels::Autonomous<any>>(system, state, duration, psi, tolerance)
                              : kernels::advance<kernels::AngleDependent<any>>(system, state, duration, psi, tolerance);

@@ -26,7 +26,7 @@ void write_csv(std::ostream& out, const Trajectory& r) {
   };
   const auto cells = [&](const auto& one, const auto& of_ball) {
     for (const TrajectoryColumn& c : trajectory_columns) {
-      if (c.values) one(c);
+      if (c.values && c.is_in(r)) one(c);
       for (std::size_t i = 0; c.by_ball && i < r.phi.size(); ++i) of_ball(c, i);
     }
     line.resize(line.size() - 1);  // the last comma
@@ -61,8 +61,10 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
   const int ball = file.dimension("ball", balls);
   std::vector<int> ids;
   for (const TrajectoryColumn& c : trajectory_columns)
-    ids.push_back(file.variable(c.name, NC_DOUBLE, c.by_ball ? std::vector{time, ball} : std::vector{time},
-                                c.cf_units(), c.long_name()));
+    ids.push_back(!c.is_in(r)
+                      ? -1
+                      : file.variable(c.name, NC_DOUBLE, c.by_ball ? std::vector{time, ball} : std::vector{time},
+                                      c.cf_units(), c.long_name()));
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", words::files::trajectory);
   file.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
@@ -71,6 +73,7 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
   if (rows == 0) return;
   for (std::size_t c = 0; c < ids.size(); ++c) {
     const TrajectoryColumn& column = trajectory_columns[c];
+    if (!column.is_in(r)) continue;
     if (column.values) {
       file.write(ids[c], {0}, {rows}, (r.*column.values).data());
       continue;

@@ -14,18 +14,25 @@ namespace equipoise {
 struct Trajectory {
   IntegrationStatus status = IntegrationStatus::done;  ///< if not `done`, later times are missing from every array
   bool stopped = false;                                ///< ended early by the stop flag
+  bool tilts = false;                                  ///< of a rotor that tilts
   std::vector<double> t;
-  std::vector<double> psi, psi_dot;               ///< rotor angle and rate
-  std::vector<double> x, y, x_dot, y_dot;         ///< centre O and its derivatives in the rotating frame
+  std::vector<double> psi, psi_dot;        ///< rotor angle and rate
+  std::vector<double> x, y, x_dot, y_dot;  ///< centre O and its derivatives in the rotating frame
+  /// Slopes of the shaft along the rotating axes and their derivatives there; empty unless the rotor tilts.
+  std::vector<double> tilt_x, tilt_y, tilt_x_dot, tilt_y_dot;
   std::vector<std::vector<double>> phi, phi_dot;  ///< ball angles (unwrapped) and rates in the rotating frame
   std::vector<double> radial;                     ///< distance of O from its rest position under gravity
-  std::vector<double> bearing_x, bearing_y;       ///< zeta X' + kappa X in fixed axes, including the weight
+  std::vector<double> bearing_x,
+      bearing_y;  ///< the sum of the supports' forces: zeta X' + kappa X in fixed axes, including the weight
 };
 
-/// One array of them; `by_ball` has one a ball.
+/// One array of them, left out if `of_tilt` and the rotor does not tilt; `by_ball` has one a ball.
 struct TrajectoryColumn : Column {
   std::vector<double> Trajectory::*values;
   std::vector<std::vector<double>> Trajectory::*by_ball = nullptr;
+  bool of_tilt = false;
+
+  bool is_in(const Trajectory& run) const { return !of_tilt || run.tilts; }
 };
 inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
     {{"t", "time", study::Dimension::time}, &Trajectory::t},
@@ -35,6 +42,22 @@ inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
     {{"y", "centre of the race along the rotating y axis", study::Dimension::length}, &Trajectory::y},
     {{"x_dot", "rotating-frame derivative of x", study::Dimension::velocity}, &Trajectory::x_dot},
     {{"y_dot", "rotating-frame derivative of y", study::Dimension::velocity}, &Trajectory::y_dot},
+    {{"tilt_x", "slope of the shaft along the rotating x axis", study::Dimension::angle},
+     &Trajectory::tilt_x,
+     nullptr,
+     true},
+    {{"tilt_y", "slope of the shaft along the rotating y axis", study::Dimension::angle},
+     &Trajectory::tilt_y,
+     nullptr,
+     true},
+    {{"tilt_x_dot", "rotating-frame derivative of tilt_x", study::Dimension::speed},
+     &Trajectory::tilt_x_dot,
+     nullptr,
+     true},
+    {{"tilt_y_dot", "rotating-frame derivative of tilt_y", study::Dimension::speed},
+     &Trajectory::tilt_y_dot,
+     nullptr,
+     true},
     {{"phi", "ball angle in the rotating frame, not wrapped", study::Dimension::angle}, nullptr, &Trajectory::phi},
     {{"phi_dot", "rate of the ball angle", study::Dimension::speed}, nullptr, &Trajectory::phi_dot},
     {{"radial", "displacement from the place of rest under gravity", study::Dimension::length}, &Trajectory::radial},

@@ -38,7 +38,10 @@ constexpr int members = 32;
 
 // Largest real part of the eigenvalues at a balanced state, without the `free` ones that belong to its continuum.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
-  const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(p, speed, model::centred_state(p, phi).data()));
+  const model::System system(p, speed);
+  const Eigen::VectorXcd all =
+      dense::eigenvalues(p.tilts() ? model::jacobian(system, model::balanced_state(system, speed, phi))
+                                   : model::jacobian(p, speed, model::centred_state(p, phi).data()));
   std::vector<std::complex<double>> values(all.begin(), all.end());
   std::sort(values.begin(), values.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
   double largest = -1e300;

@@ -31,6 +31,15 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
   }
 }
 
+/// Writes the four variables of the tilt.
+inline void initial_tilt(const InitialState& s, double speed, double* z) {
+  z[0] = s.tilt_x;
+  z[1] = s.tilt_y;
+  const std::array<double, 2> rate = model::inertial_velocity(speed, s.tilt_x, s.tilt_y, s.tilt_x_dot, s.tilt_y_dot);
+  z[2] = rate[0];
+  z[3] = rate[1];
+}
+
 /// Sets alike balls in one place a few 1e-9 apart, as all simulations do.
 inline InitialState parted(const model::Parameters& p, InitialState s) {
   model::part_coincident(p, s.phi.data(), s.phi_dot.data());

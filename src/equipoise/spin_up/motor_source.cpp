@@ -108,6 +108,7 @@ void MotorSource::add(const Machine& machine, const InitialState& start, SpunUp&
   starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
   double* state = &*starts.states.end() - system.dimension();
   initial_state(start, system.balls(), machine.drive.speed, state);
+  if (const int tilt = system.layout().tilt; tilt >= 0) initial_tilt(start, machine.drive.speed, state + tilt);
   if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
   state[system.layout().speed] = machine.drive.speed;
   if (system.layout().error >= 0) state[system.layout().error] = 0.0;

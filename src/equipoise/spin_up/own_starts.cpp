@@ -110,7 +110,10 @@ class PrescribedGroup {
     const std::size_t size = group_.front()->systems.front().dimension();
     for (std::size_t j = 0; j < group_.size(); ++j) {
       const Prescribed& p = *group_[j];
-      initial_state(p.own->start, p.own->study.parameters.balls, p.segments.front().speed, &states[j * size]);
+      const model::System& system = p.systems.front();
+      initial_state(p.own->start, system.balls(), p.segments.front().speed, &states[j * size]);
+      if (const int tilt = system.layout().tilt; tilt >= 0)
+        initial_tilt(p.own->start, p.segments.front().speed, &states[j * size + static_cast<std::size_t>(tilt)]);
       if (transients_) table_.rows.emplace_back();
     }
     if (group_.front()->free == 0) return true;
@@ -129,7 +132,9 @@ class PrescribedGroup {
 
   void cross(std::size_t j, std::size_t k, double* state) {
     const std::vector<model::Segment>& segments = group_[j]->segments;
-    model::apply_speed_jump(segments[k + 1].speed - segments[k].speed_at(segments[k].end), state);
+    const double jump = segments[k + 1].speed - segments[k].speed_at(segments[k].end);
+    model::apply_speed_jump(jump, state);
+    if (const int tilt = group_[j]->systems[k].layout().tilt; tilt >= 0) model::apply_speed_jump(jump, state + tilt);
     if (transients_ && k >= group_[j]->free && segments[k].acceleration != segments[k + 1].acceleration)
       table_.rows[j].work.end_piece();
   }

@@ -5,8 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/machine_scale.hpp"
 #include "equipoise/words/runs.hpp"
 
 namespace equipoise {
@@ -24,7 +28,7 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
     for (const model::DrivePiece& piece : model::prescribed_drive(segments_).pieces)
       systems_.emplace_back(study.parameters, piece);
   while (segments_[first_free_].clamped) ++first_free_;
-  if (first_free_ == 0) return;
+  if (first_free_ == 0 || study.parameters.tilts()) return;
   // All starts share the spin-up, so a tight tolerance costs nothing.
   const auto status = integrate_clamped(study.parameters, segments_, origin(), default_simulate_tolerance, basis_, {},
                                         {}, std::numeric_limits<double>::infinity(), stop);
@@ -37,12 +41,35 @@ std::array<double, 4> StartSource::origin() const {
   return {z[0], z[1], z[2], z[3]};
 }
 
+std::size_t StartSource::size() const {
+  return model::StateLayout::of(study_.parameters.balls, false, false, false, study_.parameters.tilts()).size;
+}
+
 void StartSource::watch(const TransientSettings& settings) {
   if (first_free_ == 0) return;
   clamped_ = ClampedTransients(study_.parameters, segments_, origin(), default_simulate_tolerance, settings, stop_);
 }
 
+// Held balls load a rotor that tilts by a couple too, so that each start is followed by itself.
+void StartSource::place_tilting(const InitialState& start, double* state) const {
+  using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
+  const model::Parameters& p = study_.parameters;
+  const int centre = model::dimension(p.balls);
+  initial_state(start, p.balls, segments_.front().speed, state);
+  initial_tilt(start, segments_.front().speed, state + centre);
+  if (first_free_ == 0) return;
+  const auto scale = HWY_NAMESPACE::machine_scale<Machine::dimension>(p, default_simulate_tolerance);
+  const model::Drive drive = model::prescribed_drive(segments_);
+  Machine machine(p, drive, scale, state);
+  const auto nothing = [](double, double, auto&&) { return false; };
+  if (machine.advance(drive.release_time, nothing, stop_) != IntegrationStatus::done)
+    throw RunError(words::runs::clamped_not_integrated);
+  machine.enter();
+  model::copy_state(model::machine_layout(p), machine.state(), systems_.front().layout(), state);
+}
+
 void StartSource::place(const InitialState& start, double* state) const {
+  if (study_.parameters.tilts()) return place_tilting(start, state);
   initial_state(start, study_.parameters.balls, segments_.front().speed, state);
   if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
 }
@@ -53,7 +80,7 @@ bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
 }
 
 bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
-  const std::size_t size = model::dimension(study_.parameters.balls);
+  const std::size_t size = this->size();
   starts = {};
   if (transients) transients->rows.clear();
   starts.states.resize(given.size() * size);
@@ -88,7 +115,7 @@ BatchTask StartSource::last_task() const {
 
 void StartSource::release(const std::vector<double>& phi, std::vector<double>& states) const {
   const std::size_t n = static_cast<std::size_t>(study_.parameters.balls), count = phi.size() / n;
-  const std::size_t size = model::dimension(study_.parameters.balls);
+  const std::size_t size = this->size();
   states.assign(count * size, 0.0);
   InitialState start = study_.initial;
   for (std::size_t i = 0; i < count; ++i) {
@@ -104,7 +131,7 @@ BatchTask StartSource::task(std::size_t k, std::vector<double>& states) const {
   if (!systems_.empty()) task.system = &systems_[k];
   task.end = segments_[k].end;
   task.tolerance = tolerance_;
-  task.count = states.size() / model::dimension(study_.parameters.balls);
+  task.count = states.size() / size();
   task.states = states.data();
   task.stop = stop_;
   return task;
@@ -112,8 +139,11 @@ BatchTask StartSource::task(std::size_t k, std::vector<double>& states) const {
 
 void StartSource::cross(std::size_t k, std::vector<double>& states) const {
   const double jump = segments_[k + 1].speed - segments_[k].speed_at(segments_[k].end);
-  const std::size_t size = model::dimension(study_.parameters.balls);
-  for (std::size_t at = 0; at < states.size(); at += size) model::apply_speed_jump(jump, &states[at]);
+  const std::size_t size = this->size(), centre = model::dimension(study_.parameters.balls);
+  for (std::size_t at = 0; at < states.size(); at += size) {
+    model::apply_speed_jump(jump, &states[at]);
+    if (size > centre) model::apply_speed_jump(jump, &states[at + centre]);
+  }
 }
 
 }  // namespace equipoise

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -49,7 +50,9 @@ class StartSource : public SpinUp {
   double tolerance() const override { return tolerance_; }
 
  private:
+  std::size_t size() const;  // of a state
   void place(const InitialState& start, double* state) const;
+  void place_tilting(const InitialState& start, double* state) const;
   std::array<double, 4> origin() const;
   void end_piece(std::size_t k, TransientTable& transients) const;
 

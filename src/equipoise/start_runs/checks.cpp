@@ -61,6 +61,8 @@ std::pair<const char*, std::string> blamed(const Study& study, model::Need need)
       return supports();
     case Need::no_gravity:
       return {"rotor.gravity", number(p.gravity)};
+    case Need::no_tilt:
+      return {"rotor.tilt.transverse_inertia", number(p.tilt.transverse_inertia)};
     case Need::turning:
       return {final_speed_key(study), "0"};
     default:
@@ -88,6 +90,8 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
 // starts cannot be decided there.
 void check_drawable(const Study& study, bool transients) {
   check(study);
+  if (study.parameters.tilts() && study.release_time() > 0.0)
+    throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::tilting_rotors_hold_no_balls);
   if (study.numerics.decide != ClassificationMode::validated)
     throw InputError(study.name, "numerics.decide",
                      classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
@@ -102,14 +106,30 @@ void check_drawable(const Study& study, bool transients) {
   }
 }
 
+// Of a rotor that tilts: held balls are followed at a prescribed speed alone, for one rotor; and no energy is known
+// that would tell whether one that coasts comes to rest.
+void check_tilting(const Study& study) {
+  if (!study.parameters.tilts()) return;
+  const bool held = study.release_time() > 0.0;
+  const auto refuse = [&](const char* key, const std::string& value, const char* why) {
+    throw InputError(study.name, key, value, why);
+  };
+  if (held && study.speed.driven())
+    refuse(release_key(study),
+           study.release.speed ? fmt::format("{}", *study.release.speed) : fmt::format("{}", *study.release.time),
+           words::runs::tilting_motor_holds_no_balls);
+  if (study.speed.driven() && study.system().coasts())
+    refuse("speed.torque", "0 in the end", words::runs::tilting_rotor_coasts);
+}
+
+}  // namespace
+
 void reject_if_lacking(const Study& study, model::ResultKind answer) {
   const auto lack = model::lacking(study.system(), answer);
   if (!lack) return;
   const auto [key, value] = blamed(study, lack->need);
   throw InputError(study.name, key, value, lack->reason);
 }
-
-}  // namespace
 
 void check_watchable(const Study& study) {
   const double release = study.release_time();
@@ -129,6 +149,7 @@ void check_decidable(const Study& study) {
                      fmt::format(words::runs::final_speed_range, fastest_speed));
   check_proof(study);
   reject_if_lacking(study, model::ResultKind::shares);
+  check_tilting(study);
 }
 
 void check_proof(const Study& study) {
@@ -151,6 +172,7 @@ void check_offers(const Study& study, model::ResultKind answer) {
 void check_runnable(const Study& study, bool transients) {
   if (!study.uncertain.empty()) return check_drawable(study, transients);
   check_decidable(study);
+  if (transients) reject_if_lacking(study, model::ResultKind::transients);
   if (transients && !study.speed.driven()) check_watchable(study);
 }
 

@@ -18,7 +18,9 @@ void check_proof(const Study& study);
 
 /// Throws InputError if the spin-up with held balls is too long to look for peaks in it.
 void check_watchable(const Study& study);
-/// Throws InputError for an invalid study, or a system that lacks what the result needs (mechanics/capability.hpp).
+/// Throws InputError for a system that lacks what the result needs, named by its key.
+void reject_if_lacking(const Study& study, model::ResultKind answer);
+/// Throws InputError for an invalid study or one without balls, or a system that lacks what the result needs (mechanics/capability.hpp).
 void check_offers(const Study& study, model::ResultKind answer);
 
 }  // namespace equipoise

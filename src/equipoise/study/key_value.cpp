@@ -29,6 +29,23 @@ struct KeyReading {
   void operator()(std::array<double, 2>* v) const {
     put(key.has(Key::pair) ? two("[x, y]") : reader.one_or_each(key.name, key.range, 2, "direction (x, y)"), *v);
   }
+  // [k12, k22], or { x = [..], y = [..] }.
+  void operator()(std::array<std::array<double, 2>, 2>* v) const {
+    if (const std::optional<TableReader> each = reader.inner(key.name)) {
+      TableReader directions = *each;
+      for (const std::size_t d : {0, 1}) {
+        const char* name = d == 0 ? "x" : "y";
+        const std::vector<double> entries = directions.numbers(name, key.range);
+        if (entries.size() != 2)
+          directions.fail(name, fmt::format(words::study::two_numbers, entries.size(), words::study::of_tilt));
+        put(entries, (*v)[d]);
+      }
+      directions.finish();
+      return;
+    }
+    put(two(words::study::of_tilt), (*v)[0]);
+    (*v)[1] = (*v)[0];
+  }
   void operator()(std::array<double, model::max_balls>* v) const {
     put(reader.one_or_each(key.name, key.range, balls, "ball"), *v);
   }
@@ -70,6 +87,16 @@ struct KeyEcho {
   Value operator()(std::monostate) const { return {}; }
   Value operator()(const std::vector<std::string>*) const { return {}; }  // of [sweep], which is not echoed
   Value operator()(const std::array<double, 2>* v) const { return std::vector<double>(v->begin(), v->end()); }
+  Value operator()(const std::array<std::array<double, 2>, 2>* v) const {
+    const auto pair = [](const std::array<double, 2>& one) {
+      return StudyValue(std::vector<double>(one.begin(), one.end()));
+    };
+    if ((*v)[0] == (*v)[1]) return pair((*v)[0]);
+    StudyValue each;
+    each.set("x", pair((*v)[0]));
+    each.set("y", pair((*v)[1]));
+    return each;
+  }
   // One number per ball, whatever number of balls code has set.
   Value operator()(const std::array<double, model::max_balls>* v) const {
     if (balls == 0) return {};

@@ -20,6 +20,7 @@ using Q = LoadSetting;
 using A = Sampling;
 using B = SamplingBox;
 using N = Numerics;
+using X = model::Tilt;
 using L = Limits;
 constexpr auto par = &Study::parameters;
 constexpr auto speed = &Study::speed;
@@ -30,6 +31,7 @@ constexpr auto start = &Study::initial;
 constexpr auto draws = &Study::sampling;
 constexpr auto box = &Sampling::box;
 constexpr auto num = &Study::numerics;
+constexpr auto tilt = &P::tilt;
 constexpr auto lim = &Study::limits;
 constexpr auto norms = &Study::standards;
 
@@ -52,7 +54,11 @@ constexpr Range any = any_number;
 constexpr std::nullopt_t bare = std::nullopt;  // no quantity
 
 // Of race and balls only features in use are echoed: a rotor without them reads as it always did.
-bool has_inertia(const Study& study) { return study.parameters.inertia != 0.0; }
+bool tilts(const Study& study) { return study.parameters.tilts(); }
+bool has_inertia(const Study& study) {
+  const P& p = study.parameters;
+  return p.inertia != (p.tilts() ? model::axial_inertia(p.tilt) : 0.0);
+}
 bool off_centre(const Study& study) { return !study.parameters.race_is_centred(); }
 bool resisted(const Study& study) {
   const P& p = study.parameters;
@@ -77,6 +83,19 @@ std::vector<Key> all_keys() {
       {"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, plain,
        "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
        has_inertia},
+      {"rotor.eccentricity_angle", at<par, &P::eccentricity_angle>, any, D::angle, plain,
+       "beta_0, of the centre of mass from angle 0, that of the couple unbalance; only with `tilt`", nullptr, tilts},
+      {"rotor.tilt", nowhere, any, bare, plain, "a table: how the rotor tilts"},
+      {"rotor.tilt.transverse_inertia", at<par, tilt, &X::transverse_inertia>, positive, bare, required | plain,
+       "Jt/(M R^2), about a diameter"},
+      {"rotor.tilt.polar_inertia", at<par, tilt, &X::polar_inertia>, not_negative, bare, required | plain,
+       "Jp/(M R^2), about the shaft's axis; at most 2 Jt"},
+      {"rotor.tilt.misalignment", at<par, tilt, &X::misalignment>, any, bare, plain,
+       "chi, in rad, of the principal axis from the shaft; the couple unbalance is chi (Jt - Jp)"},
+      {"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, required | plain,
+       "`[k12, k22]` of the supports, or `{ x = [..], y = [..] }`; with `rotor.stiffness` positive definite"},
+      {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
+       "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
       {"rotor.mass", nowhere, positive, D::mass, required | physical,
        "M: all that vibrates, every `[[place]]` included, without the balls"},
       {"rotor.stiffness", nowhere, positive, D::stiffness, physical, "of the supports; k is the mean"},
@@ -137,6 +156,9 @@ std::vector<Key> all_keys() {
        "of a mineral oil at 100 degC, `\"5.4 cSt\"`; left out, that of viscosity index 95"},
       {"balancer.contact", nowhere, any, bare, physical,
        "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
+      {"balancer.plane", at<par, tilt, &X::plane>, any, bare, plain,
+       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`",
+       nullptr, tilts},
       {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
        "e/R, the race's centre from the shaft's, in the rotating frame", nullptr, off_centre},
       {"balancer.rolling", at<par, &P::rolling>, not_negative, bare, none,
@@ -229,6 +251,11 @@ std::vector<Key> all_keys() {
       {"initial.y", at<start, &I::y>, any, D::length, none, "likewise"},
       {"initial.x_dot", at<start, &I::x_dot>, any, D::velocity, none, "rate of `x`"},
       {"initial.y_dot", at<start, &I::y_dot>, any, D::velocity, none, "rate of `y`"},
+      {"initial.tilt_x", at<start, &I::tilt_x>, any, D::angle, none,
+       "slope of the shaft along the rotating x axis; with `rotor.tilt`", nullptr, tilts},
+      {"initial.tilt_y", at<start, &I::tilt_y>, any, D::angle, none, "likewise", nullptr, tilts},
+      {"initial.tilt_x_dot", at<start, &I::tilt_x_dot>, any, D::speed, none, "rate of `tilt_x`", nullptr, tilts},
+      {"initial.tilt_y_dot", at<start, &I::tilt_y_dot>, any, D::speed, none, "rate of `tilt_y`", nullptr, tilts},
       {"initial.phi", at<start, &I::phi>, any, D::angle, none, "by default spread evenly, the first at 0",
        "ball angles", states_angles},
       {"initial.phi_dot", at<start, &I::phi_dot>, any, D::speed, none, "0 where balls are clamped at first",
@@ -323,74 +350,9 @@ std::vector<KeyTable> make_tables() {
 
 }  // namespace
 
-bool KeyTable::drawn() const { return is_machine(name) || name == "release" || name.starts_with("speed"); }
-
-const Key* KeyTable::find(std::string_view key, bool physical) const {
-  const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key && k.in_form(physical); });
-  return found == keys.end() ? nullptr : &*found;
-}
-
-std::vector<Key> KeyTable::of(unsigned variants, bool physical) const {
-  std::vector<Key> result;
-  const auto add = [&](unsigned variant) {
-    for (const Key& key : keys)
-      if (key.in_form(physical) && (variant ? key.variants() & variant : !key.variants()) &&
-          std::none_of(result.begin(), result.end(), [&](const Key& k) { return k.name == key.name; }))
-        result.push_back(key);
-  };
-  add(0);
-  for (unsigned variant = 1u << 8; variant <= driven; variant <<= 1)
-    if (variants & variant) add(variant);
-  return result;
-}
-
 const std::vector<KeyTable>& key_tables() {
   static const std::vector<KeyTable> tables = make_tables();
   return tables;
-}
-
-const KeyTable* find_keys(std::string_view name) {
-  if (const std::size_t last = name.find_last_not_of("0123456789"); last < name.size() - 1 && name[last] == '.')
-    name = name.substr(0, last);
-  for (const KeyTable& table : key_tables())
-    if (table.name == name) return &table;
-  return nullptr;
-}
-
-std::vector<std::string> paths_of(const StudyValue& root, const std::string& name) {
-  const StudyValue* value = root.find_path(name);
-  const StudyValue::Array* array = value ? value->array() : nullptr;
-  if (!array) return {name};
-  std::vector<std::string> paths;
-  for (std::size_t i = 1; i <= array->size(); ++i) paths.push_back(name + "." + std::to_string(i));
-  return paths;
-}
-
-const Key* find_quantity(std::string_view table, std::string_view name) {
-  const KeyTable* keys = find_keys(table);
-  const Key* key = keys ? keys->find(name, false) : nullptr;
-  return key && key->dimension ? key : nullptr;
-}
-
-Range quantity_range(const Key& key) {
-  const double low = key.range.low;
-  return low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative;
-}
-
-unsigned variant_of(Profile profile) {
-  const auto index = static_cast<unsigned>(profile);
-  return index < profile_names.size() ? unsigned{constant} << index : unsigned{points};
-}
-
-unsigned variants_of(const TorqueSetting& motor) {
-  using Kind = model::MotorLaw::Kind;
-  // A motor of two kinds at once gets the keys of both, which no reader accepts.
-  unsigned variants = motor.by_stall ? stall : 0u;
-  if (motor.kind == Kind::table) return variants | curve;
-  if (motor.kind == Kind::control) return variants | control;
-  if (motor.kind == Kind::curve) return variants | characteristic;
-  return motor.by_stall ? variants : linear;
 }
 
 }  // namespace equipoise::study

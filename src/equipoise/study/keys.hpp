@@ -17,12 +17,14 @@
 
 namespace equipoise::study {
 
-/// Where a study keeps a value. The type says how it is read and written: one number, one per direction, one per ball.
+/// Where a study keeps a value. The type says how it is read and written: one number, one per direction, two for both
+/// directions or for each, one per ball.
 /// Empty for tables, and for keys that only studies in physical units have (physical.cpp reads those).
 using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
-                            std::array<double, model::max_balls>*, std::vector<double>*, std::vector<std::string>*,
-                            std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
-                            std::optional<SamplingMethod>*, std::optional<SeverityClassName>*, ClassificationMode*>;
+                            std::array<std::array<double, 2>, 2>*, std::array<double, model::max_balls>*,
+                            std::vector<double>*, std::vector<std::string>*, std::optional<SamplingBox::Side>*, bool*,
+                            int*, std::uint64_t*, Profile*, model::SpeedLaw*, std::optional<SamplingMethod>*,
+                            std::optional<SeverityClassName>*, ClassificationMode*>;
 
 inline std::span<const char* const> names_of(Profile) { return profile_names; }
 inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }

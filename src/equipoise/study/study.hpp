@@ -102,6 +102,7 @@ struct ReleaseSetting {
 struct InitialState {
   double psi = 0.0, x = 0.0, y = 0.0, x_dot = 0.0, y_dot = 0.0;
   std::array<double, model::max_balls> phi{}, phi_dot{};
+  double tilt_x = 0.0, tilt_y = 0.0, tilt_x_dot = 0.0, tilt_y_dot = 0.0;  ///< of a rotor that tilts
 };
 
 /// [sampling.box]: what starts draw besides the ball angles, uniformly between two bounds; absent quantities keep their

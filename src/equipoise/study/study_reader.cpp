@@ -2,6 +2,9 @@
 #include "equipoise/drives/never_reached.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,6 +38,53 @@ void read_table(const Document& document, const char* table, Study& study) {
   reader.finish();
 }
 
+// Stiffness or damping of a rotor that tilts, in one direction: [k11, k12; k12, k22].
+struct SupportMatrix {
+  double centre, across, tilt;
+
+  double determinant() const { return centre * tilt - across * across; }
+};
+
+void read_rotor(const Document& document, Study& study) {
+  read_table(document, "rotor", study);
+  TableReader rotor(document, "rotor");
+  model::Parameters& p = study.parameters;
+  if (!rotor.has("tilt")) {
+    if (rotor.has("eccentricity_angle")) rotor.fail("eccentricity_angle", words::study::only_of_tilt);
+    return;
+  }
+  read_table(document, "rotor.tilt", study);
+  TableReader tilt(document, "rotor.tilt");
+  const model::Tilt& t = p.tilt;
+  if (t.polar_inertia > 2.0 * t.transverse_inertia) tilt.fail("polar_inertia", words::study::no_such_body);
+  for (const std::size_t d : {0, 1}) {
+    const SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
+        dampers{p.damping[d], t.damping[d][0], t.damping[d][1]};
+    if (!(springs.tilt > 0.0) || !(springs.determinant() > 0.0))
+      tilt.fail("stiffness", fmt::format(words::study::stiffness_not_definite, springs.centre));
+    if (dampers.tilt < 0.0 || dampers.determinant() < 0.0)
+      tilt.fail("damping", fmt::format(words::study::damping_not_definite, dampers.centre));
+  }
+  if (!rotor.has("inertia")) p.inertia = model::axial_inertia(t);
+}
+
+// Of balls and race a rotor that tilts takes the planes, and no more than the drag of balls that slide.
+void check_tilting_balls(const Document& document, const model::Parameters& p) {
+  TableReader reader(document, "balancer");
+  if (!p.tilts()) {
+    if (reader.has("plane")) reader.fail("plane", words::study::only_of_tilt);
+    return;
+  }
+  if (!reader.has("plane")) reader.fail("plane", words::study::tilt_needs_planes);
+  const auto refuse = [&](const char* key, bool set) {
+    if (set) reader.fail(key, words::study::not_with_tilt);
+  };
+  refuse("race_offset", !p.race_is_centred());
+  refuse("rolls", p.rolls);
+  refuse("contact_angle", p.balls_collide());
+  refuse(reader.has("rolling") ? "rolling" : "stiction", p.balls_stick());
+}
+
 void read_balancer(const Document& document, Study& study) {
   TableReader reader(document, "balancer");
   model::Parameters& p = study.parameters;
@@ -50,6 +100,7 @@ void read_balancer(const Document& document, Study& study) {
         reader.fail("stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
   }
   reader.finish();
+  check_tilting_balls(document, p);
 }
 
 void read_release(const Document& document, Study& study) {
@@ -66,6 +117,8 @@ void read_initial(const Document& document, Study& study) {
   study.initial.phi = even_angles(study.parameters.balls);
   study.angles_stated = reader.has("phi");
   read_keys(reader, "initial", all_variants, study);
+  for (const char* key : {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
+    if (reader.has(key) && !study.parameters.tilts()) reader.fail(key, words::study::only_of_tilt);
   if (study.release_time() > 0.0)
     for (double rate : study.initial.phi_dot)
       if (rate != 0.0) reader.fail("phi_dot", words::study::clamped_balls_have_no_rate);
@@ -120,7 +173,9 @@ void read_standards(const Document& document, Study& study) {
 // Whether the study does not say where the rotor starts.
 bool states_no_place(const Document& document, const SamplingBox& box) {
   TableReader initial(document, "initial");
-  const bool stated = initial.has("x") || initial.has("y") || initial.has("x_dot") || initial.has("y_dot");
+  const auto states = [&](const char* key) { return initial.has(key); };
+  constexpr std::array places{"x", "y", "x_dot", "y_dot", "tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"};
+  const bool stated = std::any_of(places.begin(), places.end(), states);
   return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
 }
 
@@ -140,6 +195,14 @@ void rest_under_gravity(const Document& document, Study& study) {
   const std::array<double, 2> velocity = model::rotating_velocity(drive.speed, still);
   s.x_dot = velocity[0];
   s.y_dot = velocity[1];
+  if (!study.parameters.tilts()) return;
+  const double slope = model::static_slope(study.parameters);
+  const double leaning[] = {0.0 + slope * std::sin(drive.psi), slope * std::cos(drive.psi), 0.0, 0.0};
+  s.tilt_x = leaning[0];
+  s.tilt_y = leaning[1];
+  const std::array<double, 2> rate = model::rotating_velocity(drive.speed, leaning);
+  s.tilt_x_dot = rate[0];
+  s.tilt_y_dot = rate[1];
 }
 
 enum class Source { asked, kept };  // kept: a study stored in a result
@@ -201,6 +264,7 @@ bool take_no_balls(Document& document) {
   none.set("balls", 1);
   if (const StudyValue* radius = balancer->find("race_radius")) none.set("race_radius", *radius);
   if (const StudyValue* offset = balancer->find("race_offset")) none.set("race_offset", *offset);
+  if (document.root.find_path("rotor.tilt")) none.set("plane", 0.0);
   none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
   none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
   *balancer = std::move(none);
@@ -233,7 +297,7 @@ Study read(Document document, Source source) {
   make_dimensionless(document);
   Study result;
   result.name = document.name;
-  read_table(document, "rotor", result);
+  read_rotor(document, result);
   read_balancer(document, result);
   read_speed(document, result);
   read_release(document, result);

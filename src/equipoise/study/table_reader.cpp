@@ -211,6 +211,12 @@ const StudyValue* TableReader::find(const std::string& key) {
   return table_ ? table_->find(key) : nullptr;
 }
 
+std::optional<TableReader> TableReader::inner(const std::string& key) {
+  const StudyValue* value = find(key);
+  if (!value || !value->table()) return std::nullopt;
+  return TableReader(document_, dotted(key));
+}
+
 bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 // What the key holds in a study in physical units; empty if it is no quantity there.

@@ -63,6 +63,8 @@ class TableReader {
   TableReader(const Document& document, std::string prefix);
 
   bool has(const std::string& key);
+  /// A reader of the table that the key holds; empty if it holds none.
+  std::optional<TableReader> inner(const std::string& key);
   double number(const std::string& key, const Range& range);
   std::optional<double> optional_number(const std::string& key, const Range& range);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);

@@ -5,8 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "equipoise/base/error.hpp"
+#include "equipoise/mechanics/capability.hpp"
 #include "equipoise/model/state_layout.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"
 
@@ -26,6 +30,9 @@ FollowedRun::FollowedRun(const Study& study, const InitialState& start) {
   Study own = study;
   own.initial = start;
   check(own);
+  if (const auto lack = model::lacking(own.system(), model::ResultKind::pages))
+    throw InputError(own.name, "rotor.tilt.transverse_inertia",
+                     fmt::format("{}", own.parameters.tilt.transverse_inertia), lack->reason);
   kernels::check_overlap(own);
   state_ = std::make_unique<State>(std::move(own));
 }

@@ -12,6 +12,7 @@
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/spin_up/machine_scale.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/words/runs.hpp"
 
@@ -31,38 +32,38 @@ inline void check_overlap(const Study& study) {
     }
 }
 
-class MachineRun {
+template <bool tilt>
+class MachineRunOf {
  public:
-  using Machine = EventTrajectory<model::any_count>;
+  using Machine = EventTrajectory<model::any_count, tilt>;
 
   // The study outlives it.
-  explicit MachineRun(const Study& study)
+  explicit MachineRunOf(const Study& study)
       : drive_(study.drive()), machine_(study.parameters, drive_, scale_of(study), first_state(study, drive_).data()) {}
-  MachineRun(const MachineRun&) = delete;
-  MachineRun& operator=(const MachineRun&) = delete;
+  MachineRunOf(const MachineRunOf&) = delete;
+  MachineRunOf& operator=(const MachineRunOf&) = delete;
 
   Machine& machine() { return machine_; }
   const Machine& machine() const { return machine_; }
 
  private:
-  static Machine::Scale scale_of(const Study& study) {
-    const model::StateLayout layout = model::machine_layout(study.parameters.balls);
-    Machine::Scale scale;
-    scale.tolerance = study.numerics.tolerance.value_or(default_simulate_tolerance);
-    set_state_scale(study.parameters, 1, scale);
-    scale.floor[layout.psi] = scale.floor[layout.speed] = scale.floor[layout.error] = 1.0;
-    scale.absolute[layout.psi] = scale.angle[layout.psi] = true;
-    return scale;
+  static typename Machine::Scale scale_of(const Study& study) {
+    return machine_scale<Machine::dimension>(study.parameters,
+                                             study.numerics.tolerance.value_or(default_simulate_tolerance));
   }
   static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
     std::array<double, Machine::dimension> z{};
-    initial_state(parted(study.parameters, study.initial), study.parameters.balls, drive.speed, z.data());
+    const InitialState start = parted(study.parameters, study.initial);
+    initial_state(start, study.parameters.balls, drive.speed, z.data());
+    if constexpr (tilt) initial_tilt(start, drive.speed, &z[model::dimension(study.parameters.balls)]);
     return z;
   }
 
   const model::Drive drive_;
   Machine machine_;
 };
+
+using MachineRun = MachineRunOf<false>;
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise

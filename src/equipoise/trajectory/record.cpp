@@ -10,7 +10,8 @@
 
 namespace equipoise {
 
-void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z) {
+void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z,
+            const double* tilt) {
   using namespace model::index;
   out.t.push_back(t);
   out.psi.push_back(psi);
@@ -20,13 +21,20 @@ void record(Trajectory& out, const model::Parameters& p, double psi, double w, d
   const std::array<double, 2> velocity = model::rotating_velocity(w, z);
   out.x_dot.push_back(velocity[0]);
   out.y_dot.push_back(velocity[1]);
+  if (tilt) {
+    out.tilt_x.push_back(tilt[0]);
+    out.tilt_y.push_back(tilt[1]);
+    const std::array<double, 2> rate = model::rotating_velocity(w, tilt);
+    out.tilt_x_dot.push_back(rate[0]);
+    out.tilt_y_dot.push_back(rate[1]);
+  }
   for (int i = 0; i < p.balls; ++i) {
     out.phi[i].push_back(z[phi(i)]);
     out.phi_dot[i].push_back(z[q(i, p.balls)]);
   }
   const std::array<double, 2> rest = model::rest_position(p, psi);
   out.radial.push_back(std::hypot(z[x] - rest[0], z[y] - rest[1]));
-  const auto force = model::bearing_force(p, psi, z);
+  const auto force = model::bearing_force(p, psi, z, tilt);
   out.bearing_x.push_back(force[0]);
   out.bearing_y.push_back(force[1]);
 }

@@ -105,15 +105,19 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
   }
 }
 
+template <bool tilt>
 void simulate_machine(const Task& task, Trajectory& out) {
-  using Machine = kernels::MachineRun::Machine;
+  using Run = kernels::MachineRunOf<tilt>;
+  using Machine = typename Run::Machine;
   const std::vector<double>& times = task.times;
   const model::Parameters& p = task.study.parameters;
-  const model::StateLayout layout = model::machine_layout(p.balls);
-  kernels::MachineRun run(task.study);
+  const model::StateLayout layout = model::machine_layout(p);
+  Run run(task.study);
   Machine& machine = run.machine();
   std::size_t next = 0;
-  const auto take = [&](double t, const double* at) { record(out, p, at[layout.psi], at[layout.speed], t, at); };
+  const auto take = [&](double t, const double* at) {
+    record(out, p, at[layout.psi], at[layout.speed], t, at, tilt ? at + layout.tilt : nullptr);
+  };
   if (times.empty()) return;
   out.status = machine.advance(
       times.back(),
@@ -140,10 +144,14 @@ Trajectory followed(const Task& task) {
   Trajectory out;
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
+  out.tilts = p.tilts();
   // FreeFlow sums the rotor's forces up with its first ball.
   if (!study.system().simple() || p.balls == 0) {
     kernels::check_overlap(study);
-    simulate_machine(task, out);
+    if (p.tilts())
+      simulate_machine<true>(task, out);
+    else
+      simulate_machine<false>(task, out);
     return out;
   }
   const double release = study.release_time();

@@ -11,6 +11,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/drives/full_state.hpp"
 #include "equipoise/math/gradient.hpp"
+#include "equipoise/mechanics/capability.hpp"
 #include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
@@ -34,6 +35,8 @@ void check_has_equations(const Study& study) {
   const auto refuse = [&](const char* key, double value, const char* why) {
     throw InputError(study.name, key, fmt::format("{}", value), why);
   };
+  if (const auto lack = model::lacking(study.system(), model::ResultKind::equations))
+    refuse("rotor.tilt.transverse_inertia", p.tilt.transverse_inertia, lack->reason.c_str());
   if (!study.uncertain.empty())
     throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::equations_of_one_rotor);
   if (p.balls_collide()) refuse("balancer.contact_angle", p.contact_angle, words::runs::contact_needs_events);

@@ -7,6 +7,12 @@ namespace equipoise::words::mechanics {
 inline constexpr char gravity_moves_balls[] = "gravity keeps the balls moving in the rotating frame";
 inline constexpr char unbalance_too_large[] = "the unbalance is larger than all balls together can cancel";
 inline constexpr char one_ball_outweighs[] = "one ball outweighs the unbalance and the other balls together";
+inline constexpr char one_plane_leaves_couple[] =
+    "the balls run in one plane, where they cannot cancel the couple unbalance beside the static one";
+inline constexpr char no_angles_cancel_both[] =
+    "no angles of the balls were found that cancel the static and the couple unbalance together";
+// Before one of the reasons above.
+inline constexpr char plane_cannot_cancel[] = "of the share of one plane, ";
 inline constexpr char comes_to_rest[] = "the rotor comes to rest: nothing balances it";
 inline constexpr char race_off_centre[] =
     "with the race off centre the supports' damping slows a coasting rotor: no speed is held";
@@ -32,6 +38,7 @@ inline constexpr char sliding_balls[] = "balls without rolling resistance or sti
 inline constexpr char centred_race[] = "a centred race, [0, 0]";
 inline constexpr char equal_supports[] = "equal values in x and y";
 inline constexpr char no_gravity[] = "gravity 0";
+inline constexpr char no_tilt[] = "a rotor that does not tilt, without rotor.tilt";
 inline constexpr char turning[] =
     "a rotor that turns in the end (other than 0) where supports are unequal or gravity acts";
 inline constexpr char linear_torque[] = "a motor whose torque is linear in the speed, without a load";

@@ -51,6 +51,17 @@ inline constexpr char one_or_each[] = "{}, or an array of {}, one per {}";
 inline constexpr char entries_for_each[] = "has {} entries; must be {}, or an array of {}, one per {}";
 // Number of entries, form: "[low, high]".
 inline constexpr char two_numbers[] = "has {} entries; must be two finite numbers, {}";
+inline constexpr char only_of_tilt[] = "has a meaning only with rotor.tilt";
+inline constexpr char tilt_needs_planes[] =
+    "missing; rotor.tilt needs the place of each ball's race along the shaft, a number, or an array, one per ball";
+inline constexpr char not_with_tilt[] =
+    "no rotor with rotor.tilt has this: its balls slide in a centred race and pass each other";
+inline constexpr char no_such_body[] = "must be at most twice rotor.tilt.transverse_inertia: no body has more";
+inline constexpr char stiffness_not_definite[] =
+    "must be [k12, k22] with k22 greater than 0 and k12^2 less than {0} k22, where {0} is rotor.stiffness";
+inline constexpr char damping_not_definite[] =
+    "must be [c12, c22] with c22 at least 0 and c12^2 at most {0} c22, where {0} is rotor.damping";
+inline constexpr char of_tilt[] = "[of a deflection and a tilt, of a tilt], or { x = [..], y = [..] }";
 inline constexpr char bounds_out_of_order[] = "bounds out of order; must be [low, high] with low at most high";
 
 // Quantities, in a study in physical units.

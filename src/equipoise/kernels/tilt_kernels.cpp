@@ -1,0 +1,30 @@
+// Kernels for rotors that tilt (BatchKind::tilting). Highway's foreach_target compiles this file
+// once per CPU target.
+#include "equipoise/kernels/batch_job.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/kernels/tilt_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/kernels/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+bool run_tilting_target(const BatchJob& job) { return run_job<BatchKind::tilting>(job); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(run_tilting_target);
+
+bool run_tilting_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_tilting_target)(job); }
+
+}  // namespace equipoise
+#endif
