@@ -206,7 +206,8 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
   return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
-                                                              chart.boxes.size(), computed_text(chart), version_string),
+                                                              chart.curves.size() == 1 ? "" : "s", chart.boxes.size(),
+                                                              computed_text(chart), version_string),
                              style);
 }
 

@@ -66,7 +66,6 @@ inline constexpr char how_before[] = "it was before";
 inline constexpr char how_real[] = "without a swing";
 inline constexpr char how_ends[] = "it ends";
 inline constexpr char how_unknown[] = "not known how";
-inline constexpr char point[] = "point";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
 inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
@@ -79,10 +78,10 @@ inline constexpr char no_curve[] = "No curve on which balance changes was found.
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
 // Error, part of the plane's sides.
 inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
-inline constexpr char contact_bound[] = "Where balls lack the room to balance, no curve is drawn.\n";
+inline constexpr char contact_bound[] = "Where balance ends because the balls lack room, no curve is drawn.\n";
 inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
 // Points, boxes, time, version.
-inline constexpr char made_with[] = "{} curves, {} boxes; {}; equipoise {}\n";
+inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";
 
 // Pictures.
 inline constexpr char legend_soft[] = "balance is lost softly";
