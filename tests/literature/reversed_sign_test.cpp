@@ -170,7 +170,7 @@ TEST(ReversedSign, IsAllThatDiffersFromTheProgram) {
   equipoise::Study study = study_of(mirkov, mirkov.rows.front());
   study.initial.phi = {0.3, 2.5};
   const Machine m;
-  const Turning z = advanced(start(0.3, 2.5), 5.0, 1e-3, [&](const Turning& at) { return flow(m, 12.0, at); });
+  const Turning z = advanced(start(0.3, 2.5), 5.0, 2e-4, [&](const Turning& at) { return flow(m, 12.0, at); });
   const equipoise::Trajectory ours = equipoise::simulate(study, {5.0 * study.scales->frequency});
   EXPECT_NEAR(ours.x.back() * m.race, z[0], 1e-12);
   EXPECT_NEAR(ours.y.back() * m.race, z[1], 1e-12);

@@ -18,7 +18,7 @@ inline constexpr char page_title[] = "Other publications, computed again";
 inline constexpr char page_note[] =
     "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half "
     "a unit "
-    "of the last printed digit, the error of reading a plot, or nothing where a formula gives the number. An error "
+    "of the last digit, 2 % of the axis of a plot that was read, or nothing where a formula gives the number. An error "
     "here "
     "is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of a "
     "search.";
