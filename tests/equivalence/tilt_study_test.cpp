@@ -18,7 +18,7 @@
 #include "equipoise/trajectory/followed_run.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
-#include "refusals.hpp"
+#include "../support/refusals.hpp"
 #include "tilt_fixed_axes.hpp"
 
 namespace equipoise {
