@@ -381,7 +381,7 @@ TEST(Places, SayWhatIsWrong) {
 TEST(Typos, InValuesAreSeen) {
   const auto said = [&](const std::string& from, const std::string& to) { return refusal_of(sheet_with(from, to)); };
   EXPECT_TRUE(holds(said("\"ramp\"", "\"rmap\""),
-                    "did you mean \"ramp\"? must be one of: constant, ramp, trapezoid, points, torque"));
+                    "did you mean \"ramp\"? must be one of: constant, ramp, trapezoid, points, hill, torque"));
   EXPECT_FALSE(holds(said("\"ramp\"", "\"sawtooth\""), "did you mean"));
   EXPECT_TRUE(holds(said("48 kN/m", "48 kn/m"), "(did you mean \"kN\"?)"));
 }
