@@ -16,7 +16,7 @@ using namespace measures;
 using rodrigues::of_long_rotor, rodrigues::static_alone, rodrigues::Settings;
 
 constexpr const char* spin = "theirs leave the gyroscopic coupling of X and Y out";
-constexpr const char* unknown_steps = "they read it off a response, whose steps of speed they do not print";
+constexpr const char* unknown_steps = "theirs are peaks of a response at steps of speed that are not known here";
 constexpr const char* by_experiment = "measured; the authors' own simulation is as far off";
 
 // The small unbalance of their run-ups.
@@ -253,7 +253,7 @@ Publication rodrigues_2011() {
            of_long_rotor("fig. 14 (d)", "period of the limit cycle", print, {9.856, 0.0033}, {"speed.speed=3.127"},
                          nullptr, "it lies past two folds, unstable, where no row follows it"),
            of_long_rotor("fig. 15 (a)", "mean speed of the balls, stalled in the end", plot, {1.91, 0.02}, slow,
-                         [](const Study& s, const RunOptions&) { return ball_speed(s, 5900.0, 6000.0); }),
+                         [](const Study& s, const RunOptions&) { return ball_speed(s, 5990.0, 6000.0); }),
            of_long_rotor("fig. 15 (b)", "speed at which the last ball leaves the first resonance", plot, {1.22, 0.02},
                          drag, [](const Study& s, const RunOptions&) { return lags_until(s, 0.0, 2600.0); }),
            of_long_rotor("fig. 15 (b)", "the conical one", plot, {2.47, 0.02}, drag,
