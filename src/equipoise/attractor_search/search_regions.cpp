@@ -117,7 +117,7 @@ void SearchRegions::set_rule() {
 void SearchRegions::level_balanced() {
   if (s_.study.numerics.decide == ClassificationMode::proof)
     prove_levels(s_.result.rule.balanced, s_.trials);
-  else if (s_.system.plain() || s_.result.balanced.slowest_rate < -slowest_worth_widening)
+  else if (s_.system.plain() || (!s_.system.tilts() && s_.result.balanced.slowest_rate < -slowest_worth_widening))
     s_.result.warm_start_levels.levels.push_back(
         {balanced_id, false,
          widen_levels(s_.result.rule, s_.trials, s_.result.balanced.slowest_rate, s_.pilot,
@@ -142,7 +142,9 @@ void SearchRegions::add_listed(const Attractor& a) {
 }
 
 void SearchRegions::add(const Motion& motion, int id) {
-  if (motion.eventful) return;  // windows recognise it
+  // Windows recognise it. States of a rotor that tilts have so many directions that trials would cost more than they
+  // save.
+  if (motion.eventful || (s_.system.tilts() && id != balanced_id)) return;
   // Another rotor's torus lies beside this one, by more than its cloud of points can resolve.
   if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
       !model::lacking(s_.system, model::ResultKind::torus_regions))

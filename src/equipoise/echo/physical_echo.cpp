@@ -57,6 +57,9 @@ Study stating_release(Study study) {
 
 std::string to_physical_toml(const Study& study) {
   if (!study.scales) throw InputError(study.name, "units", "", words::study::no_units);
+  if (study.parameters.tilts())
+    throw InputError(study.name, "rotor.tilt.transverse_inertia",
+                     fmt::format("{}", study.parameters.tilt.transverse_inertia), words::study::tilt_without_units);
   StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);

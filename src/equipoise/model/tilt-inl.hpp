@@ -35,16 +35,16 @@ struct Wrench {
 template <class T>
 class TiltInertia {
  public:
+  // Every member is made from others: compilers give a member's implicit constructor no CPU target.
   HWY_INLINE TiltInertia(const Matrix2<T>& centre, const Matrix2<T>& between, const Matrix2<T>& second)
-      : centre_(centre), inverse_(T(1.0) / centre.determinant()) {
-    const Vector2<T> x = centre.adjugate({between.xx, between.yx}), y = centre.adjugate({between.xy, between.yy});
-    share_ = {x.x * inverse_, y.x * inverse_, x.y * inverse_, y.y * inverse_};
-    left_ = {second.xx - between.xx * share_.xx - between.xy * share_.yx,
-             second.xy - between.xx * share_.xy - between.xy * share_.yy,
-             second.yx - between.yx * share_.xx - between.yy * share_.yx,
-             second.yy - between.yx * share_.xy - between.yy * share_.yy};
-    left_inverse_ = T(1.0) / left_.determinant();
-  }
+      : centre_(centre),
+        inverse_(T(1.0) / centre.determinant()),
+        share_(share(centre, between, inverse_)),
+        left_{second.xx - between.xx * share_.xx - between.xy * share_.yx,
+              second.xy - between.xx * share_.xy - between.xy * share_.yy,
+              second.yx - between.yx * share_.xx - between.yy * share_.yx,
+              second.yy - between.yx * share_.xy - between.yy * share_.yy},
+        left_inverse_(T(1.0) / left_.determinant()) {}
 
   HWY_INLINE Wrench<T> solve(const Wrench<T>& f) const {
     const Vector2<T> rest{f.tilt.x - share_.xx * f.centre.x - share_.yx * f.centre.y,
@@ -57,6 +57,11 @@ class TiltInertia {
   }
 
  private:
+  static HWY_INLINE Matrix2<T> share(const Matrix2<T>& centre, const Matrix2<T>& between, const T& inverse) {
+    const Vector2<T> x = centre.adjugate({between.xx, between.yx}), y = centre.adjugate({between.xy, between.yy});
+    return {x.x * inverse, y.x * inverse, x.y * inverse, y.y * inverse};
+  }
+
   Matrix2<T> centre_;
   T inverse_;
   Matrix2<T> share_, left_;  // centre's inverse times between; what is left of second

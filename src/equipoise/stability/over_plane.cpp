@@ -156,6 +156,7 @@ StabilityPlane computed(const Study& given, const StabilitySettings& settings) {
 
 StabilityPlane stability(const Study& study, const StabilitySettings& settings) {
   check_has_balls(study);
+  reject_if_lacking(study, model::ResultKind::maps);
   const ChosenCpuTarget chosen(settings.cpu_target);
   return reported(settings, [&](const StabilitySettings& s) { return computed(study, s); });
 }

@@ -24,7 +24,9 @@ double WindowRegion::time_to_level(double value) const {
 void WindowRegion::hold(const Eigen::VectorXd& state) {
   low_ = low_.size() > 0 ? low_.cwiseMin(state).eval() : state;
   high_ = high_.size() > 0 ? high_.cwiseMax(state).eval() : state;
-  const double r2 = state.head<2>().squaredNorm();
+  double r2 = state.head<2>().squaredNorm();
+  constexpr int of_tilt = 4;  // variables, more than any drive has, at the state's end; windows count slopes in r
+  if (state.size() - model::dimension(balls_) >= of_tilt) r2 += state.tail(of_tilt).head<2>().squaredNorm();
   r2_low_ = std::min(r2_low_, r2);
   r2_high_ = std::max(r2_high_, r2);
 }
