@@ -102,8 +102,8 @@ ROOMS = {
         "types mechanics sampling toml study echo results drawing text decision answers reports plots explain",
     "literature": "statistics study results",
     "publications":
-        "running drives model types mechanics statistics study results drawing ensembles stability trajectory "
-        "literature",
+        "running drives math model types mechanics statistics study periodic_orbits results drawing ensembles "
+        "stability trajectory literature",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "
         "attractor_search ensembles analyses basin_slices trajectory drawing text reports plots literature",

@@ -18,6 +18,8 @@ TABLES = {
     "src/equipoise/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
     "src/equipoise/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
     "src/equipoise/publications/publication_table.cpp": "an entry a publication, in which a row is a number of it",
+    "src/equipoise/publications/rodrigues_2008.cpp": "entries of that table",
+    "src/equipoise/publications/rodrigues_table.cpp": "entries of that table",
     "src/equipoise/result_files/share_columns.hpp": "a row a column",
     "src/equipoise/result_files/start_columns.cpp": "a row a column",
     "src/equipoise/planes/stability_plane.hpp": "a row a column",

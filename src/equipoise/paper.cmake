@@ -1,6 +1,7 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
   publications/measures.cpp publications/publication_table.cpp publications/publication_verdicts.cpp
+  publications/rodrigues_2008.cpp publications/rodrigues_table.cpp publications/shaft_measures.cpp
   literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
   reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
     reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp

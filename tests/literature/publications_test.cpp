@@ -121,6 +121,60 @@ TEST(Publications, MapFourBallsInTwoPlanesOntoTwoOfTwiceTheMass) {
   EXPECT_LT(std::hypot(s[2], s[3]), 1e-10);  // no tilt
 }
 
+// By other programs, of the same equations: DOP853 of SciPy at 1e-10, eigenvalues, a Magnus series over half a turn,
+// Newton's method on the period.
+TEST(Publications, OfRotorsThatTiltHaveTheNumbersOfOtherPrograms) {
+  struct Number {
+    const char *publication, *place;
+    int which;  // of the rows of this place
+    double value, within;
+  };
+  constexpr Number numbers[] = {
+      {"rodrigues-2008", "(22)", 1, 0.00261500, 5e-9},
+      {"rodrigues-2008", "fig. 12 (a)", 1, 0.008371, 5e-7},
+      {"rodrigues-2008", "fig. 5 (a)", 0, 2.1190642, 5e-8},
+      {"rodrigues-2008", "fig. 5 (a)", 1, 2.3259175, 5e-8},
+      {"rodrigues-2008", "fig. 5 (a)", 2, 5.2624785, 5e-8},
+      {"rodrigues-2008", "fig. 5 (e)", 0, 0.0033563604, 1e-10},
+      {"rodrigues-2008", "fig. 5 (e)", 1, 0.0037939314, 1e-10},
+      {"rodrigues-2008", "fig. 5 (e)", 2, 0.0054437753, 1e-10},
+      {"rodrigues-2008", "fig. 6 (a)", 0, 0.050784091, 1e-9},
+      {"rodrigues-2008", "fig. 6 (b)", 0, 0.0327483, 5e-8},
+      {"rodrigues-2008", "fig. 6 (b)", 1, 0.1202112, 5e-8},
+      {"rodrigues-2008", "fig. 6 (b)", 2, 0.3551976, 5e-8},
+      {"rodrigues-2008", "fig. 6 (c)", 0, 3.9901700, 5e-8},
+      {"rodrigues-2008", "fig. 10 (b)", 0, 3.7409628, 5e-8},
+      {"rodrigues-enoc", "(7)", 2, 1.65923, 5e-6},
+      {"rodrigues-enoc", "(7)", 3, 3.77692, 5e-6},
+      {"rodrigues-virm", "fig. 5", 0, 3.390e-4, 5e-7},
+      {"rodrigues-virm", "fig. 5", 1, 2.348e-4, 5e-7},
+      {"rodrigues-virm", "fig. 5", 2, -2.444, 2e-3},
+      {"rodrigues-2010", "fig. 8", 4, 0.03482, 5e-6},
+      {"rodrigues-2010", "fig. 13", 0, 0.1083, 5e-5},
+      {"rodrigues-2011", "fig. 11", 0, 2.481824, 5e-7},
+      {"rodrigues-2011", "fig. 11", 1, 2.669680, 5e-7},
+      {"rodrigues-2011", "fig. 11", 2, 4.506006, 5e-7},
+      {"rodrigues-2011", "fig. 13 (a)", 0, 0.059182837, 1e-9},
+      {"rodrigues-2011", "fig. 13 (d)", 0, 0.037696980, 1e-9},
+      {"rodrigues-2011", "fig. 14 (c)", 0, 3.3869559, 5e-8},
+      {"rodrigues-2011", "fig. 14 (d)", 0, 7.078187, 5e-7},
+      {"rodrigues-2011", "fig. 16", 0, 5.611e-4, 5e-7},
+      {"rodrigues-2011", "fig. 16", 1, 7.919e-4, 5e-7},
+      {"rodrigues-2011", "fig. 16", 2, -1.077, 1e-3},
+      {"rodrigues-2011", "fig. 16", 3, 1.508e-3, 1e-6},
+  };
+  for (const Number& number : numbers) {
+    const Publication& p = *find_publication(number.publication);
+    int seen = 0;
+    for (const PublicationRow& row : p.rows) {
+      if (std::string(row.place) != number.place || seen++ != number.which) continue;
+      EXPECT_NEAR(row.computed(study_of(p, row), {}).value, number.value, number.within)
+          << p.name << ", " << row.quantity;
+    }
+    EXPECT_GT(seen, number.which) << p.name << ", " << number.place;
+  }
+}
+
 std::string text_of(const std::string& path) {
   std::ifstream file(std::string(EQUIPOISE_SOURCE_DIR) + "/" + path);
   std::ostringstream text;

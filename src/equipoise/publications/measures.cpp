@@ -8,8 +8,8 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/publications/trajectories.hpp"
 #include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 #include "equipoise/words/publications.hpp"
@@ -20,8 +20,6 @@ namespace {
 
 // Steps at which a trajectory is looked at: a sixtieth of a turn at the speeds of these studies.
 constexpr double look = 0.05;
-// Of a trajectory at the default tolerance, relative: what its steps add up to where nothing grows.
-constexpr double followed = 1e-8;
 
 std::vector<double> times_between(double from, double until) {
   std::vector<double> times;
@@ -30,18 +28,16 @@ std::vector<double> times_between(double from, double until) {
   return times;
 }
 
-Trajectory follow(const Study& study, double from, double until) {
-  Trajectory trajectory = simulate(study, times_between(from, until));
-  if (trajectory.status != IntegrationStatus::done) throw RunError(words::publications::lost_on_the_way);
-  return trajectory;
-}
-
 double top(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-// Between two looks a maximum may be missed by this part: half a look off the top of a curve no faster than `turns`.
-double missed(const Study& study) {
-  const double fastest = 1.0 + std::fabs(study.speed_profile().final_speed());
-  return 0.5 * std::pow(0.5 * look * fastest, 2);
+// Mean of both ends of the piece of shaft as long as the race is wide; of a rotor that does not tilt that of its
+// centre.
+std::vector<double> deflections(const Trajectory& run) {
+  std::vector<double> all = run.radial;
+  for (std::size_t k = 0; run.tilts && k < all.size(); ++k)
+    all[k] = 0.5 * (std::hypot(run.x[k] + run.tilt_x[k], run.y[k] + run.tilt_y[k]) +
+                    std::hypot(run.x[k] - run.tilt_x[k], run.y[k] - run.tilt_y[k]));
+  return all;
 }
 
 Study without_balls_of(Study study) {
@@ -50,8 +46,8 @@ Study without_balls_of(Study study) {
   return study;
 }
 
-double growth(const Study& study, double speed, int number = 0) {
-  const model::System system(study.parameters, speed);
+double growth(const Study& study, int number = 0) {
+  const model::System system(study.parameters, study.speed_profile().final_speed());
   const auto angles = balanced_angles(model::balanced_states(system), study.parameters);
   const auto rates = angles ? balanced_rates(system, *angles, false) : std::nullopt;
   if (!rates) throw RunError(words::publications::no_balance);
@@ -68,8 +64,20 @@ double first_where(double low, double high, const Holds& holds) {
 
 }  // namespace
 
+Trajectory follow(const Study& study, double from, double until) {
+  Trajectory trajectory = simulate(study, times_between(from, until));
+  if (trajectory.status != IntegrationStatus::done) throw RunError(words::publications::lost_on_the_way);
+  return trajectory;
+}
+
+// Half a look off the top of a curve no faster than rotor and supports.
+double missed(const Study& study) {
+  const double fastest = 1.0 + std::fabs(study.speed_profile().final_speed());
+  return 0.5 * std::pow(0.5 * look * fastest, 2);
+}
+
 Estimate highest(const Study& study, double from, double until) {
-  const double value = top(follow(study, from, until).radial);
+  const double value = top(deflections(follow(study, from, until)));
   return {value, (followed + missed(study)) * value};
 }
 
@@ -80,7 +88,7 @@ Estimate highest_of_irregular(const Study& study, double from, double until) {
   for (int k = 0; k < runs; ++k) {
     Study one = study;
     one.initial.phi[0] += apart * k / runs;
-    const double value = top(follow(one, from, until).radial);
+    const double value = top(deflections(follow(one, from, until)));
     sum += value;
     squares += value * value;
   }
@@ -92,7 +100,7 @@ Estimate settled_without_balls(const Study& study) {
   const Study alone = without_balls_of(study);
   const double damping = std::min(alone.parameters.damping[0], alone.parameters.damping[1]);
   const double settled = 2.0 * 23.0 / damping;  // free vibration has fallen to e^-23
-  const double value = follow(alone, settled, settled + 10.0).radial.back();
+  const double value = deflections(follow(alone, settled, settled + 10.0)).back();
   return {value, followed * value};
 }
 
@@ -130,25 +138,41 @@ Estimate balanced_percent(const Study& study, const RunOptions& options) {
 }
 
 Estimate rate_near_balance(const Study& study, int number) {
-  const double rate = growth(study, study.speed_profile().final_speed(), number);
+  const double rate = growth(study, number);
   constexpr double rounding = 1e-9;  // of an eigenvalue that is a thousandth of the largest
   return {rate * study.scales->frequency, rounding * study.scales->frequency};
 }
 
+Estimate boundary(const Study& study, double low, double high, void (*set)(Study& study, double value)) {
+  Study one = study;
+  const auto stable = [&](double value) {
+    set(one, value);
+    return growth(one) < 0.0;
+  };
+  const bool above = stable(high);
+  constexpr double rounding = 1e-7;  // of multipliers over a turn
+  return {first_where(low, high, [&](double value) { return stable(value) == above; }), rounding};
+}
+
+void at_speed(Study& study, double speed) { study.speed.speed = speed; }
+
+Estimate boundary(const Study& study, double low, double high) { return boundary(study, low, high, at_speed); }
+
 Estimate stable_from(const Study& study, double low, double high) {
   const double unit = study.scales->frequency;
-  const double speed = first_where(low / unit, high / unit, [&](double w) { return growth(study, w) < 0.0; });
+  const double speed = boundary(study, low / unit, high / unit).value;
   constexpr double rounding = 1e-6;
   return {speed * unit, rounding};
 }
 
-Estimate resonance(const Study& study, double low, double high) {
+Estimate resonance(const Study& study, double low, double high, std::array<double, 2> places) {
   constexpr double step = 0.001;
+  const model::Parameters alone = without_balls_of(study).parameters;
   double best = low, most = 0.0;
   for (double w = low; w <= high; w += step) {
-    const double radius = model::forced_vibration(study.parameters, study.parameters.eccentricity, w).radial;
-    if (radius > most) best = w;
-    most = std::max(most, radius);
+    const double deflection = shaft_vibration(alone, w, places);
+    if (deflection > most) best = w;
+    most = std::max(most, deflection);
   }
   return {best, step};
 }

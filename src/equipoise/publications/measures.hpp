@@ -1,11 +1,14 @@
 // Numbers of publications as this program has them: each from a study, with its error.
 #pragma once
 
+#include <array>
+
 #include "equipoise/publications/publication.hpp"
 
 namespace equipoise::measures {
 
-/// Largest distance of the rotor's centre from the axis between two times, on a trajectory from the study's start.
+/// Largest deflection between two times, on a trajectory from the study's start: the distance of the rotor's centre
+/// from the axis; of a rotor that tilts the mean of its shaft's distances one race radius to either side.
 Estimate highest(const Study& study, double from, double until);
 /// The same, over eight trajectories whose first ball starts up to 1e-3 rad off: mean, and twice the standard deviation
 /// of one of them. For motions that do not forget where they began.
@@ -24,8 +27,32 @@ Estimate balanced_percent(const Study& study, const RunOptions& options);
 Estimate rate_near_balance(const Study& study, int number);
 /// Prescribed speed in rad/s, between two, from which on balance is stable.
 Estimate stable_from(const Study& study, double low, double high);
-/// Speed between two at which the rotor without balls vibrates most.
-Estimate resonance(const Study& study, double low, double high);
+/// Value between two, that `set` gives the study, at which balance turns from stable to unstable or back: there the
+/// largest real part of its rates is zero. Without `set` the prescribed speed.
+Estimate boundary(const Study& study, double low, double high, void (*set)(Study& study, double value));
+Estimate boundary(const Study& study, double low, double high);
+/// Speed between two at which a rotor that tilts vibrates most without balls, at these places of its shaft.
+Estimate resonance(const Study& study, double low, double high, std::array<double, 2> places = {1.0, -1.0});
+
+// Of rotors that tilt: shaft_measures.cpp.
+
+/// Steady motion of the rotor without balls at a speed: mean of the largest deflections at two places of its shaft.
+double shaft_vibration(const model::Parameters& p, double speed, std::array<double, 2> places);
+/// Undamped critical speed of the rotor without balls with this number, lowest first, from 0; it whirls as it spins.
+Estimate critical_speed(const Study& study, int number);
+/// Mean of the largest deflections at two places of the shaft between two times, from a trajectory.
+Estimate largest_at(const Study& study, std::array<double, 2> places, double from, double until);
+/// Least rate of any ball until this time; negative if it lags.
+Estimate least_rate(const Study& study, double until);
+/// Angle of a ball at this time.
+Estimate last_angle(const Study& study, int ball, double until);
+/// Speed of the rotor when last between two times a ball lagged by more than a tenth of the unit.
+Estimate lags_until(const Study& study, double from, double until);
+/// Mean speed of all balls between two times; the error is half the range of theirs.
+Estimate ball_speed(const Study& study, double from, double until);
+/// Period of a limit cycle: at the speed `from` the study's start comes near to it in this time, and it takes about so
+/// long; from there it is followed to the study's speed.
+Estimate cycle_period(const Study& study, double from, double until, double about);
 
 /// Jeffcott's rotor: distance of the centre from the axis at constant speed.
 double jeffcott_radius(const model::Parameters& p, double speed);

@@ -16,6 +16,7 @@ namespace equipoise {
 struct Estimate {
   double value = 0.0, error = 0.0;
 };
+inline Estimate exactly(double value) { return {value, 0.0}; }
 
 /// How a publication's number is known.
 enum class KnownBy {
@@ -44,6 +45,7 @@ struct PublicationRow {
   Estimate (*computed)(const Study& study, const RunOptions& options) = nullptr;
   const char* reason = "";                            ///< why it differs, or is not computed
   Estimate (*formula)(const Study& study) = nullptr;  ///< in place of `published`, for KnownBy::formula
+  const char* study = nullptr;                        ///< where it is not the publication's
 };
 
 struct Publication {

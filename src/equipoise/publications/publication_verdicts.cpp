@@ -45,12 +45,16 @@ std::string filled(const std::string& text, std::size_t indent) {
   return lines;
 }
 
-std::string settings_text(const PublicationRow& row) { return fmt::format("{}", fmt::join(row.settings, ", ")); }
+std::string settings_text(const PublicationRow& row) {
+  const std::string settings = fmt::format("{}", fmt::join(row.settings, ", "));
+  if (!row.study) return settings;
+  return settings.empty() ? row.study : row.study + (": " + settings);
+}
 
 std::string row_text(const JudgedRow& r) {
   const PublicationRow& row = *r.row;
   std::string heading = fmt::format("{}: {}", row.place, row.quantity);
-  if (!row.settings.empty()) heading += " (" + settings_text(row) + ")";
+  if (const std::string settings = settings_text(row); !settings.empty()) heading += " (" + settings + ")";
   std::string text = filled(heading, 2);
   const bool computed = r.verdict != RowVerdict::not_computed;
   text += fmt::format("    {:<9}{:<23}{:<5}{:<23}{}\n", name_of_source(row.known_by), with_error(r.published, row.unit),
@@ -139,6 +143,7 @@ std::string publications_json(const JudgedPublications& r) {
                       {"quantity", row.row->quantity},
                       {"unit", row.row->unit},
                       {"known_by", name_of_source(row.row->known_by)},
+                      {"study", row.row->study ? row.row->study : p.publication->study},
                       {"settings", row.row->settings},
                       {"published", estimate(row.published)},
                       {"computed", row.verdict == RowVerdict::not_computed ? Json(nullptr) : estimate(row.computed)},

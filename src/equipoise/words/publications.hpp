@@ -16,12 +16,12 @@ inline constexpr char list_line[] = "  {:<16}{}\n  {:<16}{} of {} numbers can be
 // Title of the page, and how to read it.
 inline constexpr char page_title[] = "Other publications, computed again";
 inline constexpr char page_note[] =
-    "A number agrees if it lies as near to the publication's as both errors together allow. A published error is half "
-    "a unit "
-    "of the last digit, 2 % of the axis of a plot that was read, or nothing where a formula gives the number. An error "
-    "here "
-    "is what the computation leaves open: a sample's 95 % interval, the spread of irregular motions, steps of a "
-    "search.";
+    "A number agrees if it lies as near to the publication's as both errors together allow. A published error is "
+    "half a unit of the last digit; of a plot that was read, 2 % of the axis of a time history, 0.01 in the speed "
+    "and 0.02 decades of a chart; nothing where a formula gives the number. Where it is not on record how well a "
+    "plot can be read, the error is assumed: half a unit of the last digit that was read, 0.02 for speeds in "
+    "run-ups, 2.5 rpm for simulated critical speeds. An error here is what the computation leaves open: a sample's "
+    "95 % interval, the spread of irregular motions, steps of a search.";
 // Agree, all judged, differ, explained, not computed.
 inline constexpr char tally[] =
     "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
