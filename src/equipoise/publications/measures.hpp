@@ -43,7 +43,7 @@ Estimate critical_speed(const Study& study, int number);
 /// Mean of the largest deflections at two places of the shaft between two times, from a trajectory.
 Estimate largest_at(const Study& study, std::array<double, 2> places, double from, double until);
 /// Least rate of any ball until this time; negative if it lags.
-Estimate least_rate(const Study& study, double until);
+Estimate least_ball_rate(const Study& study, double until);
 /// Angle of a ball at this time.
 Estimate last_angle(const Study& study, int ball, double until);
 /// Speed of the rotor when last between two times a ball lagged by more than a tenth of the unit.

@@ -114,7 +114,7 @@ Publication rodrigues_virm() {
        of_long_rotor("fig. 5", "hump near t = 405", plot, {2.35e-4, 7e-6}, hill,
                      [](const Study& s, const RunOptions&) { return highest(s, 390.0, 420.0); }),
        of_long_rotor("fig. 5", "least rate of a ball", plot, {-2.45, 0.05}, hill,
-                     [](const Study& s, const RunOptions&) { return least_rate(s, 1600.0); }),
+                     [](const Study& s, const RunOptions&) { return least_ball_rate(s, 1600.0); }),
        of_long_rotor("fig. 4", "speed at which the last ball leaves the first resonance", plot, {1.23, 0.02}, ramp,
                      [](const Study& s, const RunOptions&) { return lags_until(s, 0.0, 5000.0); }),
        of_long_rotor("fig. 4", "the conical one", plot, {2.46, 0.02}, ramp,
@@ -263,13 +263,13 @@ Publication rodrigues_2011() {
            of_long_rotor("fig. 16", "highest deflection", plot, {8e-4, 2e-5}, hill,
                          [](const Study& s, const RunOptions&) { return highest(s, 0.0, 2400.0); }),
            of_long_rotor("fig. 16", "least rate of a ball", plot, {-1.07, 0.02}, hill,
-                         [](const Study& s, const RunOptions&) { return least_rate(s, 2400.0); }),
+                         [](const Study& s, const RunOptions&) { return least_ball_rate(s, 2400.0); }),
            of_long_rotor("fig. 16", "highest deflection", plot, {1.5e-3, 5e-5}, thick,
                          [](const Study& s, const RunOptions&) { return highest(s, 0.0, 2400.0); }),
            of_long_rotor("fig. 16", "deflection at t = 2400", plot, {4e-6, 5e-7}, thick,
                          [](const Study& s, const RunOptions&) { return highest(s, 2390.0, 2400.0); }),
            of_long_rotor("fig. 16", "least rate of a ball", plot, {-0.175, 0.005}, thick,
-                         [](const Study& s, const RunOptions&) { return least_rate(s, 2400.0); })}};
+                         [](const Study& s, const RunOptions&) { return least_ball_rate(s, 2400.0); })}};
 }
 
 }  // namespace equipoise

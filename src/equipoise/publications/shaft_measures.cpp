@@ -81,7 +81,7 @@ Estimate largest_at(const Study& study, std::array<double, 2> places, double fro
   return {0.5 * sum, 0.5 * sum * (followed + missed(study))};
 }
 
-Estimate least_rate(const Study& study, double until) {
+Estimate least_ball_rate(const Study& study, double until) {
   const Trajectory run = follow(study, 0.0, until);
   double least = 0.0;
   for (const std::vector<double>& rate : run.phi_dot)
