@@ -36,6 +36,8 @@ class Trajectory:
         Rotor angle (rad) and speed (omega_c).
     x, y, x_dot, y_dot : ndarray (n,)
         Centre of the race in the rotating frame, and its rates.
+    tilt_x, tilt_y, tilt_x_dot, tilt_y_dot : ndarray (n,)
+        Slope of the shaft in the rotating frame (rad), and its rates; only of a rotor that tilts.
     phi, phi_dot : ndarray (n, balls)
         Ball angles in the rotating frame (rad, unwrapped) and their rates.
     states : State (n,)
@@ -56,6 +58,10 @@ class Trajectory:
     y: Array
     x_dot: Array
     y_dot: Array
+    tilt_x: Array
+    tilt_y: Array
+    tilt_x_dot: Array
+    tilt_y_dot: Array
     phi: Array
     phi_dot: Array
     radial: Array
@@ -66,7 +72,8 @@ class Trajectory:
     def __init__(self, columns: dict[str, Any], study: Study) -> None:
         self.study = study
         self.status = columns["status"]
-        for name in _COLUMNS:
+        self._names = [name for name in _COLUMNS if name in columns]
+        for name in self._names:
             setattr(self, name, columns[name])
 
     @property
@@ -111,8 +118,8 @@ class Trajectory:
         import xarray
 
         data = {
-            name: (("t", "ball")[: getattr(self, name).ndim], getattr(self, name), attributes)
-            for name, attributes in _COLUMNS.items()
+            name: (("t", "ball")[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
+            for name in self._names
         }
         ball = np.arange(1, self.phi.shape[1] + 1)
         return xarray.Dataset(data, {"ball": ball}, {"study": self.study.to_toml()})
@@ -122,7 +129,7 @@ class Trajectory:
         import pandas
 
         columns: dict[str, Array] = {}
-        for name in _COLUMNS:
+        for name in self._names:
             values = getattr(self, name)
             if values.ndim == 1:
                 columns[name] = values
@@ -132,7 +139,7 @@ class Trajectory:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""
-        _core.save_trajectory({name: getattr(self, name) for name in _COLUMNS}, self.study._core, os.fspath(path))
+        _core.save_trajectory({name: getattr(self, name) for name in self._names}, self.study._core, os.fspath(path))
 
 
 def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional[float]]:

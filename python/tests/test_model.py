@@ -116,3 +116,15 @@ def test_a_run_becomes_tables_and_files(study, tmp_path):
     with pytest.raises(eq.StudyError):
         eq.simulate(study, [3.0, 1.0])
     assert eq.simulate(study, 10.0).t[-1] == 10.0
+
+
+def test_a_rotor_that_tilts_has_its_slopes_in_every_form(tmp_path):
+    study = eq.Study.from_file(studies / "long-rotor.toml")
+    run = eq.simulate(study, t=np.linspace(0.0, 20.0, 11))
+    assert np.abs(run.tilt_x).max() > 1e-4
+    dataset = run.to_xarray()
+    assert {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"} <= set(dataset) & set(run.to_pandas().columns)
+    run.save(tmp_path / "run.csv")
+    assert (tmp_path / "run.csv").read_text().startswith("t,psi,psi_dot,x,y,x_dot,y_dot,tilt_x,")
+    flat = eq.simulate(eq.paper_study("table-2-omega-2.4"), t=1.0)
+    assert not hasattr(flat, "tilt_x") and "tilt_x" not in flat.to_xarray()
