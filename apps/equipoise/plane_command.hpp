@@ -1,0 +1,61 @@
+// What the commands about a plane of two parameters, stability and chart, share.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/basin_slices/slice_axis.hpp"
+#include "help.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "result_forms.hpp"
+#include "time_limit.hpp"
+
+namespace equipoise::app {
+
+struct PlaneArguments : ResultForms, ComputingArguments {
+  std::string study, size;
+  std::vector<std::string> overrides;
+};
+
+/// What a command's help says about the files.
+struct PlaneWords {
+  const char* output;
+  const char* csv;
+  const char* plot;
+};
+/// -o, --csv, --plot, --json and what every computing command has.
+inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& words) {
+  app.add_option("-o,--output", a.output, words.output)->type_name("FILE");
+  app.add_option("--csv", a.csv, words.csv)->type_name("FILE");
+  app.add_option("--plot", a.plot, words.plot)->type_name("FILE");
+  app.add_flag("--json", a.json, help::json);
+  add_text_style(app);
+  add_overrides(app, a.overrides);
+  add_computing(app, a);
+}
+
+/// Reads the study, computes and puts out. `place(study, size, settings)` sets the axes and what else the command has;
+/// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result,
+/// title)` makes its FormMakers, which may refer to both.
+template <class Settings, class Place, class Compute, class Forms>
+int run_plane(const PlaneArguments& a, Settings settings, Place place, Compute compute, Forms forms) {
+  begin_computing(a);
+  const Study study = at_medians(read_study(a.study, a.overrides));
+  place(study, map_size(a.size, "--size"), settings);
+  check_forms(a);
+  settings.output = a.output;
+  settings.threads = threads_option(a.threads);
+  settings.stop = &stop_flag();
+  ProgressLine progress(a.quiet);
+  settings.progress = progress.listener();
+  const auto result = compute(study, settings);
+  progress.finish();
+  const std::string title = display_text(std::filesystem::path(result.study.name).filename().string());
+  put_forms(a, forms(result, title));
+  return result.complete ? done : ended_early(progress.left(), nullptr, "");
+}
+
+}  // namespace equipoise::app
