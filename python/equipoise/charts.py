@@ -14,10 +14,9 @@ from . import _core
 from ._arguments import checked_study
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
-from ._ranges import Range, path_text, range_text
-from .maps import _size
+from ._ranges import Range, path_text
 from .results import Result
-from .stability_planes import _key
+from .stability_planes import plane_axes
 from .study import Study
 
 Array = npt.NDArray[np.float64]
@@ -155,12 +154,9 @@ def chart(
         As for :func:`basin`.
     """
     checked_study(study)
-    width, height = _size(size)
+    axes = plane_axes(x, y, size, x_range, y_range)
     with settings(threads, progress, cpu, within) as how:
-        core = _core.chart(
-            study._core, (_key("x", x), range_text("x_range", x_range), width),
-            (_key("y", y), range_text("y_range", y_range), height), boxes, undecided, path_text(output), how,
-        )
+        core = _core.chart(study._core, *axes, boxes, undecided, path_text(output), how)
     return unless_interrupted(ChartResult(core, study), core.interrupted)
 
 

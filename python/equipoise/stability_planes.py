@@ -31,6 +31,14 @@ def _key(name: str, key: str) -> str:
     return key
 
 
+def plane_axes(
+    x: str, y: str, size: int | tuple[int, int], x_range: Range, y_range: Range
+) -> tuple[tuple[str, str, int], tuple[str, str, int]]:
+    """Key, range and points of both axes, checked."""
+    width, height = _size(size)
+    return (_key("x", x), range_text("x_range", x_range), width), (_key("y", y), range_text("y_range", y_range), height)
+
+
 class StabilityResult(Result):
     """What balance does at every point of a plane of two parameters.
 
@@ -155,10 +163,7 @@ def stability(
         As for :func:`basin`.
     """
     checked_study(study)
-    width, height = _size(size)
+    axes = plane_axes(x, y, size, x_range, y_range)
     with settings(threads, progress, cpu, within) as how:
-        core = _core.stability(
-            study._core, (_key("x", x), range_text("x_range", x_range), width),
-            (_key("y", y), range_text("y_range", y_range), height), path_text(output), how,
-        )
+        core = _core.stability(study._core, *axes, path_text(output), how)
     return unless_interrupted(StabilityResult(core, study), core.interrupted)
