@@ -112,6 +112,10 @@ std::string ramp_text(const RampSetting& s, const model::Scales& u) {
   if (s.profile == Profile::points)
     return "times = " + quantities(s.times, s.times.size(), t, "s") +
            "\nspeeds = " + quantities(s.speeds, s.speeds.size(), f, "rad/s") + "\n";
+  if (s.profile == Profile::hill)
+    return "final = " + quantity(s.final, f, "rad/s") + "\nhalf_time = " + quantity(s.half_time, t, "s") +
+           fmt::format("\nexponent = {:.17g}\n", s.exponent) +
+           (s.until ? "until = " + quantity(*s.until, t, "s") + "\n" : "");
   std::string text =
       "initial = " + quantity(s.initial, f, "rad/s") + "\nfinal = " + quantity(s.final, f, "rad/s") + "\n";
   if (s.profile == Profile::ramp) return text + "duration = " + quantity(s.duration, t, "s") + "\n";
@@ -225,7 +229,13 @@ std::optional<std::string> physical_text(const Study& silent, const model::Scale
 }
 
 std::string numbers_differ(const Study& a, const Study& b) {
-  std::istringstream first(to_toml(stating_release(a))), second(to_toml(stating_release(b)));
+  // An echo leaves evenly spread angles out if its study does not state them; the text in SI units states all.
+  const auto echo = [](const Study& study) {
+    Study stating = stating_release(study);
+    stating.angles_stated = true;
+    return to_toml(stating);
+  };
+  std::istringstream first(echo(a)), second(echo(b));
   std::string line, other;
   while (std::getline(first, line) && std::getline(second, other)) {
     if (line.starts_with("[units]") || other.starts_with("[units]")) return {};

@@ -67,7 +67,7 @@ class StateAndWork {
 };
 
 FixedState fixed(const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
-  FixedState s = lagrangian::in_fixed_axes(p.balls, {segment.psi_at(t), segment.speed_at(t), segment.acceleration}, z);
+  FixedState s = lagrangian::in_fixed_axes(p.balls, {segment.psi_at(t), segment.speed_at(t), segment.acceleration_at(t)}, z);
   s.t = t;
   return s;
 }
