@@ -51,6 +51,7 @@ equipoise_test(floquet_test equivalence equivalence/floquet_test.cpp)
 equipoise_test(attractors_test equivalence equivalence/attractors_test.cpp)
 equipoise_test(machine_test equivalence equivalence/machine_test.cpp equivalence/machine_reference.cpp)
 equipoise_test(machine_limits_test equivalence equivalence/machine_limits_test.cpp)
-equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp)
+equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp
+  LONG Passed.OfUndecidedStartsIsToldByWhereTheyWereLastSeen)
 equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
 equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp)

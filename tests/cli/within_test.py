@@ -40,14 +40,14 @@ class Within(unittest.TestCase):
     def test_every_command_ends_in_time_and_says_that_it_is_partial(self):
         for name, arguments in LONG.items():
             with self.subTest(name):
-                done, late = limited(2, *arguments)
+                done, late = limited(1, *arguments)
                 self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
-                self.assertRegex(done.stderr, r"equipoise: out of time \(--within 2s\): .*(more|known yet); .*")
+                self.assertRegex(done.stderr, r"equipoise: out of time \(--within 1s\): .*(more|known yet); .*")
                 # 0.2 s on an idle machine; tests run beside others.
                 self.assertLess(late, 5.0)
                 if name != "simulate":
                     self.assertIn("PARTIAL", done.stdout)
-                    self.assertTrue(json.loads(limited(2, *arguments, "--json")[0].stdout)["partial"])
+                    self.assertTrue(json.loads(limited(1, *arguments, "--json")[0].stdout)["partial"])
 
     def test_what_ends_before_its_time_says_nothing_of_it(self):
         done = run("basin", ROW, "--starts", "200", "--within", "1h", "--quiet")

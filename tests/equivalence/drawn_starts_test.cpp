@@ -149,7 +149,7 @@ starts = 4
   const double ratio = light.scales->time() / draws.scales->time();
   EXPECT_NEAR(ratio, 0.5, 1e-12);
   int lights = 0;
-  for (std::uint64_t i = 0; i < 12; ++i) {
+  for (std::uint64_t i = 0; i < 12 && lights < 2; ++i) {
     const StartReplay drawn = replay_start(draws, i, options);
     if (drawn.drawn[0] != 3.0) continue;
     ++lights;
