@@ -68,6 +68,7 @@ BasinResult with_numbers(bool limited, const Numbers& n) {
   BasinResult r = ensemble(limited);
   TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
   set(with, &TransientRow::rms_velocity, n.end);
+  with.sure_end_velocity.fill({n.end, n.end, n.end});
   set(bare, &TransientRow::rms_velocity, n.bare_end);
   set(with, &TransientRow::peak_radial, n.peak);
   set(bare, &TransientRow::peak_radial, n.bare_peak);
@@ -103,6 +104,21 @@ TEST(Verdict, WithoutLimitsComparesWithTheBareRotor) {
   EXPECT_EQ(decided(false, {.end = 0.51}), Decision::change);
   EXPECT_EQ(decided(false, {.end = 1.01}), Decision::do_not_fit);
   EXPECT_EQ(decided(false, {.end = 0.1, .peak = 2.9}), Decision::caution);
+}
+
+// Starts that were seen for too short a time may still come to rest or to anything else, however they move by then.
+TEST(Verdict, IsOpenWhileUndecidedStartsMayTurnIt) {
+  const BasinResult& known = ensemble(false);
+  ASSERT_EQ(known.undecided.count, 0u);
+  EXPECT_NE(verdict_of(known)->decision, Decision::open);
+  BasinOptions options;
+  options.transients = true;
+  const BasinResult brief = basin(parse_study(machine + "[numerics]\nhorizon = \"1 s\"\n", "machine"), options);
+  ASSERT_EQ(brief.undecided.count, brief.starts);
+  const BalancerVerdict verdict = *verdict_of(brief);
+  EXPECT_EQ(verdict.decision, Decision::open) << verdict.words;
+  EXPECT_TRUE(holds(verdict.because, "(0 to ?)")) << verdict.because;
+  EXPECT_TRUE(holds(verdict.change, "a longer numerics.horizon may tell")) << verdict.change;
 }
 
 TEST(Verdict, AsksForTheShareThatLimitsState) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/explain/study_check.hpp"
+#include "equipoise/trajectory/simulate.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -38,6 +39,36 @@ TEST(StudyCheck, SaysWhatItUnderstood) {
                     "at most 0.75 times what there is: balance is impossible"));
   EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0 mm"}).balls, "there is nothing to cancel"));
   EXPECT_TRUE(holds(check_of(constant_speed).machine, "2.4 omega_c"));
+}
+
+// Held against the rotor itself, without balls and from rest, after ten times a run-up without losses.
+TEST(StudyCheck, SaysWhereAMotorMayStall) {
+  const std::string driven = R"([rotor]
+mass = "12 kg"
+stiffness = "25 kN/m"
+damping_ratio = 0.07
+unbalance = "1500 g mm"
+inertia = "0.005 kg m2"
+[balancer]
+balls = 2
+mass = "12 g"
+race_radius = "70 mm"
+drag = "1e-3 N m s"
+[speed]
+profile = "torque"
+torque = { stall = "1.5 mN m", no_load_speed = "3000 rpm" }
+)";
+  for (const bool weak : {true, false}) {
+    const std::string stall = weak ? "1.5 mN m" : "15 mN m";
+    const std::string override = "speed.torque.stall=" + stall;
+    const std::string line = check_of(driven, {override}).machine;
+    EXPECT_EQ(holds(line, "made to run at 3000 rpm, but may stall at 4"), weak) << line;
+    EXPECT_EQ(holds(line, "runs at 3000 rpm, 6.89 times that"), !weak) << line;
+    const Study alone = parse_study(driven, "m.toml", {override, "balancer.balls=0"});
+    const double to_resonance = 0.005 * 45.6 / (weak ? 1.5e-3 : 15e-3) / alone.scales->time();
+    const double speed = simulate(alone, {0.0, 10.0 * to_resonance}).psi_dot.back();
+    EXPECT_EQ(speed < 1.0, weak) << speed;
+  }
 }
 
 TEST(StudyCheck, ListsWhatTheStudyLeavesOpen) {

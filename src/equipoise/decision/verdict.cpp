@@ -101,9 +101,9 @@ class Judge {
   }
 
   void by_comparison() {
-    const SampleSummary &end = with_.figure(&TransientRow::rms_velocity), &bare = bare_end();
+    const SampleSummary& bare = bare_end();
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
-    const QuantileEstimate &most = end.quantiles[ninety], &half = end.quantiles[median];
+    const QuantileEstimate &most = with_.sure_end_velocity[ninety], &half = with_.sure_end_velocity[median];
     const double without = bare.quantiles[median].value;
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
     const std::string low = number(most.low), high = number(most.high);
@@ -126,9 +126,7 @@ class Judge {
 
   const SampleSummary& bare_end() const { return none_.figure(&TransientRow::rms_velocity); }
 
-  bool worse_at_end() const {
-    return with_.figure(&TransientRow::rms_velocity).quantiles[median].low > bare_end().quantiles[median].value;
-  }
+  bool worse_at_end() const { return with_.sure_end_velocity[median].low > bare_end().quantiles[median].value; }
 
   // "its peak is 26.6 mm in 90 % of starts, 18.2 mm without balls"; empty if it is not surely larger.
   std::string larger_peaks() const {
@@ -195,7 +193,7 @@ std::optional<TriedChange> tried_change(std::string words, const BasinResult& r)
                      r.starts,
                      verdict->decision,
                      kept_of(all),
-                     all.figure(&TransientRow::rms_velocity).quantiles[ninety],
+                     all.sure_end_velocity[ninety],
                      all.figure(&TransientRow::peak_radial).quantiles[ninety]};
 }
 

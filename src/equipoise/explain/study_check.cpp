@@ -60,7 +60,9 @@ std::string machine_line(const Explanation& e) {
   line += fmt::format(words::study_check::with_critical_speed,
                       of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
   const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
-  if (e.speed)
+  if (e.run_up && !e.run_up->shaken)
+    line += fmt::format(words::study_check::may_stall, speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
+  else if (e.speed)
     line += fmt::format(words::study_check::runs_at, speed_of(s, *e.speed), std::abs(*e.speed) / critical);
   else
     line += words::study_check::no_speed_held;

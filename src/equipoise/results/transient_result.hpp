@@ -29,6 +29,8 @@ struct TransientGroup {
   std::array<std::optional<Share>, standard_levels.size()> beyond{};  ///< starts that exceed a standard's level
   /// Starts within all limits (Within); empty where no such limit is stated.
   std::array<std::optional<Share>, within_names.size()> within{};
+  /// Of all starts: the RMS velocity at the end, with bounds that hold however the undecided starts end.
+  std::array<QuantileEstimate, reported_quantiles.size()> sure_end_velocity{};
 
   /// For a figure that may have no end: starts that lack one for good.
   std::uint64_t for_good(const TransientFigure& f) const { return f.needs == &Limits::settled ? never : lasting; }

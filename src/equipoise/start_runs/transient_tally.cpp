@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equipoise/types/outcomes.hpp"
 
@@ -144,12 +145,39 @@ TransientGroup TransientTally::group(const Line& line) const {
   return result;
 }
 
+// Undecided starts may come to rest, or to more than any other: 0 or infinity bounds them.
+std::array<QuantileEstimate, reported_quantiles.size()> TransientTally::sure_end_velocity() const {
+  const std::size_t velocity = figure_place(&TransientRow::rms_velocity);
+  Distribution seen, quiet, loud;
+  for (const auto& [key, line] : lines_) {
+    seen.merge(line.figures[velocity]);
+    if (static_cast<Outcome>(key.first) != Outcome::undecided) {
+      quiet.merge(line.figures[velocity]);
+      loud.merge(line.figures[velocity]);
+      continue;
+    }
+    const double weight = line.weight / static_cast<double>(line.count);
+    for (std::uint64_t i = 0; i < line.count; ++i) {
+      quiet.add(0.0f, weight);
+      loud.add(std::numeric_limits<float>::infinity(), weight);
+    }
+  }
+  auto result = seen.summary().quantiles;
+  const auto least = quiet.summary().quantiles, most = loud.summary().quantiles;
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    result[k].low = least[k].low;
+    result[k].high = most[k].high;
+  }
+  return result;
+}
+
 TransientResult TransientTally::result(const Catalogue& catalogue) const {
   TransientResult result{settings_, lost_, {}};
   Line all;
   for (const auto& [key, line] : lines_) all.merge(line);
   result.groups.push_back(group(all));
   result.groups.back().name = "all";
+  result.groups.back().sure_end_velocity = sure_end_velocity();
   for (const auto& [key, line] : lines_) {
     TransientGroup one = group(line);
     const auto outcome = static_cast<Outcome>(key.first);

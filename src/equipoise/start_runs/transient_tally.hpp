@@ -71,6 +71,7 @@ class TransientTally {
     void merge(const Line& other);
   };
   TransientGroup group(const Line& line) const;
+  std::array<QuantileEstimate, reported_quantiles.size()> sure_end_velocity() const;
   void count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const;
   bool kept(Within when) const;
   static Share share(const Line& line, const Having& having);

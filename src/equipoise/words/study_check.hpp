@@ -10,6 +10,9 @@ inline constexpr char mass_on[] = "{} on ";
 inline constexpr char supports_of[] = "supports of ";
 inline constexpr char with_critical_speed[] = ", critical speed {}";
 inline constexpr char runs_at[] = " with its balls; runs at {}, {:.3g} times that";
+// The speed where the motor's torque vanishes, that where unbalance takes all of it.
+inline constexpr char may_stall[] =
+    " with its balls; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives";
 inline constexpr char no_speed_held[] = " with its balls; no speed is held in the end";
 inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
 inline constexpr char grade_at_speed[] = "; {} at {}";
