@@ -53,4 +53,5 @@ equipoise_test(machine_test equivalence equivalence/machine_test.cpp equivalence
 equipoise_test(machine_limits_test equivalence equivalence/machine_limits_test.cpp)
 equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp)
 equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
-equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp)
+equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
+               equivalence/tilt_physical_test.cpp)
