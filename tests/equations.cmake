@@ -54,4 +54,5 @@ equipoise_test(machine_limits_test equivalence equivalence/machine_limits_test.c
 equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp
   LONG Passed.OfUndecidedStartsIsToldByWhereTheyWereLastSeen)
 equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
-equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp)
+equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
+               equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)

@@ -18,8 +18,7 @@ py::dict to_dict(Trajectory run) {
   const std::size_t rows = run.t.size();
   result["status"] = run.stopped ? "stopped" : name_of(run.status);
   for (const TrajectoryColumn& c : trajectory_columns)
-    if (c.is_in(run))
-      result[c.name] = c.by_ball ? columns_of(run.*c.by_ball, rows) : array_of(std::move(run.*c.values));
+    if (c.is_in(run)) result[c.name] = c.each ? columns_of(run.*c.each, rows) : array_of(std::move(run.*c.values));
   return result;
 }
 
@@ -41,15 +40,15 @@ Trajectory from_dict(const py::dict& columns) {
   Trajectory run;
   run.tilts = columns.contains("tilt_x");
   for (const TrajectoryColumn& c : trajectory_columns) {
-    if (!c.is_in(run)) continue;
+    if (!columns.contains(c.name)) continue;
     if (c.values) {
       run.*c.values = columns[c.name].cast<std::vector<double>>();
       continue;
     }
     const auto table = columns[c.name].cast<py::array_t<double>>();
     for (py::ssize_t i = 0; i < table.shape(1); ++i) {
-      std::vector<double>& of_ball = (run.*c.by_ball).emplace_back();
-      for (py::ssize_t k = 0; k < table.shape(0); ++k) of_ball.push_back(table.at(k, i));
+      std::vector<double>& of_one = (run.*c.each).emplace_back();
+      for (py::ssize_t k = 0; k < table.shape(0); ++k) of_one.push_back(table.at(k, i));
     }
   }
   return run;

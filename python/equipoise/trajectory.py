@@ -46,6 +46,8 @@ class Trajectory:
         Distance of the centre from where the rotor rests, in R.
     bearing_x, bearing_y : ndarray (n,)
         Force on the supports in fixed axes, in M R omega_c^2.
+    bearing_radial : ndarray (n, bearings)
+        Distance of the shaft at each bearing from where it rests, in R; only of a study that states bearings.
     status : str
         "done", "diverged", "failed" or "stopped"; if not "done", later times are missing.
     study : Study
@@ -67,6 +69,7 @@ class Trajectory:
     radial: Array
     bearing_x: Array
     bearing_y: Array
+    bearing_radial: Array
     status: str
 
     def __init__(self, columns: dict[str, Any], study: Study) -> None:
@@ -117,12 +120,15 @@ class Trajectory:
         """A dataset with coordinate t; every variable has units and long_name."""
         import xarray
 
+        places = {"bearing_radial": "bearing"}
         data = {
-            name: (("t", "ball")[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
+            name: (("t", places.get(name, "ball"))[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
             for name in self._names
         }
-        ball = np.arange(1, self.phi.shape[1] + 1)
-        return xarray.Dataset(data, {"ball": ball}, {"study": self.study.to_toml()})
+        coordinates = {"ball": np.arange(1, self.phi.shape[1] + 1)}
+        if "bearing_radial" in self._names:
+            coordinates["bearing"] = np.arange(1, self.bearing_radial.shape[1] + 1)
+        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """A table with one row a time, indexed by t: the columns of the program's CSV."""

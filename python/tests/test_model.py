@@ -128,3 +128,23 @@ def test_a_rotor_that_tilts_has_its_slopes_in_every_form(tmp_path):
     assert (tmp_path / "run.csv").read_text().startswith("t,psi,psi_dot,x,y,x_dot,y_dot,tilt_x,")
     flat = eq.simulate(eq.paper_study("table-2-omega-2.4"), t=1.0)
     assert not hasattr(flat, "tilt_x") and "tilt_x" not in flat.to_xarray()
+
+
+def test_a_study_with_bearings_has_the_displacement_at_each(tmp_path):
+    study = eq.Study.from_file(studies / "tilting-washer.toml")
+    run = eq.simulate(study, t=np.linspace(0.0, 20.0, 11))
+    assert run.bearing_radial.shape == (11, 2)
+    # Nothing has moved the shaft yet: it rests under its weight.
+    np.testing.assert_allclose(run.bearing_radial[0], 0.0, atol=1e-15)
+    assert (run.bearing_radial[-1] > 1e-4).all()
+    dataset = run.to_xarray()
+    assert dataset.bearing_radial.dims == ("t", "bearing") and list(dataset.bearing) == [1, 2]
+    assert {"bearing_radial_1", "bearing_radial_2"} <= set(run.to_pandas().columns)
+    run.save(tmp_path / "run.csv")
+    assert (tmp_path / "run.csv").read_text().splitlines()[0].endswith(",bearing_radial_1,bearing_radial_2")
+    run.save(tmp_path / "run.nc")
+    import xarray
+
+    with xarray.open_dataset(tmp_path / "run.nc") as kept:
+        np.testing.assert_array_equal(kept.bearing_radial, run.bearing_radial)
+    assert "bearing_radial" not in eq.simulate(eq.Study.from_file(studies / "long-rotor.toml"), t=1.0).to_xarray()

@@ -115,6 +115,28 @@ class Examples(Case):
             self.assertTrue(everything["exceeded"])
 
 
+class TiltingWasher(Case):
+    STUDY = os.path.join(STUDIES, "tilting-washer.toml")
+
+    def test_is_answered_in_words(self):
+        done = run("basin", self.STUDY, "--set", "sampling.starts=20", "--quiet")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"\nbalanced +100 % ")
+        self.assertIn("sqrt(k/M) = 190.99 rpm", done.stdout)
+        self.assertEqual(done.stderr.count("shares alone: figures of transients need a rotor that does not tilt"), 1)
+        alone = run("basin", self.STUDY, "--set", "sampling.starts=2", "--quiet", "--no-transients")
+        self.assertNotIn("shares alone", alone.stderr)
+        wanted = run("basin", self.STUDY, "--set", "sampling.starts=2", "--quiet", "--transients")
+        self.assertIn("figures of transients need a rotor that does not tilt", wanted.stderr)
+        self.assertNotEqual(wanted.returncode, 0)
+
+    def test_has_the_displacement_at_both_bearings(self):
+        done = run("simulate", self.STUDY, "--at", "40 s")
+        row = next(csv.DictReader(io.StringIO(done.stdout)))
+        self.assertLess(float(row["bearing_radial_1"]), 1e-3)
+        self.assertLess(float(row["bearing_radial_2"]), 1e-3)
+
+
 class Simulate(Case):
     COLUMNS = "t,psi,psi_dot,x,y,x_dot,y_dot,phi_1,phi_2,phi_dot_1,phi_dot_2,radial,bearing_x,bearing_y"
 

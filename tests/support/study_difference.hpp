@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -57,6 +58,16 @@ inline std::string first_difference(const Study& a, const Study& b, double withi
   COMPARED(parameters.stiction);
   COMPARED(parameters.rolls);
   COMPARED(parameters.ball_radius);
+  COMPARED(parameters.eccentricity_angle);
+  COMPARED(parameters.tilt.transverse_inertia);
+  COMPARED(parameters.tilt.polar_inertia);
+  COMPARED(parameters.tilt.misalignment);
+  for (const std::size_t k : {0, 1}) {
+    COMPARED(parameters.tilt.stiffness[k]);
+    COMPARED(parameters.tilt.damping[k]);
+  }
+  COMPARED(parameters.tilt.plane);
+  COMPARED(bearings);
   COMPARED(speed.profile);
   COMPARED(speed.law);
   COMPARED(speed.stalled_below);
@@ -82,6 +93,10 @@ inline std::string first_difference(const Study& a, const Study& b, double withi
   COMPARED(initial.y_dot);
   COMPARED(initial.phi);
   COMPARED(initial.phi_dot);
+  COMPARED(initial.tilt_x);
+  COMPARED(initial.tilt_y);
+  COMPARED(initial.tilt_x_dot);
+  COMPARED(initial.tilt_y_dot);
   COMPARED(sampling.starts);
   COMPARED(sampling.seed);
   COMPARED(sampling.method.value_or(random));

@@ -57,9 +57,9 @@ class Changes {
     if (count > model::max_balls) return;
     Study s = study_;
     model::Parameters& p = s.parameters;
-    for (auto* of_balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius})
+    for (auto* of_balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius, &p.tilt.plane})
       for (int i = p.balls; i < count; ++i) (*of_balls)[static_cast<std::size_t>(i)] = of_balls->front();
-    for (auto* of_balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius})
+    for (auto* of_balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius, &p.tilt.plane})
       for (std::size_t i = static_cast<std::size_t>(count); i < of_balls->size(); ++i) (*of_balls)[i] = 0.0;
     p.balls = count;
     s.initial.phi = even_angles(count);

@@ -30,6 +30,18 @@ void multiply(StudyValue& table, const std::string& key, Dimension dimension, co
   *value = std::move(quantities);
 }
 
+// [k12, k22] or [c12, c22], or both directions' under x and y.
+void multiply_supports(StudyValue& value, Dimension across, Dimension tilt, const model::Scales& s) {
+  if (value.table()) {
+    for (const char* direction : {"x", "y"}) multiply_supports(*value.find(direction), across, tilt, s);
+    return;
+  }
+  StudyValue::Array quantities;
+  for (const Dimension d : {across, tilt})
+    quantities.push_back(quantity_text((*value.array())[quantities.size()].number() * scale_of(d, s), d));
+  value = std::move(quantities);
+}
+
 void make_physical(StudyValue& root, const model::Parameters& p, const model::Scales& s) {
   find_table(root, "rotor")->set("mass", quantity_text(s.mass, Dimension::mass));
   find_table(root, "balancer")->set("race_radius", quantity_text(s.length, Dimension::length));
@@ -45,6 +57,10 @@ void make_physical(StudyValue& root, const model::Parameters& p, const model::Sc
       multiply(*table, key.name, *key.dimension, scale);
     }
   }
+  if (StudyValue* tilt = find_table(root, "rotor.tilt")) {
+    multiply_supports(*tilt->find("stiffness"), Dimension::force, Dimension::torque, s);
+    multiply_supports(*tilt->find("damping"), Dimension::tilt_damping, Dimension::gain, s);
+  }
   root.erase("units");
 }
 
@@ -57,9 +73,6 @@ Study stating_release(Study study) {
 
 std::string to_physical_toml(const Study& study) {
   if (!study.scales) throw InputError(study.name, "units", "", words::study::no_units);
-  if (study.parameters.tilts())
-    throw InputError(study.name, "rotor.tilt.transverse_inertia",
-                     fmt::format("{}", study.parameters.tilt.transverse_inertia), words::study::tilt_without_units);
   StudyValue tree = to_tree(stating_release(with_medians(study)));
   make_physical(tree, study.parameters, *study.scales);
   return toml_text(tree);

@@ -61,7 +61,7 @@ void linearise(Explanation& e) {
   }
   motion.less = less_words(rotor.left_out);
   motion.section_period = system.autonomous() ? 0.0 : system.section_period();
-  if (linear->orbit) motion.left = farthest(system, *linear->orbit);
+  if (linear->orbit && !e.tilt) motion.left = farthest(system, *linear->orbit);
   motion.eigenvalues = linear->rates;
   motion.slowest_rate = motion.eigenvalues.front().real();
   motion.stable = motion.slowest_rate < -least_rate;

@@ -45,20 +45,12 @@ void balance(Explanation& e) {
   e.balanced.reason = room.why_not(e.unbalance);
 }
 
-}  // namespace
-
-Explanation explain(const Study& study, const BallDetails& balls) {
-  reject_if_lacking(study, model::ResultKind::pages);
-  Explanation e;
-  const model::Parameters& p = study.parameters;
-  e.study = study;
-  e.quantities = quantity_table(study);
+// The same of a rotor that does not tilt, and its critical speeds and sag.
+void explain_plane(Explanation& e) {
+  const model::Parameters& p = e.study.parameters;
   for (std::size_t i = 0; i < 2; ++i) e.critical_alone[i] = std::sqrt(p.stiffness[i]);
   e.critical_with_balls = rules::critical_speeds(p);
-  put_final_speed(e);
-  if (study.speed.driven() && e.speed) e.run_up = run_up(study, *e.speed);
-  e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
-  e.ball_width = ball_widths(study, balls);
+  if (e.study.speed.driven() && e.speed) e.run_up = run_up(e.study, *e.speed);
   if (p.balls > 0) {
     balance(e);
   } else {
@@ -66,9 +58,24 @@ Explanation explain(const Study& study, const BallDetails& balls) {
     e.balanced.reason = e.no_motion = words::explain::no_balls;
   }
   e.sag = 0.0 - model::static_sag(p);
+  if (e.speed) e.bare = bare_vibration(p, *e.speed);
+}
+
+}  // namespace
+
+void check_pages(const Study& study) { reject_if_lacking(study, model::ResultKind::pages); }
+
+Explanation explain(const Study& study, const BallDetails& balls) {
+  Explanation e;
+  const model::Parameters& p = study.parameters;
+  e.study = study;
+  e.quantities = quantity_table(study);
+  put_final_speed(e);
+  e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
+  e.ball_width = ball_widths(study, balls);
+  p.tilts() ? explain_tilt(e) : explain_plane(e);
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   if (p.balls > 0) linearise(e);
-  if (e.speed) e.bare = bare_vibration(p, *e.speed);
   // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
   if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {
@@ -78,7 +85,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
     e.reynolds =
         model::reynolds_number(*balls.oil_density, slip * study.scales->velocity(), largest, *balls.oil_viscosity);
   }
-  if (p.balls > 0) e.advice = advice(e);
+  if (p.balls > 0 && !p.tilts()) e.advice = advice(e);
   add_warnings(e);
   return e;
 }

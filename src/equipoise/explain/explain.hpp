@@ -7,7 +7,11 @@
 
 namespace equipoise {
 
-/// Takes any study that read_study() accepts. `balls`: for the Reynolds number and for whether the balls have room.
+/// Takes any study that read_study() accepts. `balls`: for the Reynolds number and for whether the balls have room. Of
+/// a rotor that tilts there are no rules of thumb, and no run-up.
 Explanation explain(const Study& study, const BallDetails& balls = {});
+
+/// Throws InputError for a study that pages and the check of a study know nothing of.
+void check_pages(const Study& study);
 
 }  // namespace equipoise

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -53,7 +54,7 @@ class QuantityTable {
   void rotor() {
     add("M", "rotor mass", 1.0, Dimension::mass);
     add("R", "race radius, to the ball centres", 1.0, Dimension::length);
-    add("omega_c", "critical speed, sqrt(k/M)", 1.0, Dimension::speed);
+    add("omega_c", p_.tilts() ? "unit of speed, sqrt(k/M)" : "critical speed, sqrt(k/M)", 1.0, Dimension::speed);
     add("1/omega_c", "unit of time", 1.0, Dimension::time);
     add_pair("k, kappa", "support stiffness", p_.stiffness, Dimension::stiffness);
     add_pair("c, zeta", "support damping", p_.damping, Dimension::damping);
@@ -64,6 +65,24 @@ class QuantityTable {
     add("M eps", "unbalance", p_.eccentricity, Dimension::unbalance);
     if (p_.gravity > 0.0) add("g, G", "gravity", p_.gravity, Dimension::acceleration);
     if (p_.inertia > 0.0) add("I_C, iota", "moment of inertia", p_.inertia, Dimension::inertia);
+    if (p_.tilts()) tilt();
+  }
+
+  void tilt() {
+    const model::Tilt& t = p_.tilt;
+    add("beta_0", "its angle from the couple unbalance", p_.eccentricity_angle, Dimension::angle);
+    add("J_t", "transverse moment of inertia", t.transverse_inertia, Dimension::inertia);
+    add("J_p", "polar moment of inertia", t.polar_inertia, Dimension::inertia);
+    add("chi", "misalignment of the principal axis", t.misalignment, Dimension::angle);
+    add("chi (J_t - J_p)", "couple unbalance", t.couple(), Dimension::inertia);
+    const auto both = [](const auto& m, std::size_t k) { return std::array{m[0][k], m[1][k]}; };
+    add_pair("k_12", "support force for a slope", both(t.stiffness, 0), Dimension::force);
+    add_pair("k_22", "support moment for a slope", both(t.stiffness, 1), Dimension::torque);
+    add_pair("c_12", "damper force for a rate of slope", both(t.damping, 0), Dimension::tilt_damping);
+    add_pair("c_22", "damper moment for a rate of slope", both(t.damping, 1), Dimension::gain);
+    for (std::size_t b = 0; b < study_.bearings.size(); ++b)
+      add(fmt::format("z_b{}", b + 1), fmt::format("place of bearing {}", b + 1), study_.bearings[b],
+          Dimension::length);
   }
 
   void balancer() {
@@ -75,6 +94,7 @@ class QuantityTable {
     std::array<double, model::max_balls> torque{};
     for (std::size_t i = 0; i < torque.size(); ++i) torque[i] = p_.drag[i] * p_.mass[i];
     add_balls("D", "ball drag, torque for a rate", torque, Dimension::gain);
+    if (p_.tilts()) add_balls("z", "place of a ball's race", p_.tilt.plane, Dimension::length);
     if (p_.rolls) {
       add_balls("r", "radius of a ball, which rolls", p_.ball_radius, Dimension::length);
       add("m_eff/m", "inertia of a ball along the race", p_.inertia_along_race(), std::nullopt);

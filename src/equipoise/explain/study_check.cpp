@@ -300,6 +300,7 @@ std::string StudyCheck::text() const {
 StudyCheck check_study(const std::string& toml_text, const std::string& name,
                        const std::vector<std::string>& overrides) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
+  check_pages(study);
   const BallDetails balls = parse_ball_details(toml_text, name, overrides);
   const study::Document document = study::parse_document(toml_text, name, overrides);
   const Explanation e = explain(medians, balls);

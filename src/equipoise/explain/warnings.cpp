@@ -26,8 +26,8 @@ constexpr double root_two = 1.4142135623730951;
 class Warnings {
  public:
   explicit Warnings(Explanation& e) : e_(e), p_(e.study.parameters) {
-    speed();
-    unbalance();
+    e.tilt ? whirl(*e.tilt) : speed();
+    if (!e.tilt) unbalance();
     sag();
     if (e.motion) motion(*e.motion);
     if (e.speeds_up) warn(words::warnings::speeds_up_without_end, e.speed_words);
@@ -35,7 +35,7 @@ class Warnings {
     if (e.run_up) run_up(*e.run_up);
     if (p_.balls == 0) return;
     patience();
-    release();
+    if (!e.tilt) release();  // which no motor has
     room();
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0) warn(words::warnings::weight_beats_rotation);
     contact();
@@ -61,6 +61,17 @@ class Warnings {
       warn(words::warnings::near_critical_speed);
     else if (w >= lowest && w < root_two * highest)
       warn(words::warnings::little_isolation, p_.balls > 0 ? words::warnings::often_unstable_too : "");
+  }
+
+  // Of a rotor that tilts, which has no one speed above which it is quiet.
+  void whirl(const TiltExplanation& t) {
+    if (!e_.speed) return;
+    const double w = std::abs(*e_.speed);
+    bool near = false;
+    for (const model::WhirlSpeeds* speeds : {&t.alone, &t.with_balls})
+      for (const double critical : speeds->excited()) near = near || std::abs(w - critical) <= 0.1 * critical;
+    if (p_.balls > 0 && w < e_.critical_with_balls[0]) warn(words::warnings::below_critical_speed);
+    if (near) warn(words::warnings::near_critical_speed);
   }
 
   void contact() {

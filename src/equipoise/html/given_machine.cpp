@@ -19,6 +19,9 @@ GivenMachine given_machine(const std::string& toml_text, const std::string& name
           std::move(checked.assumed), std::move(checked.most)};
 }
 
-GivenMachine given_machine(const Study& study) { return {given_tables(study), explain(study), {}, {}}; }
+GivenMachine given_machine(const Study& study) {
+  check_pages(study);
+  return {given_tables(study), explain(study), {}, {}};
+}
 
 }  // namespace equipoise

@@ -31,10 +31,7 @@ std::vector<double> planes_of(const Parameters& p) {
   return planes;
 }
 
-// The balls of one plane, and a plane rotor whose unbalance they have to cancel.
-struct Race {
-  std::vector<int> balls;
-  Parameters rotor;
+struct Race : BallPlane {
   double turn = 0.0;  // from the rotor's angles to those of the plane rotor
 
   void to_own(const double* phi, double* own) const {
@@ -47,6 +44,7 @@ struct Race {
 
 Race race_at(const Parameters& p, double plane, Complex unbalance) {
   Race race;
+  race.at = plane;
   race.rotor.balls = 0;
   for (int i = 0; i < p.balls; ++i) {
     if (p.tilt.plane[i] != plane) continue;
@@ -160,6 +158,11 @@ BalancedStates tilt_balanced_states(const Parameters& p) {
   }
   if (result.kind == Kind::continuum) result.angles.clear();
   return result;
+}
+
+std::vector<BallPlane> planes_of_balls(const Parameters& p) {
+  const std::vector<Race> races = races_of(p);
+  return {races.begin(), races.end()};
 }
 
 bool project_to_tilt_balanced(const Parameters& p, double* phi) {

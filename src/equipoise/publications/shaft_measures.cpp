@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/publications/measures.hpp"
 #include "equipoise/publications/trajectories.hpp"
@@ -13,58 +13,13 @@
 
 namespace equipoise::measures {
 
-namespace {
-
-using Amplitude = std::complex<double>;
-using Matrix4 = Eigen::Matrix4d;
-
-// Of the supports, for X, Y and the slopes along them.
-Matrix4 support(const std::array<double, 2>& of_centre, const std::array<std::array<double, 2>, 2>& of_tilt) {
-  Matrix4 all = Matrix4::Zero();
-  for (int d = 0; d < 2; ++d) {
-    const auto i = static_cast<std::size_t>(d);
-    all(d, d) = of_centre[i];
-    all(d, 2 + d) = all(2 + d, d) = of_tilt[i][0];
-    all(2 + d, 2 + d) = of_tilt[i][1];
-  }
-  return all;
-}
-
-// Half the longer axis of the ellipse that the real part of v e^{i t} runs along.
-double longer_half_axis(Amplitude x, Amplitude y) {
-  return std::sqrt(0.5 * (std::norm(x) + std::norm(y) + std::abs(x * x + y * y)));
-}
-
-}  // namespace
-
 double shaft_vibration(const model::Parameters& p, double speed, std::array<double, 2> places) {
-  const double w2 = speed * speed, jt = p.tilt.transverse_inertia, jp = p.tilt.polar_inertia;
-  Eigen::MatrixXcd a = support(p.stiffness, p.tilt.stiffness).cast<Amplitude>() +
-                       Amplitude(0.0, speed) * support(p.damping, p.tilt.damping).cast<Amplitude>();
-  a.diagonal() -= Amplitude(w2) * Eigen::Vector4cd(1.0, 1.0, jt, jt);
-  a(2, 3) += Amplitude(0.0, w2 * jp);  // gyroscopic
-  a(3, 2) -= Amplitude(0.0, w2 * jp);
-  const Amplitude centre = std::polar(p.eccentricity, p.eccentricity_angle), couple = p.tilt.couple();
-  const Amplitude behind(0.0, -1.0);
-  const Eigen::Vector4cd force(centre, behind * centre, couple, behind * couple);
-  const Eigen::VectorXcd v = dense::inverse(a) * (w2 * force);
-  double sum = 0.0;
-  for (const double z : places) sum += longer_half_axis(v[0] + z * v[2], v[1] + z * v[3]);
-  return 0.5 * sum;
+  const model::ShaftVibration v = model::shaft_vibration(p, speed);
+  return 0.5 * (v.farthest(places[0]) + v.farthest(places[1]));
 }
 
 Estimate critical_speed(const Study& study, int number) {
-  const model::Parameters& p = study.parameters;
-  // With Y a quarter of a turn behind X all is real: stiffness times v is speed^2 times inertia times v.
-  Eigen::MatrixXd inertia = Matrix4::Identity();
-  inertia(2, 2) = inertia(3, 3) = p.tilt.transverse_inertia;
-  inertia(2, 3) = inertia(3, 2) = -p.tilt.polar_inertia;
-  const Eigen::VectorXcd squares =
-      dense::eigenvalues(dense::inverse(inertia) * Eigen::MatrixXd(support(p.stiffness, p.tilt.stiffness)));
-  std::vector<double> speeds;
-  for (const Amplitude& square : squares)
-    if (square.real() > 0.0) speeds.push_back(std::sqrt(square.real()));
-  std::sort(speeds.begin(), speeds.end());
+  const std::vector<double> speeds = model::all_whirl_speeds(study.parameters, false);
   constexpr double rounding = 1e-12;
   return {speeds.at(static_cast<std::size_t>(number)), rounding};
 }

@@ -1,4 +1,4 @@
-// A study explained, as text and as JSON.
+// A study explained, as text.
 #include "equipoise/reports/explain_report.hpp"
 
 #include <algorithm>
@@ -8,10 +8,8 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/base/version.hpp"
 #include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
@@ -24,7 +22,6 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using model::Scales;
 using study::Dimension;
 
@@ -100,7 +97,42 @@ class Text {
     text_ += table_text(quantities, style_) + "\n";
   }
 
+  std::string list(const std::vector<double>& values, Dimension d) const {
+    std::string text;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      text += (k == 0 ? "" : k + 1 < values.size() ? ", " : " and ") + either(values[k], d);
+    return text;
+  }
+
+  void whirl(const TiltExplanation& t) {
+    const bool balls = e_.study.parameters.balls > 0;
+    const char* label = words::text::critical_speed;
+    const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
+      const std::string held = fmt::format(words::reports::with_balls_held, list(with, Dimension::speed));
+      item(label, fmt::format(fmt::runtime(words), list(alone, Dimension::speed), balls ? held : ""));
+      label = "";
+    };
+    if (!t.alone.of_both.empty()) return line(words::reports::whirl_of_both, t.alone.of_both, t.with_balls.of_both);
+    line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward);
+    line(words::reports::backward_whirl, t.alone.backward, t.with_balls.backward);
+    if (t.alone.forward.size() == 1) item("", words::reports::one_forward_whirl);
+  }
+
+  void final_speed_of_tilt() {
+    if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
+    item(words::reports::final_speed,
+         fmt::format(words::reports::times_the_critical, either(*e_.speed, Dimension::speed),
+                     std::abs(*e_.speed) / e_.critical_with_balls[1],
+                     e_.critical_with_balls[0] == e_.critical_with_balls[1] ? "" : "highest ",
+                     e_.study.parameters.balls > 0 ? words::reports::and_with_balls : ""));
+    if (!e_.speed_words.empty()) item("", e_.speed_words);
+  }
+
   void speeds() {
+    if (e_.tilt) {
+      whirl(*e_.tilt);
+      return final_speed_of_tilt();
+    }
     const bool balls = e_.study.parameters.balls > 0;
     item(words::text::critical_speed,
          by_direction(e_.critical_alone, Dimension::speed) +
@@ -140,7 +172,9 @@ class Text {
 
   void balance() {
     item(words::text::can_balance, verdict_text(e_));
-    if (e_.study.parameters.balls == 0)
+    if (e_.tilt)
+      planes(*e_.tilt);
+    else if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
       item("",
@@ -152,9 +186,24 @@ class Text {
            fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
     if (e_.sag > 0.0)
       item(words::reports::static_sag, fmt::format(words::reports::sags_under, both(e_.sag, Dimension::length),
-                                                   both(e_.sag * e_.study.parameters.stiffness[1], Dimension::force)));
+                                                   both(e_.weight(), Dimension::force)));
     if (e_.gravity_ratio) item("gravity", fmt::format(words::reports::gravity_ratio, *e_.gravity_ratio));
     if (!e_.motion && e_.study.parameters.balls > 0) item(words::text::approach_to_balance, "unknown: " + e_.no_motion);
+  }
+
+  void planes(const TiltExplanation& t) {
+    item("", fmt::format(words::reports::static_and_couple, both(e_.unbalance, Dimension::unbalance),
+                         both(t.couple, Dimension::inertia)));
+    for (const ExplainedPlane& plane : t.planes)
+      item("", fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
+                           both(plane.unbalance, Dimension::unbalance), both(plane.least, Dimension::unbalance),
+                           both(plane.most, Dimension::unbalance)));
+  }
+
+  std::string states_of_tilt(bool family) const {
+    if (family) return words::reports::one_of_continuum;
+    const std::size_t states = e_.balanced.angles.size();
+    return states > 1 ? fmt::format(words::reports::one_of_states, states) : "";
   }
 
   void motion(const BalancedMotion& m) {
@@ -162,10 +211,17 @@ class Text {
     for (int i = 0; i < e_.study.parameters.balls; ++i)
       angles += fmt::format("{}{:.1f}", i ? ", " : "", in_degrees(m.angles[static_cast<std::size_t>(i)]));
     const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
-    item(words::reports::balanced_angles, fmt::format(words::reports::from_heavy_side, angles,
-                                                      family                          ? words::reports::one_of_continuum
-                                                      : e_.balanced.angles.size() > 1 ? words::reports::and_mirror_image
-                                                                                      : ""));
+    if (e_.tilt)
+      item(words::reports::balanced_angles,
+           fmt::format(fmt::runtime(e_.tilt->couple > 0.0 ? words::reports::from_couple_unbalance
+                                                          : words::reports::from_angle_0),
+                       angles, states_of_tilt(family)));
+    else
+      item(words::reports::balanced_angles,
+           fmt::format(words::reports::from_heavy_side, angles,
+                       family                          ? words::reports::one_of_continuum
+                       : e_.balanced.angles.size() > 1 ? words::reports::and_mirror_image
+                                                       : ""));
     const std::string where =
         (e_.study.speed.driven() ? words::reports::at_constant_speed : "") + (m.less.empty() ? "" : ", " + m.less);
     const char* more_drag = m.more_drag() > 0   ? "shorter"
@@ -217,7 +273,16 @@ class Text {
     return rate < 0.0 ? either(-1.0 / rate, Dimension::time) : fmt::format(words::reports::growth_rate, rate);
   }
 
+  void bare_of_tilt(const BareVibration& v, const TiltExplanation& t) {
+    item(words::text::without_balls,
+         by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_centre_of_mass);
+    if (!t.at_bearings.empty())
+      item("", fmt::format(words::reports::farthest_at_bearings, list(t.at_bearings, Dimension::length)));
+    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_force);
+  }
+
   void bare(const BareVibration& v) {
+    if (e_.tilt) return bare_of_tilt(v, *e_.tilt);
     const double w = std::abs(*e_.speed);
     item(words::text::without_balls,
          by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_final_speed);
@@ -255,66 +320,6 @@ class Text {
   std::string text_;
 };
 
-// A value with its SI value and unit, if there are scales.
-Json value_json(double value, Dimension d, const std::optional<Scales>& scales) {
-  Json json{{"dimensionless", value}};
-  if (scales) {
-    json["si"] = value * study::scale_of(d, *scales);
-    json["unit"] = study::words(d).si;
-  }
-  return json;
-}
-
-Json pair_json(const std::array<double, 2>& values, Dimension d, const std::optional<Scales>& scales) {
-  return Json::array({value_json(values[0], d, scales), value_json(values[1], d, scales)});
-}
-
-Json quantity_json(const ExplainedQuantity& q, const std::optional<Scales>& scales) {
-  Json row{{"symbol", q.symbol}, {"name", q.name}};
-  row.update(q.dimension ? value_json(q.value, *q.dimension, scales) : Json{{"dimensionless", q.value}});
-  return row;
-}
-
-Json motion_json(const BalancedMotion& m, const Explanation& e) {
-  Json json{{"stable", m.stable},
-            {"angles", std::vector<double>(m.angles.begin(), m.angles.begin() + e.study.parameters.balls)}};
-  json["time_constant"] = m.stable ? value_json(-1.0 / m.slowest_rate, Dimension::time, e.study.scales) : Json(nullptr);
-  json["drag_sensitivity"] = m.drag_sensitivity;
-  json["left_out"] = m.less;
-  json["strobe"] =
-      m.section_period > 0.0 ? value_json(m.section_period, Dimension::time, e.study.scales) : Json(nullptr);
-  json["displacement_left"] = m.left ? value_json(*m.left, Dimension::length, e.study.scales) : Json(nullptr);
-  if (m.slowest_if_sliding) json["slowest_rate_if_sliding"] = *m.slowest_if_sliding;
-  json["eigenvalues"] = Json::array();
-  for (const auto& v : m.eigenvalues) json["eigenvalues"].push_back({v.real(), v.imag()});
-  return json;
-}
-
-Json run_up_json(const RunUp& r, const std::optional<Scales>& scales) {
-  const auto time = [&](const std::optional<double>& t) {
-    return t ? value_json(*t, Dimension::time, scales) : Json(nullptr);
-  };
-  Json json{{"speed", value_json(r.speed, Dimension::speed, scales)}};
-  json["inertia"] = value_json(r.inertia, Dimension::inertia, scales);
-  json["without_losses"] = time(r.alone);
-  json["with_own_unbalance"] = time(r.shaken);
-  json["stalls_at"] = r.shaken ? Json(nullptr) : value_json(r.stalls_at, Dimension::speed, scales);
-  return json;
-}
-
-Json advice_json(const Explanation& e) {
-  Json rules = Json::array();
-  for (const RuleOfThumb& r : e.advice) {
-    Json rule{{"id", r.id}, {"name", r.name}, {"kept", r.kept ? Json(*r.kept) : Json(nullptr)}, {"words", r.words}};
-    rule["figures"] = Json::array();
-    for (const ExplainedQuantity& figure : r.figures) rule["figures"].push_back(quantity_json(figure, e.study.scales));
-    rule["formula"] = r.formula;
-    rule["source"] = r.source;
-    rules.push_back(rule);
-  }
-  return rules;
-}
-
 }  // namespace
 
 std::string verdict_text(const Explanation& e) {
@@ -327,48 +332,6 @@ std::string verdict_text(const Explanation& e) {
 std::string explain_text(const Explanation& e, const TextStyle& style) {
   constexpr std::size_t labels = 22;
   return lines_filled(Text(e, style).all(), style, labels);
-}
-
-std::string explain_json(const Explanation& e) {
-  const auto& scales = e.study.scales;
-  Json json;
-  json["quantities"] = Json::array();
-  for (const auto& q : e.quantities) json["quantities"].push_back(quantity_json(q, scales));
-  json["critical_speed"] = pair_json(e.critical_alone, Dimension::speed, scales);
-  json["critical_speed_with_balls"] = pair_json(e.critical_with_balls, Dimension::speed, scales);
-  json["final_speed"] = e.speed ? value_json(*e.speed, Dimension::speed, scales) : Json(nullptr);
-  json["final_speed_reason"] = e.speed_words;
-  json["run_up"] = e.run_up ? run_up_json(*e.run_up, scales) : Json(nullptr);
-  json["cost"] = nullptr;
-  if (e.cost)
-    json["cost"] = {
-        {"cpu_seconds", e.cost->total()}, {"search", e.cost->search}, {"search_ended", e.cost->search_ended},
-        {"a_start", e.cost->a_start},     {"starts", e.cost->starts}, {"measured", e.cost->measured}};
-  json["can_balance"] = e.balanced.kind != model::BalancedStates::Kind::none;
-  json["reason"] = e.balanced.reason;
-  json["static_sag"] = value_json(e.sag, Dimension::length, scales);
-  json["weight"] = value_json(e.sag * e.study.parameters.stiffness[1], Dimension::force, scales);
-  json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
-  json["unbalance"] = value_json(e.unbalance, Dimension::unbalance, scales);
-  json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
-  json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);
-  json["balanced"] = e.motion ? motion_json(*e.motion, e) : Json(nullptr);
-  json["not_linearised"] = e.no_motion;
-  json["without_balls"] = nullptr;
-  if (e.bare)
-    json["without_balls"] = {{"displacement", pair_json(e.bare->displacement, Dimension::length, scales)},
-                             {"force", pair_json(e.bare->force, Dimension::force, scales)}};
-  json["balance_grade"] = nullptr;
-  if (scales && e.speed)
-    json["balance_grade"] = grade_json(
-        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency));
-  json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
-  json["advice"] = advice_json(e);
-  json["warnings"] = e.warnings;
-  json["study"] = study_json(e.study);
-  json["study_name"] = e.study.name;
-  json["version"] = version_string;
-  return json.dump(2) + "\n";
 }
 
 }  // namespace equipoise

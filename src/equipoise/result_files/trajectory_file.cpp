@@ -24,10 +24,10 @@ void write_csv(std::ostream& out, const Trajectory& r) {
   const auto append = [&line]<class... Parts>(fmt::format_string<Parts...> format, Parts&&... parts) {
     fmt::format_to(std::back_inserter(line), format, std::forward<Parts>(parts)...);
   };
-  const auto cells = [&](const auto& one, const auto& of_ball) {
+  const auto cells = [&](const auto& one, const auto& of_each) {
     for (const TrajectoryColumn& c : trajectory_columns) {
       if (c.values && c.is_in(r)) one(c);
-      for (std::size_t i = 0; c.by_ball && i < r.phi.size(); ++i) of_ball(c, i);
+      for (std::size_t i = 0; c.each && i < (r.*c.each).size(); ++i) of_each(c, i);
     }
     line.resize(line.size() - 1);  // the last comma
     append("\n");
@@ -36,7 +36,7 @@ void write_csv(std::ostream& out, const Trajectory& r) {
         [&](const auto& c, std::size_t i) { append("{}_{},", c.name, i + 1); });
   for (std::size_t k = 0; k < r.t.size(); ++k) {
     cells([&](const auto& c) { append("{},", (r.*c.values)[k]); },
-          [&](const auto& c, std::size_t i) { append("{},", (r.*c.by_ball)[i][k]); });
+          [&](const auto& c, std::size_t i) { append("{},", (r.*c.each)[i][k]); });
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
     line.clear();
   }
@@ -59,12 +59,14 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
   const std::size_t rows = r.t.size(), balls = r.phi.size();
   const int time = file.dimension("t", rows);
   const int ball = file.dimension("ball", balls);
+  const int bearing = r.bearing_radial.empty() ? -1 : file.dimension("bearing", r.bearing_radial.size());
   std::vector<int> ids;
-  for (const TrajectoryColumn& c : trajectory_columns)
-    ids.push_back(!c.is_in(r)
-                      ? -1
-                      : file.variable(c.name, NC_DOUBLE, c.by_ball ? std::vector{time, ball} : std::vector{time},
-                                      c.cf_units(), c.long_name()));
+  for (const TrajectoryColumn& c : trajectory_columns) {
+    const int one = c.of == TrajectoryColumn::Of::bearing ? bearing : ball;
+    ids.push_back(!c.is_in(r) ? -1
+                              : file.variable(c.name, NC_DOUBLE, c.each ? std::vector{time, one} : std::vector{time},
+                                              c.cf_units(), c.long_name()));
+  }
   file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
   file.attribute(NC_GLOBAL, "title", words::files::trajectory);
   file.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
@@ -80,8 +82,8 @@ void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& stu
     }
     std::vector<double> by_time;
     for (std::size_t k = 0; k < rows; ++k)
-      for (const std::vector<double>& of_ball : r.*column.by_ball) by_time.push_back(of_ball[k]);
-    file.write(ids[c], {0, 0}, {rows, balls}, by_time.data());
+      for (const std::vector<double>& of_one : r.*column.each) by_time.push_back(of_one[k]);
+    file.write(ids[c], {0, 0}, {rows, (r.*column.each).size()}, by_time.data());
   }
 }
 

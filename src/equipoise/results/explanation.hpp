@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/results.hpp"
@@ -65,6 +66,22 @@ struct BareVibration {
   std::array<double, 2> displacement{}, force{};  ///< in R and M R omega_c^2
 };
 
+/// One plane of balls: what they have to cancel there, and the range that they can.
+struct ExplainedPlane {
+  double at = 0.0;  ///< along the shaft, from the centre of mass
+  double unbalance = 0.0, least = 0.0, most = 0.0;
+  std::string why_not;  ///< empty: they can
+};
+
+/// Of a rotor that tilts.
+struct TiltExplanation {
+  model::WhirlSpeeds alone, with_balls;
+  double couple = 0.0;                 ///< couple unbalance, in M R^2
+  std::vector<ExplainedPlane> planes;  ///< of balls in one plane or two that can cancel a couple
+  /// Forced vibration of the rotor alone at the final speed: farthest from the axis at each bearing that is stated.
+  std::vector<double> at_bearings;
+};
+
 /// A formula of docs/explanation/rules-of-thumb.md, applied to the study: an estimate, not a result.
 struct RuleOfThumb {
   std::string id, name;           ///< "ball_mass", "ball mass"
@@ -88,8 +105,9 @@ struct RunUp {
 struct Explanation {
   Study study;
   std::vector<ExplainedQuantity> quantities;
-  std::array<double, 2> critical_alone{}, critical_with_balls{};  ///< by direction (x, y)
-  std::optional<double> speed;                                    ///< final; empty: the motor holds none
+  /// By direction (x, y). Of a rotor that tilts: the lowest and the highest that unbalance excites.
+  std::array<double, 2> critical_alone{}, critical_with_balls{};
+  std::optional<double> speed;     ///< final; empty: the motor holds none
   std::string speed_words;         ///< for a motor: why it has this speed; without `speed`, why there is none
   bool speeds_up = false;          ///< in balance, for ever: the motor's last torque acts for good
   std::optional<RunUp> run_up;     ///< of a motor that speeds the rotor up
@@ -105,10 +123,16 @@ struct Explanation {
   std::optional<BalancedMotion> motion;
   std::string no_motion;  ///< why `motion` is not there
   std::optional<BareVibration> bare;
+  std::optional<TiltExplanation> tilt;
   std::optional<double> reynolds;  ///< for a ball that stays at the critical speed while the rotor runs at its final
                                    ///< speed
   std::vector<RuleOfThumb> advice;
   std::vector<std::string> warnings;
+  /// Of rotor and balls: the force that holds the sag.
+  double weight() const {
+    const model::Parameters& p = study.parameters;
+    return tilt ? (1.0 + p.total_mass()) * p.gravity : sag * p.stiffness[1];
+  }
   std::optional<BasinCost> cost;  ///< of the ensemble, if it was measured
 };
 

@@ -24,15 +24,22 @@ struct Trajectory {
   std::vector<double> radial;                     ///< distance of O from its rest position under gravity
   std::vector<double> bearing_x,
       bearing_y;  ///< the sum of the supports' forces: zeta X' + kappa X in fixed axes, including the weight
+  /// Distance of the shaft at each of Study::bearings from where it rests there.
+  std::vector<std::vector<double>> bearing_radial;
 };
 
-/// One array of them, left out if `of_tilt` and the rotor does not tilt; `by_ball` has one a ball.
+/// One array of them, or one a ball, or one a bearing. Those of a tilt are left out if the rotor does not tilt, and
+/// those of bearings if the study states none.
 struct TrajectoryColumn : Column {
-  std::vector<double> Trajectory::*values;
-  std::vector<std::vector<double>> Trajectory::*by_ball = nullptr;
-  bool of_tilt = false;
+  enum class Of { rotor, tilt, ball, bearing };
 
-  bool is_in(const Trajectory& run) const { return !of_tilt || run.tilts; }
+  std::vector<double> Trajectory::*values;
+  Of of = Of::rotor;
+  std::vector<std::vector<double>> Trajectory::*each = nullptr;
+
+  bool is_in(const Trajectory& run) const {
+    return of == Of::tilt ? run.tilts : of != Of::bearing || !run.bearing_radial.empty();
+  }
 };
 inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
     {{"t", "time", study::Dimension::time}, &Trajectory::t},
@@ -44,26 +51,32 @@ inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
     {{"y_dot", "rotating-frame derivative of y", study::Dimension::velocity}, &Trajectory::y_dot},
     {{"tilt_x", "slope of the shaft along the rotating x axis", study::Dimension::angle},
      &Trajectory::tilt_x,
-     nullptr,
-     true},
+     TrajectoryColumn::Of::tilt},
     {{"tilt_y", "slope of the shaft along the rotating y axis", study::Dimension::angle},
      &Trajectory::tilt_y,
-     nullptr,
-     true},
+     TrajectoryColumn::Of::tilt},
     {{"tilt_x_dot", "rotating-frame derivative of tilt_x", study::Dimension::speed},
      &Trajectory::tilt_x_dot,
-     nullptr,
-     true},
+     TrajectoryColumn::Of::tilt},
     {{"tilt_y_dot", "rotating-frame derivative of tilt_y", study::Dimension::speed},
      &Trajectory::tilt_y_dot,
+     TrajectoryColumn::Of::tilt},
+    {{"phi", "ball angle in the rotating frame, not wrapped", study::Dimension::angle},
      nullptr,
-     true},
-    {{"phi", "ball angle in the rotating frame, not wrapped", study::Dimension::angle}, nullptr, &Trajectory::phi},
-    {{"phi_dot", "rate of the ball angle", study::Dimension::speed}, nullptr, &Trajectory::phi_dot},
+     TrajectoryColumn::Of::ball,
+     &Trajectory::phi},
+    {{"phi_dot", "rate of the ball angle", study::Dimension::speed},
+     nullptr,
+     TrajectoryColumn::Of::ball,
+     &Trajectory::phi_dot},
     {{"radial", "displacement from the place of rest under gravity", study::Dimension::length}, &Trajectory::radial},
     {{"bearing_x", "force on the supports along the fixed X axis", study::Dimension::force}, &Trajectory::bearing_x},
     {{"bearing_y", "force on the supports along the fixed Y axis, the weight included", study::Dimension::force},
      &Trajectory::bearing_y},
+    {{"bearing_radial", "displacement at a bearing from its place of rest under gravity", study::Dimension::length},
+     nullptr,
+     TrajectoryColumn::Of::bearing,
+     &Trajectory::bearing_radial},
 });
 
 /// One word for people's programs.

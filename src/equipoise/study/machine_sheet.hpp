@@ -1,6 +1,7 @@
 // A machine as its data sheet states it: rotor, unbalance in places and balancer in SI units.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,16 +18,27 @@ struct Derived {
   std::string key, from;
   std::vector<double> values;
   std::optional<Dimension> dimension = std::nullopt;
+  bool is_list = false;  ///< an array even of one value
+};
+
+/// What [rotor.tilt] gets beside numbers: {k12, k22} and {c12, c22} of the supports in X and Y, N and N m, N s and N m
+/// s.
+struct TiltSupports {
+  std::array<std::array<double, 2>, 2> stiffness{}, damping{};
+  std::string stiffness_from, damping_from;
 };
 
 struct RotorSheet {
   double mass = 0.0;            ///< M, kg
   double mean_stiffness = 0.0;  ///< k, N/m
   std::vector<Derived> derived;
-  /// From the axis along which the rotor's own unbalance lies to the resultant with all places: x of the model.
+  std::vector<Derived> tilt;             ///< of [rotor.tilt]
+  std::optional<TiltSupports> supports;  ///< of a rotor that tilts
+  /// From the axis along which the rotor's own unbalance lies to the resultant with all places: x of the model. Of a
+  /// rotor that tilts: from its angle 0 to the resultant couple unbalance.
   double turn = 0.0;
 };
-/// Reads [rotor] and every [[place]].
+/// Reads [rotor], [rotor.tilt] and every [[place]].
 RotorSheet read_rotor_sheet(const Document& document);
 
 struct BalancerSheet {

@@ -1,7 +1,9 @@
 // From a machine in physical units to the dimensionless study (docs/explanation/equations.md, "Units").
 #include "equipoise/study/physical.hpp"
 
+#include <array>
 #include <complex>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,13 +23,19 @@ std::vector<double> over(std::vector<double> values, double scale) {
   return values;
 }
 
+// Keeps what the study says of a key that is to be replaced.
+void keep_written(Document& document, const StudyValue& table, const std::string& prefix, const std::string& key,
+                  const std::string& physical_key) {
+  if (const StudyValue* source = table.find(physical_key)) {
+    const std::string from = prefix + "." + physical_key;
+    document.written.insert_or_assign(
+        prefix + "." + key, Document::Written{document.value_text(from, *source), document.where(from, source)});
+  }
+}
+
 // Replaces one physical key's value by numbers.
 void put(Document& document, StudyValue& table, const std::string& prefix, const Derived& d, bool as_array) {
-  if (const StudyValue* source = table.find(d.from)) {
-    const std::string from = prefix + "." + d.from;
-    document.written.insert_or_assign(
-        prefix + "." + d.key, Document::Written{document.value_text(from, *source), document.where(from, source)});
-  }
+  keep_written(document, table, prefix, d.key, d.from);
   if (as_array)
     table.set(d.key, d.values);
   else
@@ -41,13 +49,40 @@ bool physical_alone(const KeyTable& table, const Key& key) {
 
 // Puts the `derived` keys, divided by their scales, into a table, and removes purely physical keys.
 void replace(Document& document, const std::string& name, std::vector<Derived> derived, const model::Scales& s) {
-  StudyValue& table = *document.root.find(name);
+  StudyValue& table = *document.root.find_path(name);
   for (Derived& d : derived) {
     if (d.dimension) d.values = over(d.values, scale_of(*d.dimension, s));
-    put(document, table, name, d, d.values.size() > 1);
+    put(document, table, name, d, d.is_list || d.values.size() > 1);
   }
   for (const Key& key : key_table(name).keys)
     if (physical_alone(key_table(name), key)) table.erase(key.name);
+}
+
+StudyValue support_value(const std::array<std::array<double, 2>, 2>& each, double across, double own) {
+  StudyValue value;
+  for (const std::size_t d : {0, 1})
+    value.set(d == 0 ? "x" : "y", std::vector<double>{each[d][0] / across, each[d][1] / own});
+  return each[0] == each[1] ? *value.find("x") : value;
+}
+
+// `motor`: the motor's inertia at the rotor, which adds to what the rotor's is by default.
+void replace_tilt(Document& document, const RotorSheet& rotor, double motor, const model::Scales& s) {
+  if (!rotor.supports) return;
+  const std::string name = "rotor.tilt";
+  const TiltSupports& supports = *rotor.supports;
+  StudyValue& table = *document.root.find_path(name);
+  keep_written(document, table, name, "stiffness", supports.stiffness_from);
+  keep_written(document, table, name, "damping", supports.damping_from);
+  table.set("stiffness", support_value(supports.stiffness, scale_of(Dimension::force, s), s.torque()));
+  table.set("damping", support_value(supports.damping, scale_of(Dimension::tilt_damping, s), s.gain()));
+  replace(document, name, rotor.tilt, s);
+  if (motor == 0.0 || document.root.find_path("rotor.inertia")) return;
+  model::Tilt body;
+  for (const auto& [key, member] :
+       {std::pair{"transverse_inertia", &body.transverse_inertia}, std::pair{"polar_inertia", &body.polar_inertia},
+        std::pair{"misalignment", &body.misalignment}})
+    if (const StudyValue* value = table.find(key)) *member = value->number();
+  document.root.find("rotor")->set("inertia", model::axial_inertia(body));
 }
 
 // From the axes of the machine to those of the model, whose x points along the unbalance.
@@ -159,6 +194,7 @@ void make_dimensionless(Document& document) {
   const BalancerSheet balancer = read_balancer_sheet(document);
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
   replace(document, "rotor", rotor.derived, scales);
+  replace_tilt(document, rotor, drive.inertia, scales);
   replace_balancer(document, balancer, rotor.turn, scales);
   if (StudyValue* inertia = document.root.find_path("rotor.inertia"); inertia && drive.inertia > 0.0)
     *inertia = inertia->number() + drive.inertia / scales.inertia();

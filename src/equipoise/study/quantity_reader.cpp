@@ -87,6 +87,18 @@ std::vector<double> QuantityReader::one_or_each(const std::string& key, int coun
   return values;
 }
 
+std::vector<double> QuantityReader::require_one_or_each(const std::string& key, int count, const std::string& each) {
+  require(key, wanted_quantity({*line(key).dimension}, quantity_range(line(key))));
+  return one_or_each(key, count, each);
+}
+
+std::vector<double> QuantityReader::list(const std::string& key) {
+  const std::string wanted = wanted_quantity({*line(key).dimension}, quantity_range(line(key)));
+  const StudyValue::Array* array = require(key, fmt::format(words::study::array_of, wanted)).array();
+  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, wanted));
+  return one_or_each(key, static_cast<int>(array->size()), "");
+}
+
 std::map<std::string, std::vector<double>> QuantityReader::others(int balls) {
   std::map<std::string, std::vector<double>> values;
   Study any;

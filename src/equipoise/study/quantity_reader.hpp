@@ -27,6 +27,10 @@ class QuantityReader : public TableReader {
   std::vector<double> one_or_each(const std::string& key, int count, const std::string& each,
                                   std::optional<Dimension> other = std::nullopt, Dimension* measured = nullptr);
   using TableReader::one_or_each;
+  /// The same of a key that must be there.
+  std::vector<double> require_one_or_each(const std::string& key, int count, const std::string& each);
+  /// An array of quantities that must be there.
+  std::vector<double> list(const std::string& key);
   /// The quantities not asked for so far that are all read alike; plain numbers stay unread.
   std::map<std::string, std::vector<double>> others(int balls);
   /// A key that states a quantity, and in words what it would be: "a length of 0 or more, such as "0.2 mm"".

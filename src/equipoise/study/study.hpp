@@ -204,7 +204,9 @@ struct Study {
   Standards standards;
   SweepSetting sweep;
   std::optional<model::Scales> scales;  ///< of a study in physical units
-  Uncertainty uncertain;                ///< what each start draws for itself; everything else here uses the medians
+  /// Of a rotor that tilts: where along its shaft it has bearings, from its centre of mass and in R, as far as stated.
+  std::vector<double> bearings;
+  Uncertainty uncertain;  ///< what each start draws for itself; everything else here uses the medians
 
   /// The ramp function and law as the model sees them. For a driven rotor: the speed that its motor aims at, else the
   /// speed at t = 0, as a constant.

@@ -76,12 +76,14 @@ void check_tilting_balls(const Document& document, const model::Parameters& p) {
     return;
   }
   if (!reader.has("plane")) reader.fail("plane", words::study::tilt_needs_planes);
-  const auto refuse = [&](const char* key, bool set) {
+  const auto refuse = [&](const char* key, bool set, const char* physical_key = nullptr) {
+    if (set && physical_key && document.scales)
+      reader.fail(physical_key, fmt::format(words::study::not_with_tilt_unless, physical_key));
     if (set) reader.fail(key, words::study::not_with_tilt);
   };
   refuse("race_offset", !p.race_is_centred());
-  refuse("rolls", p.rolls);
-  refuse("contact_angle", p.balls_collide());
+  refuse("rolls", p.rolls, "rolls");
+  refuse("contact_angle", p.balls_collide(), "contact");
   refuse(reader.has("rolling") ? "rolling" : "stiction", p.balls_stick());
 }
 
@@ -264,7 +266,7 @@ bool take_no_balls(Document& document) {
   none.set("balls", 1);
   if (const StudyValue* radius = balancer->find("race_radius")) none.set("race_radius", *radius);
   if (const StudyValue* offset = balancer->find("race_offset")) none.set("race_offset", *offset);
-  if (document.root.find_path("rotor.tilt")) none.set("plane", 0.0);
+  if (document.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
   none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
   none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
   *balancer = std::move(none);

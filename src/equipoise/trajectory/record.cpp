@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "equipoise/mechanics/energy.hpp"
 #include "equipoise/mechanics/frames.hpp"
@@ -37,6 +38,18 @@ void record(Trajectory& out, const model::Parameters& p, double psi, double w, d
   const auto force = model::bearing_force(p, psi, z, tilt);
   out.bearing_x.push_back(force[0]);
   out.bearing_y.push_back(force[1]);
+}
+
+void record_bearings(Trajectory& out, const model::Parameters& p, const std::vector<double>& places, double psi,
+                     const double* z, const double* tilt) {
+  using namespace model::index;
+  const std::array<double, 2> rest = model::rest_position(p, psi);
+  const double slope = model::static_slope(p);
+  const double slope_x = slope * std::sin(psi), slope_y = slope * std::cos(psi);
+  out.bearing_radial.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    out.bearing_radial[i].push_back(
+        std::hypot(z[x] - rest[0] + places[i] * (tilt[0] - slope_x), z[y] - rest[1] + places[i] * (tilt[1] - slope_y)));
 }
 
 }  // namespace equipoise

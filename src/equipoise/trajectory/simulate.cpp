@@ -117,6 +117,7 @@ void simulate_machine(const Task& task, Trajectory& out) {
   std::size_t next = 0;
   const auto take = [&](double t, const double* at) {
     record(out, p, at[layout.psi], at[layout.speed], t, at, tilt ? at + layout.tilt : nullptr);
+    if (tilt) record_bearings(out, p, task.study.bearings, at[layout.psi], at, at + layout.tilt);
   };
   if (times.empty()) return;
   out.status = machine.advance(
@@ -145,6 +146,7 @@ Trajectory followed(const Task& task) {
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
   out.tilts = p.tilts();
+  if (out.tilts) out.bearing_radial.resize(study.bearings.size());
   // FreeFlow sums the rotor's forces up with its first ball.
   if (!study.system().simple() || p.balls == 0) {
     kernels::check_overlap(study);

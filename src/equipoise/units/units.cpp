@@ -21,7 +21,7 @@ namespace equipoise::study {
 
 namespace {
 
-constexpr std::array<DimensionWords, 21> all_words{{
+constexpr std::array<DimensionWords, 22> all_words{{
     {"a mass", "kg", "12 kg", "kg"},
     {"a length", "m", "0.2 mm", "mm", "R"},
     {"a time", "s", "10 s", "s", "1/omega_c"},
@@ -43,6 +43,7 @@ constexpr std::array<DimensionWords, 21> all_words{{
     {"an angle", "rad", "30 degree", "rad", "rad"},
     {"a temperature", "K", "40 degC", "K"},
     {words::units::weight_inertia, "N m2", "0.3 kgf m2", "N m2"},
+    {words::units::force_for_a_speed, "N s", "2 N s", "N s"},
 }};
 
 bool names_hertz(std::string_view unit) {
@@ -176,6 +177,8 @@ double scale_of(Dimension dimension, const model::Scales& s) {
       return s.unbalance();
     case Dimension::angle:
       return 1.0;
+    case Dimension::tilt_damping:
+      return s.damping() * s.length;
     case Dimension::density:
     case Dimension::viscosity:
     case Dimension::kinematic_viscosity:

@@ -34,6 +34,7 @@ enum class Dimension {
   angle,
   temperature,
   weight_inertia,  ///< GD^2 as a weight times a diameter squared
+  tilt_damping,    ///< force for a speed of tilting
 };
 
 /// A dimension's name, unit and display.

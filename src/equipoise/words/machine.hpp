@@ -21,6 +21,21 @@ inline constexpr char must_be_grade[] =
 inline constexpr char grade[] = "a balance quality grade such as \"G 6.3\"";
 inline constexpr char array_of_places[] =
     "must be an array of tables, each begun by [[place]], with mass, radius and angle";
+inline constexpr char array_of_bearings[] =
+    "must be an array of tables, one a bearing, as [{ at = \"0.12 m\", stiffness = \"40 kN/m\", damping = \"300 N "
+    "s/m\" }, ..]";
+inline constexpr char array_of_unbalances[] =
+    "must be an array of tables, one a plane, as [{ at = \"0.2 m\", size = \"50 g mm\", angle = \"0 degree\" }, ..]";
+inline constexpr char bearings_state_it[] = "follows from rotor.tilt.bearings; give either these or that";
+inline constexpr char bearings_hold_no_tilt[] =
+    "must have a stiffness greater than 0 at two places at least, in x and in y: one place holds no tilt";
+// Examples of both.
+inline constexpr char across_and_tilt[] = "rotor.tilt.bearings, or [\"{}\", \"{}\"], or {{ x = [..], y = [..] }}";
+inline constexpr char must_be_across_and_tilt[] = "must be [\"{}\", \"{}\"], or {{ x = [..], y = [..] }}";
+// kg m^2
+inline constexpr char couple_needs_slender_rotor[] =
+    "is so near to transverse_inertia that the couple unbalance of {:.4g} kg m2 would turn the principal axis by more "
+    "than 0.5 rad; must differ more";
 inline constexpr char mass_includes_places[] = "must be greater than that of all places, {:.6g} kg: it includes them";
 // The stiffness, lowest, highest.
 inline constexpr char stiffness_out_of_range[] = "makes a stiffness of {:.3g} N/m; must make one from {} to {} N/m";

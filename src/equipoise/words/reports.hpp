@@ -231,6 +231,13 @@ inline constexpr char csv_front[] = "# equipoise {}: candidates that no other be
 
 // Explanations: speeds and run-up.
 inline constexpr char with_balls_in_race[] = " with the balls in the race";
+// Of a rotor that tilts. Speeds without balls, with balls.
+inline constexpr char forward_whirl[] = "forward whirl: {} without balls{}";
+inline constexpr char backward_whirl[] = "backward whirl: {} without balls{}; unbalance does not excite it";
+inline constexpr char whirl_of_both[] = "{} without balls{}";
+inline constexpr char with_balls_held[] = ", {} with them held";
+inline constexpr char one_forward_whirl[] =
+    "the gyroscopic moment of this disc leaves no second critical speed of forward whirl";
 inline constexpr char final_speed[] = "final speed";
 // Speed, times, "lower ", " with balls".
 inline constexpr char times_the_critical[] = "{}, {:.3g} times the {}critical speed{}";
@@ -252,6 +259,9 @@ inline constexpr char stalls_in_resonance[] =
 
 // Unbalance, least, most, " side by side".
 inline constexpr char cancels[] = "unbalance {}; these balls cancel from {} to {}{}";
+// Of a rotor that tilts: static part, couple part; place, unbalance, least, most.
+inline constexpr char static_and_couple[] = "static unbalance {}, couple unbalance {}";
+inline constexpr char plane_cancels[] = "plane at {}: unbalance {}; its balls cancel from {} to {}";
 inline constexpr char own_unbalance[] =
     "the rotor's own is {}; the off-centre race changes it to that at the final speed";
 inline constexpr char static_sag[] = "static sag";
@@ -262,6 +272,9 @@ inline constexpr char gravity_ratio[] = "{:.3g} of a ball's centrifugal force at
 inline constexpr char balanced_angles[] = "balanced angles";
 // Angles, what else there is.
 inline constexpr char from_heavy_side[] = "{} degree from the heavy side{}";
+inline constexpr char from_couple_unbalance[] = "{} degree from the couple unbalance{}";
+inline constexpr char from_angle_0[] = "{} degree from the rotor's angle 0{}";
+inline constexpr char one_of_states[] = " (one of {} states)";
 inline constexpr char one_of_continuum[] = " (one of a continuum)";
 inline constexpr char and_mirror_image[] = " (and their mirror image)";
 inline constexpr char at_constant_speed[] = " at constant speed";
@@ -284,6 +297,10 @@ inline constexpr char yes_but_gravity[] = "yes, apart from what gravity adds";
 
 // Explanations: without balls, rules, cost.
 inline constexpr char amplitude_at_final_speed[] = " amplitude at the final speed";
+inline constexpr char amplitude_at_centre_of_mass[] =
+    " amplitude of the shaft at the centre of mass, at the final speed";
+// Displacements.
+inline constexpr char farthest_at_bearings[] = "{} at the bearings, at the farthest";
 inline constexpr char rms_velocity[] = " rms velocity";
 inline constexpr char amplitude_of_force[] = " amplitude of the force on the supports";
 inline constexpr char grade_is_a_figure[] =

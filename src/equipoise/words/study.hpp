@@ -56,12 +56,14 @@ inline constexpr char tilt_needs_planes[] =
     "missing; rotor.tilt needs the place of each ball's race along the shaft, a number, or an array, one per ball";
 inline constexpr char not_with_tilt[] =
     "no rotor with rotor.tilt has this: its balls slide in a centred race and pass each other";
+// Key: rolls or contact.
+inline constexpr char not_with_tilt_unless[] =
+    "no rotor with rotor.tilt has balls that roll or touch: state balancer.{} = false";
 inline constexpr char no_such_body[] = "must be at most twice rotor.tilt.transverse_inertia: no body has more";
 inline constexpr char stiffness_not_definite[] =
     "must be [k12, k22] with k22 greater than 0 and k12^2 less than {0} k22, where {0} is rotor.stiffness";
 inline constexpr char damping_not_definite[] =
     "must be [c12, c22] with c22 at least 0 and c12^2 at most {0} c22, where {0} is rotor.damping";
-inline constexpr char tilt_without_units[] = "rotor.tilt is not yet known in physical units";
 inline constexpr char of_tilt[] = "[of a deflection and a tilt, of a tilt], or { x = [..], y = [..] }";
 inline constexpr char bounds_out_of_order[] = "bounds out of order; must be [low, high] with low at most high";
 

@@ -146,6 +146,7 @@ inline constexpr char no_balls_semicolon[] = "no balls; ";
 inline constexpr char balls_are[] = "{} ball{}: mass {}, drag {}; ";
 inline constexpr char rotor_is[] = "rotor: eccentricity {}, damping {}\n";
 inline constexpr char critical_speed_is[] = "critical speed {}, 1/omega_c = {}\n";
+inline constexpr char unit_of_speed_is[] = "sqrt(k/M) = {}, 1/omega_c = {}\n";  // of a rotor that tilts
 
 // Figures of transients.
 inline constexpr char same_for_all[] = "{}, the same for all starts\n";

@@ -16,6 +16,7 @@ inline constexpr char speed_units[] = "; in rpm, 1/min, rad/s or Hz (turns a sec
 
 // What a quantity is.
 inline constexpr char torque_for_a_speed[] = "a torque for a speed of rotation";
+inline constexpr char force_for_a_speed[] = "a force for a speed of tilting";
 inline constexpr char weight_inertia[] = "a weight times a diameter squared";
 
 // A plain number in a field of the guide.

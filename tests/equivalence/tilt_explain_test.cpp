@@ -1,0 +1,204 @@
+// What explain says of a rotor that tilts, against the equations' eigenvalues and against trajectories.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/explain/study_check.hpp"
+#include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/mechanics/whirl.hpp"
+#include "equipoise/model/system.hpp"
+#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/trajectory/simulate.hpp"
+#include "../support/explained.hpp"
+#include "../support/refusals.hpp"
+
+namespace equipoise {
+namespace {
+
+const char* const drum = R"([rotor]
+mass = "45 kg"
+[rotor.tilt]
+transverse_inertia = "2.2 kg m2"
+polar_inertia = "1.1 kg m2"
+bearings = [
+  { at = "0.10 m", stiffness = "9 kN/m", damping = "300 N s/m" },
+  { at = "-0.16 m", stiffness = "9 kN/m", damping = "300 N s/m" },
+]
+unbalance = [
+  { at = "0.12 m", size = "60 kg mm", angle = "0 degree" },
+  { at = "-0.12 m", size = "40 kg mm", angle = "90 degree" },
+]
+[balancer]
+balls = 4
+race_radius = "0.24 m"
+plane = ["0.15 m", "0.15 m", "-0.15 m", "-0.15 m"]
+mass = "200 g"
+drag = "1.3 N s/m"
+[speed]
+profile = "constant"
+speed = "1200 rpm"
+)";
+
+std::string told(const std::vector<std::string>& overrides = {}) { return explain_text(explained(drum, overrides)); }
+
+// Of the rotor alone without damping, at constant speed in turning axes.
+Eigen::VectorXcd eigenvalues(model::Parameters p, double speed) {
+  p.balls = 0;
+  p.damping = {0.0, 0.0};
+  p.tilt.damping = {};
+  p.eccentricity = p.tilt.misalignment = 0.0;
+  const model::System system(p, speed);
+  return dense::eigenvalues(model::jacobian(system, Eigen::VectorXd::Zero(system.dimension())));
+}
+
+double nearest(const Eigen::VectorXcd& values, std::complex<double> wanted) {
+  return (values.array() - wanted).abs().minCoeff();
+}
+
+// A whirl once a turn stands still in turning axes, backwards it turns twice as fast.
+TEST(TiltExplain, WhirlSpeedsAreThoseOfTheEquations) {
+  for (const std::vector<std::string>& changes :
+       {std::vector<std::string>{}, {"rotor.tilt.polar_inertia=3 kg m2"}, {"rotor.tilt.polar_inertia=0 kg m2"}}) {
+    const model::Parameters p = parse_study(drum, "drum", changes).parameters;
+    const model::WhirlSpeeds w = model::whirl_speeds(p, false);
+    ASSERT_EQ(w.forward.size(), p.tilt.polar_inertia > p.tilt.transverse_inertia ? 1u : 2u);
+    ASSERT_EQ(w.backward.size(), 2u);
+    EXPECT_TRUE(w.of_both.empty());
+    for (const double speed : w.forward) EXPECT_LT(nearest(eigenvalues(p, speed), 0.0), 1e-6) << speed;
+    for (const double speed : w.backward) EXPECT_LT(nearest(eigenvalues(p, speed), {0.0, 2.0 * speed}), 1e-6) << speed;
+    // Elsewhere there is none.
+    EXPECT_GT(nearest(eigenvalues(p, 1.05 * w.forward.front()), 0.0), 1e-3);
+    std::vector<double> all = w.forward;
+    all.insert(all.end(), w.backward.begin(), w.backward.end());
+    std::sort(all.begin(), all.end());
+    const std::vector<double> again = model::all_whirl_speeds(p, false);
+    ASSERT_EQ(again.size(), all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) EXPECT_NEAR(again[k], all[k], 1e-7);
+  }
+}
+
+// Held balls add to the mass and to the transverse inertia, not to the gyroscopic moment.
+TEST(TiltExplain, HeldBallsLowerWhirlSpeeds) {
+  const model::Parameters p =
+      parse_study(drum, "drum",
+                  {"rotor.tilt.bearings=[{at='0.13 m', stiffness='9 kN/m', damping='0 N s/m'}, {at='-0.13 m', "
+                   "stiffness='9 kN/m', damping='0 N s/m'}]"})
+          .parameters;
+  const double n = p.total_mass(), z = 0.15 / 0.24, jt = p.tilt.transverse_inertia, jp = p.tilt.polar_inertia;
+  const double k22 = p.tilt.stiffness[0][1];
+  const std::vector<double> forward = model::whirl_speeds(p, true).forward;
+  ASSERT_EQ(forward.size(), 2u);
+  std::vector<double> wanted{std::sqrt(1.0 / (1.0 + n)), std::sqrt(k22 / (jt + n * z * z - jp))};
+  std::sort(wanted.begin(), wanted.end());
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(forward[k], wanted[k], 1e-14);
+}
+
+// With supports that differ unbalance meets every one of them: beside it the shaft shakes less.
+TEST(TiltExplain, UnequalSupportsHaveFourResonances) {
+  model::Parameters p = parse_study(drum, "drum",
+                                    {"rotor.tilt.bearings.1.stiffness=['9 kN/m', '14 kN/m']",
+                                     "rotor.tilt.bearings.2.stiffness=['9 kN/m', '20 kN/m']"})
+                            .parameters;
+  p.damping = {1e-5, 1e-5};
+  p.tilt.damping = {{{0.0, 1e-5}, {0.0, 1e-5}}};
+  const model::WhirlSpeeds w = model::whirl_speeds(p, false);
+  ASSERT_EQ(w.of_both.size(), 4u);
+  for (const double speed : w.of_both) {
+    const auto size = [&](double at) { return model::shaft_vibration(p, at).farthest(0.7); };
+    EXPECT_GT(size(speed), 5.0 * size(0.999 * speed)) << speed;
+    EXPECT_GT(size(speed), 5.0 * size(1.001 * speed)) << speed;
+  }
+}
+
+TEST(TiltExplain, VibrationAtBearingsIsThatOfTheTrajectory) {
+  const std::vector<std::string> bare{
+      "balancer={balls=0, race_radius='0.24 m'}", "rotor.tilt.bearings.1.stiffness=['9 kN/m', '14 kN/m']",
+      "rotor.tilt.bearings.2.damping=['600 N s/m', '400 N s/m']", "speed.speed=300 rpm"};
+  const Explanation e = explained(drum, bare);
+  ASSERT_TRUE(e.tilt && e.bare);
+  ASSERT_EQ(e.tilt->at_bearings.size(), 2u);
+  std::vector<double> times;  // two turns in the end, finely
+  const double turn = 2.0 * 3.141592653589793 / *e.speed;
+  for (int k = 0; k <= 2000; ++k) times.push_back(200.0 + k * turn / 1000.0);
+  const Trajectory run = simulate(e.study, times);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const std::vector<double>& r = run.bearing_radial[b];
+    EXPECT_NEAR(*std::max_element(r.begin(), r.end()), e.tilt->at_bearings[b], 1e-5 * e.tilt->at_bearings[b]);
+  }
+  std::vector<double> fx;
+  for (const double f : run.bearing_x) fx.push_back(std::abs(f));
+  EXPECT_NEAR(*std::max_element(fx.begin(), fx.end()), e.bare->force[0], 1e-5 * e.bare->force[0]);
+}
+
+// Balls put where it says keep rotor and shaft at rest.
+TEST(TiltExplain, BallsBalanceWhereItSays) {
+  const Explanation e = explained(drum);
+  ASSERT_TRUE(e.motion);
+  EXPECT_TRUE(e.motion->stable);
+  EXPECT_EQ(verdict_text(e), "yes");
+  Study s = e.study;
+  for (std::size_t i = 0; i < 4; ++i) s.initial.phi[i] = e.motion->angles[i];
+  s.angles_stated = true;
+  const Trajectory run = simulate(s, {20.0, 50.0, 100.0});
+  for (const auto& bearing : run.bearing_radial)
+    for (const double r : bearing) EXPECT_LT(r, 1e-9);
+  // 60 kg mm at 120 mm and 40 kg mm at -120 mm, as two planes at 150 mm and -150 mm share them.
+  const double front = std::hypot(54.0, 4.0), back = std::hypot(6.0, 36.0);
+  ASSERT_EQ(e.tilt->planes.size(), 2u);
+  for (const ExplainedPlane& plane : e.tilt->planes) {
+    const double unbalance = plane.unbalance * s.scales->unbalance() * 1e3;
+    EXPECT_NEAR(unbalance, plane.at > 0.0 ? front : back, 1e-12 * front);
+    EXPECT_NEAR(plane.most * s.scales->unbalance() * 1e3, 96.0, 1e-9);
+  }
+}
+
+TEST(TiltExplain, SaysWhatHolds) {
+  const std::string text = told();
+  for (const char* words : {"forward whirl: ", "unbalance does not excite it", "static unbalance", "couple unbalance",
+                            "plane at 150 mm", "plane at -150 mm", "from the couple unbalance", "at the bearings",
+                            "of the shaft at the centre of mass", "highest critical speed with balls"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  for (const char* words : {"leaves no second critical speed", "rules of thumb", "balance quality", "heavy side"})
+    EXPECT_EQ(text.find(words), std::string::npos) << words << "\n" << text;
+  EXPECT_NE(told({"rotor.tilt.polar_inertia=3 kg m2"}).find("leaves no second critical speed"), std::string::npos);
+  const std::string unequal = told({"rotor.tilt.bearings.1.stiffness=['9 kN/m', '14 kN/m']"});
+  EXPECT_EQ(unequal.find("forward whirl"), std::string::npos);
+  const std::string light = told({"balancer.mass=100 g"});
+  EXPECT_NE(light.find("no: "), std::string::npos) << light;
+  const std::string still = told({"rotor.tilt.unbalance=[{at='0 m', size='60 kg mm', angle=0}]"});
+  EXPECT_NE(still.find("from the rotor's angle 0"), std::string::npos) << still;
+  EXPECT_EQ(explain_json(explained(drum)).find("balance_grade\": {"), std::string::npos);
+  EXPECT_NE(explain_json(explained(drum)).find("displacement_at_bearings"), std::string::npos);
+}
+
+// At the speed of a whirl and below the lowest it warns, far above it does not.
+TEST(TiltExplain, WarnsNearWhirlSpeeds) {
+  const char *near = "within 10 % of a critical speed", *below = "below the critical speed";
+  EXPECT_FALSE(warned(explained(drum), near));
+  EXPECT_FALSE(warned(explained(drum), below));
+  const Explanation far = explained(drum);
+  const double rpm = far.study.scales->frequency * 30.0 / 3.141592653589793;
+  for (const double speed : far.tilt->alone.forward)
+    EXPECT_TRUE(warned(explained(drum, {"speed.speed=" + std::to_string(speed * rpm) + " rpm"}), near)) << speed;
+  EXPECT_TRUE(warned(explained(drum, {"speed.speed=50 rpm"}), below));
+}
+
+TEST(TiltExplain, WeightIsThatOfRotorAndBalls) {
+  const Explanation e = explained(drum, {"rotor.gravity=9.81 m/s2"});
+  EXPECT_NEAR(e.weight() * e.study.scales->force(), 45.8 * 9.81, 1e-9);
+}
+
+TEST(TiltExplain, ChecksAndPagesSayThatTheyDoNot) {
+  const InputError e = refused([] { check_study(drum, "drum", {}); });
+  EXPECT_NE(e.problem().find("checks, reports and pages need a rotor that does not tilt"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace equipoise
