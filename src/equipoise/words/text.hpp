@@ -49,7 +49,7 @@ inline constexpr char largest_multiplier[] = "{}, largest multiplier {:.4f}";
 
 // Starts.
 inline constexpr char random_needs_few[] =
-    "Sampling: random starts; at most {} are needed for this half-width, fewer than a pilot.\n";
+    "Sampling: random starts, in blocks; this half-width needs at most {}, too few for a pilot of Sobol starts.\n";
 // Starts, Sobol starts, starts of the pilot.
 inline constexpr char random_needs_about[] =
     "Sampling: random, about {} starts needed; Sobol starts would need {}, says a pilot of {}.\n";
