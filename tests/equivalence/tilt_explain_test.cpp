@@ -195,9 +195,43 @@ TEST(TiltExplain, WeightIsThatOfRotorAndBalls) {
   EXPECT_NEAR(e.weight() * e.study.scales->force(), 45.8 * 9.81, 1e-9);
 }
 
-TEST(TiltExplain, ChecksAndPagesSayThatTheyDoNot) {
-  const InputError e = refused([] { check_study(drum, "drum", {}); });
-  EXPECT_NE(e.problem().find("checks, reports and pages need a rotor that does not tilt"), std::string::npos);
+// One line after the other, with figures that are known by hand.
+TEST(TiltExplain, ChecksAStudyInWords) {
+  const StudyCheck check = check_study(drum, "drum", {});
+  // Roots of (18000 - 45.8 w^2)(320.4 - 1.118 w^2) = 540^2, in N/m, N m, kg and kg m^2.
+  EXPECT_EQ(check.machine,
+            "45 kg on 18 kN/m, tilting, critical speeds 150.22 rpm, 198.51 rpm with its balls; runs at 1200 rpm, 6.05 "
+            "times the highest");
+  // C = 0.12 m (60 - 40 i) kg mm.
+  EXPECT_EQ(
+      check.unbalance,
+      "72.111 kg mm static and 0.0086533 kg m2 couple, its centre of mass 1.6025 mm from the shaft; x of the model "
+      "points along the couple, at -33.7 degrees");
+  EXPECT_EQ(
+      check.balls,
+      "4 of 200 g each on a circle of 240 mm; at -150 mm they cancel up to 2.63 times what there is; at 150 mm they "
+      "cancel up to 1.77 times what there is");
+  EXPECT_NE(check.text().find("small slopes"), std::string::npos);
+  EXPECT_EQ(check.most.find("drag against capture"), std::string::npos);
+  EXPECT_NE(check.most.find("20 %"), std::string::npos);
+  const std::string light = check_study(drum, "drum", {"balancer.mass=100 g"}).balls;
+  EXPECT_NE(light.find("balance is impossible"), std::string::npos) << light;
+  const std::string one =
+      check_study(drum, "drum", {"rotor.tilt.unbalance=[{at='0.15 m', size='60 kg mm', angle=0}]"}).balls;
+  EXPECT_NE(one.find("at -150 mm there is nothing to cancel"), std::string::npos) << one;
+}
+
+// A fifth less of the balls in the plane with the least to spare decides where that is a tenth.
+TEST(TiltExplain, CheckFindsWhatMakesBalanceImpossible) {
+  const StudyCheck check = check_study(drum, "drum", {"balancer.mass=125 g"});
+  EXPECT_NE(check.most.find("makes balance impossible"), std::string::npos) << check.most;
+  EXPECT_NE(explained(drum, {"balancer.mass=125 g"}).balanced.kind, model::BalancedStates::Kind::none);
+  EXPECT_EQ(explained(drum, {"balancer.mass=100 g"}).balanced.kind, model::BalancedStates::Kind::none);
+}
+
+TEST(TiltExplain, PagesSayThatTheyDoNot) {
+  const InputError e = refused([] { check_pages(parse_study(drum, "drum", {})); });
+  EXPECT_NE(e.problem().find("reports and pages need a rotor that does not tilt"), std::string::npos);
 }
 
 }  // namespace

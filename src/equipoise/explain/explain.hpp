@@ -11,7 +11,7 @@ namespace equipoise {
 /// a rotor that tilts there are no rules of thumb, and no run-up.
 Explanation explain(const Study& study, const BallDetails& balls = {});
 
-/// Throws InputError for a study that pages and the check of a study know nothing of.
+/// Throws InputError for a study of which pages know nothing.
 void check_pages(const Study& study);
 
 }  // namespace equipoise

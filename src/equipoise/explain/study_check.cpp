@@ -48,6 +48,17 @@ std::string of_both(const std::array<double, 2>& values, Text&& text) {
   return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));
 }
 
+// Of a machine that tilts: its critical speeds and its speed.
+std::string whirl_words(const Explanation& e) {
+  std::string speeds;
+  for (const double speed : e.tilt->with_balls.excited())
+    speeds += (speeds.empty() ? "" : ", ") + speed_of(e.study, speed);
+  const std::string line = fmt::format(words::study_check::tilting_with_critical_speeds, speeds);
+  if (!e.speed) return line + words::study_check::no_speed_held;
+  return line + fmt::format(words::study_check::runs_at_highest, speed_of(e.study, *e.speed),
+                            std::abs(*e.speed) / e.critical_with_balls[1]);
+}
+
 std::string machine_line(const Explanation& e) {
   const Study& s = e.study;
   std::string line = s.scales ? fmt::format(words::study_check::mass_on, engineering(s.scales->mass, Dimension::mass))
@@ -57,6 +68,7 @@ std::string machine_line(const Explanation& e) {
                     : fmt::format("{:.5g} k", kappa);
   };
   line += of_both(s.parameters.stiffness, stiffness);
+  if (e.tilt) return line + whirl_words(e);
   line += fmt::format(words::study_check::with_critical_speed,
                       of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
   const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
@@ -73,9 +85,13 @@ std::string unbalance_line(const Explanation& e) {
   const Study& s = e.study;
   const double eccentricity = s.parameters.eccentricity;
   std::string line = quantity(s, eccentricity, Dimension::unbalance);
+  if (e.tilt)
+    line = fmt::format(
+        words::study_check::static_and_couple, line,
+        s.scales ? quantity(s, e.tilt->couple, Dimension::inertia) : fmt::format("{:.5g} M R^2", e.tilt->couple));
   if (s.scales) {
     line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
-    if (e.speed) {
+    if (e.speed && !e.tilt) {
       const double grade = 1000.0 * eccentricity * s.scales->length * std::abs(*e.speed) * s.scales->frequency;
       line += fmt::format(words::study_check::grade_at_speed, grade_text(grade), speed_of(s, *e.speed));
     }
@@ -85,6 +101,9 @@ std::string unbalance_line(const Explanation& e) {
 
 // Where it comes from, of a study with places.
 std::string origin_of_unbalance(const study::Document& document) {
+  if (document.root.find_path("rotor.tilt.unbalance") ||
+      (document.root.find("place") && document.root.find_path("rotor.tilt")))
+    return fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(document));
   const StudyValue* places = document.root.find("place");
   if (!places || !places->array()) return "";
   const std::size_t count = places->array()->size();
@@ -93,6 +112,18 @@ std::string origin_of_unbalance(const study::Document& document) {
   const double degrees = 180.0 / pi * study::resultant_direction(document);
   return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
                      count == 1 ? "" : "s", degrees == 0.0 ? 0.0 : degrees);
+}
+
+// Of a machine that tilts: what the balls of each plane can cancel.
+std::string planes_words(const Explanation& e) {
+  std::string line;
+  for (const ExplainedPlane& plane : e.tilt->planes) {
+    const std::string at = quantity(e.study, plane.at, Dimension::length);
+    line += plane.unbalance > 0.0 ? fmt::format(words::study_check::plane_cancels, at, plane.most / plane.unbalance)
+                                  : fmt::format(words::study_check::nothing_to_cancel_at, at);
+  }
+  return line +
+         (e.balanced.kind == model::BalancedStates::Kind::none ? words::study_check::balance_impossible_too : "");
 }
 
 std::string balls_line(const Explanation& e) {
@@ -106,6 +137,7 @@ std::string balls_line(const Explanation& e) {
   std::string line = fmt::format("{} of {} {}", p.balls, masses, p.balls == 1 ? "" : "each");
   if (line.back() == ' ') line.pop_back();
   if (s.scales) line += fmt::format(words::study_check::on_a_circle, engineering(s.scales->length, Dimension::length));
+  if (e.tilt) return line + planes_words(e);
   const std::string least_cancelled =
       e.least_unbalance == 0.0 ? "0" : quantity(s, e.least_unbalance, Dimension::unbalance);
   const std::string range =
@@ -124,14 +156,22 @@ struct Estimate {
 };
 constexpr std::string_view drag_name = words::study_check::the_drag;
 constexpr std::array<Estimate, 5> estimates{{
-    {words::study_check::the_unbalance, [](model::Parameters& p, double f) { p.eccentricity *= f; }},
+    {words::study_check::the_unbalance,
+     [](model::Parameters& p, double f) {
+       p.eccentricity *= f;
+       p.tilt.misalignment *= f;
+     }},
     {words::study_check::the_stiffness,
      [](model::Parameters& p, double f) {
        for (double& kappa : p.stiffness) kappa *= f;
+       for (auto& direction : p.tilt.stiffness)
+         for (double& kappa : direction) kappa *= f;
      }},
     {words::study_check::the_damping,
      [](model::Parameters& p, double f) {
        for (double& zeta : p.damping) zeta *= f;
+       for (auto& direction : p.tilt.damping)
+         for (double& zeta : direction) zeta *= f;
      }},
     {drag_name,
      [](model::Parameters& p, double f) {
@@ -154,16 +194,26 @@ struct Measures {
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
 };
 
+// Of planes, that which has the least to spare.
+double margin_of(const Explanation& e) {
+  if (!e.tilt) return e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
+  std::optional<double> least;
+  for (const ExplainedPlane& plane : e.tilt->planes)
+    if (plane.unbalance > 0.0)
+      least = std::min(plane.most / plane.unbalance, least.value_or(plane.most / plane.unbalance));
+  return least.value_or(1.0);
+}
+
 Measures measures_of(const Study& study, const BallDetails& balls) {
   const Explanation e = explain(study, balls);
   Measures m;
   m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
-  m.margin = e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
+  m.margin = margin_of(e);
   if (e.motion) {
     m.stable = e.motion->stable;
     if (e.motion->stable) m.settles = -e.motion->slowest_rate;
   }
-  if (e.speed) {
+  if (e.speed && !e.tilt) {
     const double needed = rules::drag_against_capture(study.parameters, std::abs(*e.speed));
     if (needed > 0.0) m.passes = rules::mean_drag(study.parameters) / needed;
   }
@@ -218,7 +268,7 @@ std::string most_line(const Study& study, const BallDetails& balls) {
                           stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
     }
   if (which.empty()) return words::study_check::nothing_matters;
-  return which + words::study_check::how_judged;
+  return which + (study.parameters.tilts() ? words::study_check::how_judged_of_tilt : words::study_check::how_judged);
 }
 
 class Assumptions {
@@ -279,6 +329,7 @@ class Assumptions {
   void add_supports() {
     if (s_.parameters.stiffness[0] == s_.parameters.stiffness[1]) list_.push_back(words::study_check::supports_alike);
     list_.push_back(words::study_check::viscous_damping);
+    if (s_.parameters.tilts()) list_.push_back(words::study_check::small_slopes);
     add("rotor.gravity", words::study_check::no_gravity);
     if (!s_.uncertain.empty()) list_.push_back(medians_assumed);
   }
@@ -300,7 +351,6 @@ std::string StudyCheck::text() const {
 StudyCheck check_study(const std::string& toml_text, const std::string& name,
                        const std::vector<std::string>& overrides) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
-  check_pages(study);
   const BallDetails balls = parse_ball_details(toml_text, name, overrides);
   const study::Document document = study::parse_document(toml_text, name, overrides);
   const Explanation e = explain(medians, balls);

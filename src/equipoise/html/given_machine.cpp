@@ -12,6 +12,7 @@ namespace equipoise {
 
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides) {
+  check_pages(parse_study(toml_text, name, overrides));
   StudyCheck checked = check_study(toml_text, name, overrides);
   std::erase(checked.assumed, medians_assumed);  // a page's starts draw them
   return {given_tables(toml_text, name, overrides),

@@ -85,7 +85,7 @@ inline constexpr std::array<Capability, 13> capabilities{{
      {Need::passing_balls, Need::sliding_balls, Need::equal_supports, Need::no_gravity, Need::no_tilt}},
     {ResultKind::transients, "figures of transients", "", {Need::no_tilt}},
     {ResultKind::equations, "equations for other integrators", "", {Need::no_tilt}},
-    {ResultKind::pages, "checks, reports and pages", "", {Need::no_tilt}},
+    {ResultKind::pages, "reports and pages", "", {Need::no_tilt}},
     {ResultKind::designs, "designs", "", {Need::no_tilt}},
     {ResultKind::curves,
      "curves in a plane of two parameters",

@@ -175,7 +175,7 @@ void check_horizon(const Document& document, const model::Scales& s) {
 bool is_physical(const Document& document) { return !physical_key(document).empty(); }
 
 double resultant_direction(Document document) {
-  if (!document.root.find("place")) return 0.0;
+  if (!document.root.find("place") && !document.root.find_path("rotor.tilt.unbalance")) return 0.0;
   take_uncertain(document);
   return read_rotor_sheet(document).turn;
 }

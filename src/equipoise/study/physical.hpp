@@ -15,7 +15,7 @@ bool is_physical(const Document& document);
 void make_dimensionless(Document& document);
 
 /// The angle from the rotor's own unbalance to the resultant with every [[place]], at medians: x of the model points
-/// there. 0 without places. In radians.
+/// there. 0 without places. Of a rotor that tilts: from its angle 0 to the resultant couple unbalance. In radians.
 double resultant_direction(Document document);
 
 /// What a physical study says of its balls; call before it is made dimensionless.

@@ -13,8 +13,12 @@ inline constexpr char runs_at[] = " with its balls; runs at {}, {:.3g} times tha
 // The speed where the motor's torque vanishes, that where unbalance takes all of it.
 inline constexpr char may_stall[] =
     " with its balls; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives";
+inline constexpr char tilting_with_critical_speeds[] = ", tilting, critical speeds {}";
+inline constexpr char runs_at_highest[] = " with its balls; runs at {}, {:.3g} times the highest";
 inline constexpr char no_speed_held[] = " with its balls; no speed is held in the end";
 inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
+inline constexpr char static_and_couple[] = "{} static and {} couple";
+inline constexpr char couple_direction[] = "; x of the model points along the couple, at {:.3g} degrees";
 inline constexpr char grade_at_speed[] = "; {} at {}";
 // "the rotor's own and of " or nothing, number of places, "s" or nothing, degrees.
 inline constexpr char resultant_of_places[] =
@@ -24,6 +28,9 @@ inline constexpr char on_a_circle[] = " on a circle of {}";
 inline constexpr char nothing_to_cancel[] = "; they cancel {}, and there is nothing to cancel";
 // Range, "up to" or "at most", a factor, nothing or that balance is impossible.
 inline constexpr char balls_cancel[] = "; they cancel {}, {} {:.3g} times what there is{}";
+// Of a plane: its place, a factor.
+inline constexpr char plane_cancels[] = "; at {} they cancel up to {:.3g} times what there is";
+inline constexpr char nothing_to_cancel_at[] = "; at {} there is nothing to cancel";
 inline constexpr char up_to[] = "up to";
 inline constexpr char at_most[] = "at most";
 inline constexpr char balance_impossible_too[] = ": balance is impossible";
@@ -54,9 +61,14 @@ inline constexpr char how_judged[] =
     " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
     "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
 
+inline constexpr char how_judged_of_tilt[] =
+    " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
+    "cancel in each plane and linear theory at the final speed, not by trajectories)";
+
 // What is assumed because the study does not say it.
 inline constexpr char balls_free_from_start[] = "balls free from t = 0";
 inline constexpr char balls_held_in_run_up[] = "balls held until the run-up is over";
+inline constexpr char small_slopes[] = "small slopes, balls that stay in their planes";
 inline constexpr char balls_touch[] = "balls touch";
 inline constexpr char balls_pass_through[] = "balls pass through each other";
 inline constexpr char restitution[] = "restitution {:.3g}";
