@@ -13,8 +13,10 @@
 #include "equipoise/attractor_search/search.hpp"
 #include "equipoise/attractor_search/search_regions.hpp"
 #include "equipoise/attractors/motion_bytes.hpp"
+#include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/classification/pilot.hpp"
 #include "equipoise/classification/window_features.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/words/runs.hpp"
@@ -85,7 +87,10 @@ class Discoverer {
         std::stable_partition(candidates_.begin(), candidates_.end(), [](const Candidate& c) { return c.stationary; });
     std::vector<Candidate> later(wandering, candidates_.end());
     candidates_.erase(wandering, candidates_.end());
-    if (warm_start_states == WarmStartStates::new_ones) add_warm_start_states();
+    if (warm_start_states == WarmStartStates::new_ones) {
+      add_warm_start_states();
+      add_equilibria();
+    }
     if (!refine_and_list()) return false;
     found_ = std::move(candidates_);
     candidates_.clear();
@@ -199,6 +204,14 @@ class Discoverer {
     for (const std::vector<double>& seed : s_.settings.warm_start_states)
       candidates_.push_back(
           {{}, {}, {}, Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()))});
+  }
+
+  // Of a rotor that tilts, which has many: races off centre while others are centred attract few starts.
+  void add_equilibria() {
+    constexpr int arrangements = 200;
+    if (!s_.system.tilts() || !s_.system.autonomous() || !s_.system.prescribed() || s_.drawn) return;
+    for (const Equilibrium& e : unbalanced_equilibria(s_.system, arrangements, s_.settings.stop))
+      if (attracts(e.eigenvalues, 0)) candidates_.push_back({{}, {}, {}, e.state});
   }
 
   // A neighbour's motions come first. Their trapping regions or looks then decide most of the pilot, and only the rest

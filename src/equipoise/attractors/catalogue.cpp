@@ -2,7 +2,9 @@
 #include "equipoise/attractors/catalogue.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,12 @@
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
+
+std::string without_number(const std::string& name) {
+  const std::size_t at = name.rfind(" (");
+  if (at == std::string::npos || !name.ends_with(')')) return name;
+  return name.find_first_not_of("0123456789", at + 2) + 1 == name.size() ? name.substr(0, at) : name;
+}
 
 const Attractor* Catalogue::find(int id) const {
   const auto at = std::find_if(attractors_.begin(), attractors_.end(), [&](const Attractor& a) { return a.id == id; });
@@ -38,7 +46,7 @@ int Catalogue::find(const model::Parameters& p, const Motion& motion) const {
 int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::optional<ContinuumPart>& continuum) {
   if (const int id = find(p, motion)) return id;
   MotionName name = motion_name(p, motion);
-  const auto same_name = [&](const Attractor& a) { return a.name.substr(0, a.name.rfind(" (")) == name.name; };
+  const auto same_name = [&](const Attractor& a) { return without_number(a.name) == name.name; };
   const auto earlier = std::count_if(attractors_.begin(), attractors_.end(), same_name);
   if (earlier > 0) name.name += fmt::format(" ({})", earlier + 1);
   if (name.id == 0 || find(name.id)) {

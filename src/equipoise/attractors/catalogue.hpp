@@ -9,6 +9,10 @@
 
 namespace equipoise {
 
+/// A name without the number that tells motions of one name apart: "locked (2)" becomes "locked", "locked (2 together)"
+/// stays.
+std::string without_number(const std::string& name);
+
 class Catalogue {
  public:
   Catalogue() = default;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "equipoise/attractors/motion_statistics.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/mechanics/frames.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
@@ -174,7 +175,10 @@ class Gatherer {
     const double psi = system_.layout().psi < 0 ? 0.0 : at.z[system_.layout().psi];
     const auto [X, Y] = model::in_fixed_axes(std::cos(psi), std::sin(psi), at.z[2], at.z[3]);
     const auto& damping = system_.parameters().damping;
-    return damping[0] * X * X + damping[1] * Y * Y;
+    const double of_centre = damping[0] * X * X + damping[1] * Y * Y;
+    const int tilt = system_.layout().tilt;
+    if (tilt < 0) return of_centre;
+    return of_centre + model::power_taken_from_tilt(system_.parameters(), psi, at.z, &at.z[tilt]);
   }
   double torque(const Instant& at) const {
     const int error = system_.layout().error;

@@ -12,6 +12,7 @@
 #include "equipoise/attractors/motion_symmetry.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
@@ -165,9 +166,10 @@ void describe_steady_drive(const model::System& system, Motion& motion) {
   if (system.prescribed()) return;
   const auto& damping = system.parameters().damping;
   const double torque = system.torque(motion.state), power = torque * motion.speed;
-  motion.motor = MotorLoad{system.drive(), motion.speed,
-                           motion.speed,   torque,
-                           power,          0.5 * (damping[0] + damping[1]) * motion.state.segment(2, 2).squaredNorm()};
+  double supports = 0.5 * (damping[0] + damping[1]) * motion.state.segment(2, 2).squaredNorm();
+  if (const int tilt = system.layout().tilt; tilt >= 0)
+    supports += model::power_taken_from_tilt(system.parameters(), 0.0, motion.state.data(), &motion.state[tilt]);
+  motion.motor = MotorLoad{system.drive(), motion.speed, motion.speed, torque, power, supports};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/words/motions.hpp"
 
 namespace equipoise {
@@ -69,9 +70,16 @@ std::string grouping(const std::vector<int>& groups, int count) {
   return fmt::format(words::motions::some_together, text);
 }
 
+// Of a rotor that tilts, three balls or more may rest together in one race, and apart in another, which is centred.
+MotionName name_of_locked(const model::Parameters& p, const Motion& motion) {
+  MotionName name{words::motions::locked, "", locked};
+  if (p.tilts() && p.balls > 2) name.name += grouping(Topology(p, motion).captured_groups, p.balls);
+  return name;
+}
+
 MotionName name_at_rest(const model::Parameters& p, const Motion& motion) {
   return model::off_balance(p, motion.state) < centred ? MotionName{words::motions::balanced, "", balanced}
-                                                       : MotionName{words::motions::locked, "", locked};
+                                                       : name_of_locked(p, motion);
 }
 
 // Motions in step with the rotor: all balls captured; or all left behind by a turn every turn, at rest in space except
@@ -146,7 +154,10 @@ bool stalls(const Motion& motion) {
 bool captured_at_resonance(const model::System& system, const Motion& motion) {
   const model::Parameters& p = system.parameters();
   const double meant = std::fabs(system.pace()), speed = std::fabs(motion.speed);
-  const double resonance = std::sqrt(0.5 * (p.stiffness[0] + p.stiffness[1]) / (1.0 + p.total_mass()));
+  double resonance = std::sqrt(0.5 * (p.stiffness[0] + p.stiffness[1]) / (1.0 + p.total_mass()));
+  if (p.tilts())  // the highest that it was meant to leave behind
+    for (const double critical : model::tilting_critical_speeds(p, true))
+      if (critical < meant) resonance = critical;
   return meant > resonance && speed * speed < resonance * meant &&
          motion.motor->support_power > 0.5 * motion.motor->power;
 }
@@ -166,7 +177,7 @@ MotionName name_by_balls(const model::Parameters& p, const Motion& motion) {
                            : MotionName{words::motions::locked_stuck, "", locked};
   if (motion.depends_on_angle && motion.balanced) return {words::motions::balanced, "", balanced};
   if (motion.kind == MotionKind::equilibrium) return name_at_rest(p, motion);
-  if (keeps_step(p, motion)) return {words::motions::locked, "", locked};
+  if (keeps_step(p, motion)) return name_of_locked(p, motion);
   if (hangs(p, motion)) return {words::motions::hanging + (motion.sections > 1 ? suffix(motion, 0) : ""), "", other};
   const Topology topology(p, motion);
   return p.balls == 1   ? name_of_one(motion, topology)

@@ -15,6 +15,7 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/periodic_orbits/return_map.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/result_files/start_columns.hpp"
@@ -37,6 +38,7 @@ bool is_start(const Study& study, const std::string& key) {
 bool maps_starts(const BasinSlice& map) { return is_start(map.study, map.x.key) && is_start(map.study, map.y.key); }
 
 double balance_margin(const model::Parameters& p) {
+  if (p.tilts()) return model::tilt_balance_margin(p);
   const double largest = std::max(p.eccentricity, *std::max_element(p.mass.begin(), p.mass.begin() + p.balls));
   return p.eccentricity + p.total_mass() - 2.0 * largest;
 }
@@ -44,10 +46,10 @@ double balance_margin(const model::Parameters& p) {
 double balance_growth(const model::System& system) {
   const model::Parameters& p = system.parameters();
   double least = std::numeric_limits<double>::quiet_NaN();
-  if (!system.plain() || !system.autonomous()) return least;
+  if (!system.prescribed() || !p.race_is_centred() || !system.autonomous()) return least;
   for (const auto& phi : model::balanced_states(p).angles) {
-    const Eigen::VectorXd centre = model::centred_state(p, phi.data());
-    least = std::fmin(least, dense::largest_real_part(model::jacobian(p, system.speed(), centre.data())));
+    const Eigen::VectorXd centre = model::balanced_state(system, system.speed(), phi.data());
+    least = std::fmin(least, dense::largest_real_part(model::jacobian(system, centre)));
   }
   return least;
 }

@@ -58,7 +58,9 @@ std::string loss_sentences(const BifurcationChart& chart) {
   if (loss.real > 0.0) sentences.push_back(words::chart::real_loss);
   if (sentences.empty()) sentences.push_back(words::chart::no_loss);
   const auto ends = [](const ChartCurve& c) { return c.kind == CurveKind::existence; };
-  if (std::any_of(chart.curves.begin(), chart.curves.end(), ends)) sentences.push_back(words::chart::balance_ends);
+  if (std::any_of(chart.curves.begin(), chart.curves.end(), ends))
+    sentences.push_back(chart.study.parameters.tilts() ? words::chart::balance_ends_in_a_plane
+                                                       : words::chart::balance_ends);
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +25,15 @@ namespace {
 
 constexpr std::array balance_kinds{BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
                                    BalanceKind::unknown};
+
+// Whether balanced states, where there are any, form a continuum. In two planes the balls of each balance its share.
+bool leaves_angles_free(const model::Parameters& p) {
+  if (!p.tilts()) return p.balls > 2 || p.eccentricity == 0.0;
+  std::map<double, int> planes;
+  for (int i = 0; i < p.balls; ++i) ++planes[p.tilt.plane[static_cast<std::size_t>(i)]];
+  if (planes.size() > 2) return p.balls > 4;
+  return std::any_of(planes.begin(), planes.end(), [](const auto& plane) { return plane.second > 2; });
+}
 
 // A value of a key: dimensionless, and in its unit where the study has one.
 std::string parameter_text(const Study& study, const std::string& key, double value) {
@@ -170,7 +180,7 @@ std::string plane_notes(const StabilityPlane& plane) {
           points >= exists ? words::stability::all_points : fmt::format(words::stability::some_points, points), name);
   }
   const model::Parameters& p = plane.study.parameters;
-  if (p.balls > 2 || p.eccentricity == 0.0) text += words::stability::one_of_many;
+  if (leaves_angles_free(p)) text += words::stability::one_of_many;
   if (p.balls_collide()) text += words::stability::balls_at_rest;
   const auto by_multipliers = [&](const BalancePoint& point) {
     return (p.gravity != 0.0 && !(point.left_out & gravity_left_out)) ||

@@ -2,7 +2,9 @@
 #include "equipoise/continuation/parameter_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,11 +80,19 @@ double* initial_value(InitialState& start, int balls, const std::string& key) {
     if (key == fmt::format("initial.phi_{}", i + 1)) return &start.phi[ball];
     if (key == fmt::format("initial.phi_dot_{}", i + 1)) return &start.phi_dot[ball];
   }
-  if (key == "initial.x") return &start.x;
-  if (key == "initial.y") return &start.y;
-  if (key == "initial.x_dot") return &start.x_dot;
-  if (key == "initial.y_dot") return &start.y_dot;
-  return key == "initial.psi" ? &start.psi : nullptr;
+  constexpr std::array<std::pair<const char*, double InitialState::*>, 9> of_rotor{
+      {{"initial.x", &InitialState::x},
+       {"initial.y", &InitialState::y},
+       {"initial.x_dot", &InitialState::x_dot},
+       {"initial.y_dot", &InitialState::y_dot},
+       {"initial.psi", &InitialState::psi},
+       {"initial.tilt_x", &InitialState::tilt_x},
+       {"initial.tilt_y", &InitialState::tilt_y},
+       {"initial.tilt_x_dot", &InitialState::tilt_x_dot},
+       {"initial.tilt_y_dot", &InitialState::tilt_y_dot}}};
+  for (const auto& [name, value] : of_rotor)
+    if (key == name) return &(start.*value);
+  return nullptr;
 }
 
 Study study_with(const Study& original, const std::string& key, double value) {

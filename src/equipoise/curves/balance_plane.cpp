@@ -31,7 +31,7 @@ std::optional<double> BalancePlane::margin(const Eigen::VectorXd& at) const {
 
 std::optional<BalanceSpectrum> BalancePlane::in_line(const Eigen::VectorXd& at) const {
   const Study* study = study_at(at);
-  if (!study || !study->system().prescribed()) return std::nullopt;
+  if (!study || !study->system().prescribed() || study->parameters.tilts()) return std::nullopt;
   const model::System system(study->parameters, study->system().speed());
   const model::Parameters& p = study->parameters;
   double phi[model::max_balls];

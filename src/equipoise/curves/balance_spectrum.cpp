@@ -1,8 +1,9 @@
-// As stability/balance_at.cpp finds the state, for rotors whose balanced states are all alike.
+// As stability/balance_at.cpp finds the state. All balanced states are alike, unless the rotor tilts.
 #include "equipoise/curves/balance_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
@@ -24,16 +25,25 @@ std::optional<BalanceSpectrum> balance_spectrum(const Study& study) {
   const model::BalancedStates states = model::balanced_states(p);
   const bool family = states.kind == model::BalancedStates::Kind::continuum;
   const std::vector<double> width(family && p.balls_collide() ? static_cast<std::size_t>(p.balls) : 0, p.contact_angle);
-  const auto phi = balanced_angles(states, p, width);
-  if (!phi) return std::nullopt;
+  const auto first = balanced_angles(states, p, width);
+  if (!first) return std::nullopt;
   const LinearRotor rotor = linear_rotor(study, *speed, family);
   const model::System system =
       given.prescribed() || given.coasts() ? rotor.system() : model::System(rotor.parameters, given.drive());
-  BalanceSpectrum found{system, model::balanced_state(system, *speed, phi->data()), {}, {}, family};
-  found.jacobian = model::jacobian(system, found.state);
-  found.rates =
-      without_continuum(dense::eigenvalues(found.jacobian), family ? model::balanced_freedom(system) : 0, zero_rate);
-  return found;
+  const auto spectrum_at = [&](const BallAngles& phi) {
+    BalanceSpectrum found{system, model::balanced_state(system, *speed, phi.data()), {}, {}, family};
+    found.jacobian = model::jacobian(system, found.state);
+    found.rates =
+        without_continuum(dense::eigenvalues(found.jacobian), family ? model::balanced_freedom(system) : 0, zero_rate);
+    return found;
+  };
+  BalanceSpectrum best = spectrum_at(*first);
+  if (!p.tilts() || family) return best;
+  for (std::size_t k = 1; k < states.angles.size(); ++k) {
+    BalanceSpectrum other = spectrum_at(states.angles[k]);
+    if (other.rates.front().real() < best.rates.front().real() - zero_rate) best = std::move(other);
+  }
+  return best;
 }
 
 std::optional<EigenPair> nearest_pair(const std::vector<std::complex<double>>& rates, const EigenPair& like) {

@@ -53,7 +53,8 @@ class Derivatives {
 }  // namespace
 
 std::optional<HopfForm> hopf_form(const BalanceSpectrum& at, double frequency) {
-  if (at.family || !at.system.plain() || !(frequency > 0.0)) return std::nullopt;
+  const bool has_derivatives = at.system.plain() || (at.system.tilts() && at.system.prescribed());
+  if (at.family || !has_derivatives || !(frequency > 0.0)) return std::nullopt;
   const Eigen::MatrixXd& a = at.jacobian;
   auto q = swing_vector(a, frequency);
   auto p = swing_vector(a.transpose(), frequency);  // p^T a = i frequency p^T

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "equipoise/model/parameters.hpp"
 
@@ -10,6 +11,13 @@ namespace equipoise::model {
 
 /// sqrt(kappa/(1 + N)), by direction.
 std::array<double, 2> critical_speeds(const Parameters& p);
+
+/// Of a rotor that tilts, rising: the speeds at which an undamped vibration of centre and slope goes round with the
+/// rotor. `balls`: with the balls at rest around their races.
+std::vector<double> tilting_critical_speeds(const Parameters& p, bool balls);
+
+/// The highest one of the rotor without balls, whether it tilts or not.
+double highest_critical_speed(const Parameters& p);
 
 /// sqrt(2) times the higher critical speed: above it a bare undamped rotor vibrates less than twice its eccentricity.
 double quiet_speed(const Parameters& p);

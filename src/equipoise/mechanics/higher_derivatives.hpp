@@ -7,8 +7,8 @@
 
 namespace equipoise::model {
 
-/// d2/da db of dy/dt at y + a u + b v, at a = b = 0, for an autonomous plain system. Exact: the equations run on dual
-/// numbers of dual numbers.
+/// d2/da db of dy/dt at y + a u + b v, at a = b = 0, for an autonomous system, plain or at a prescribed speed with a
+/// tilt. Exact: the equations run on dual numbers of dual numbers.
 Eigen::VectorXd second_derivative(const System& system, const Eigen::VectorXd& y, const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& v);
 /// d3/da db dc at y + a u + b v + c w.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
@@ -178,6 +179,19 @@ bool project_to_tilt_balanced(const Parameters& p, double* phi) {
   return balanced;
 }
 
+double tilt_balance_margin(const Parameters& p) {
+  const std::vector<Race> races = races_of(p);
+  const std::vector<double> z = planes_of(p);
+  if (races.empty() && z.size() == 1) return -std::abs(p.tilt.couple() - z[0] * static_unbalance(p));
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const Race& race : races) {
+    const Parameters& r = race.rotor;
+    const double largest = std::max(r.eccentricity, *std::max_element(r.mass.begin(), r.mass.begin() + r.balls));
+    least = std::fmin(least, r.all_unbalances() - 2.0 * largest);
+  }
+  return least;
+}
+
 int tilt_cancelling_freedom(const Parameters& p) {
   const std::vector<Race> races = races_of(p);
   if (races.empty()) return std::max(p.balls - 4, 0);
@@ -186,7 +200,7 @@ int tilt_cancelling_freedom(const Parameters& p) {
     const bool opposed = race.rotor.balls == 2 && race.rotor.eccentricity == 0.0;
     freedom += opposed ? 1 : std::max(race.rotor.balls - 2, 0);
   }
-  return races.size() == 1 ? std::max(freedom, 1) : freedom;
+  return freedom;
 }
 
 }  // namespace equipoise::model

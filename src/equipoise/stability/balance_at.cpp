@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "equipoise/basin_slices/start_pixels.hpp"
 #include "equipoise/results/explanation.hpp"
@@ -18,6 +19,20 @@ model::System linear_system(const model::System& system, LinearRotor& rotor) {
   if (!system.coasts() && rotor.system().autonomous()) return {rotor.parameters, system.drive()};
   rotor.left_out |= motor_left_out;
   return rotor.system();
+}
+
+// Whether all balanced states have the same eigenvalues. The two of a plane rotor are mirror images, on equal supports
+// or of balls that are alike. Of a rotor that tilts, whose planes may close their polygons this way or that, each by
+// itself, they have if the balls of either plane are alike.
+bool same_rates(const model::System& system) {
+  const model::Parameters& p = system.parameters();
+  if (!p.tilts()) return p.alike(0, 1) || (system.autonomous() && p.race_is_centred());
+  std::set<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
+  for (int i = 0; i < p.balls; ++i)
+    for (int k = 0; k < i; ++k)
+      if (p.tilt.plane[static_cast<std::size_t>(i)] == p.tilt.plane[static_cast<std::size_t>(k)] && !p.alike(i, k))
+        return false;
+  return planes.size() <= 2;
 }
 
 void take_rates(const std::vector<std::complex<double>>& rates, BalancePoint& point) {
@@ -57,9 +72,7 @@ BalancePoint balance_at(const Study& study) {
   LinearRotor rotor = linear_rotor(study, *speed, family);
   const model::System linear = linear_system(system, rotor);
   point.left_out = rotor.left_out;
-  // Two states are mirror images. On equal supports, and of balls that are alike, they have the same eigenvalues.
-  const bool same = rotor.parameters.alike(0, 1) || (linear.autonomous() && linear.parameters().race_is_centred());
-  const std::size_t different = same ? 1 : members.size();
+  const std::size_t different = same_rates(linear) ? 1 : members.size();
   for (std::size_t k = 0; k < different; ++k) {
     BallAngles phi = members[k];
     for (int i = 0; i < twin.parameters.balls; ++i) phi[static_cast<std::size_t>(i)] += twin.turn;

@@ -80,7 +80,10 @@ class WayToBoundary {
     const BalancePoint& known = std::isfinite(before.growth) ? before : after;
     boundary.frequency = known.swings() ? known.frequency : 0.0;
     const auto either = [&](BalanceKind kind) { return before.kind == kind || after.kind == kind; };
-    boundary.change = either(BalanceKind::none)      ? Change::existence
+    // Where two states merge an eigenvalue is 0, to the root of rounding, before they are gone.
+    constexpr double merging = 1e-12;
+    boundary.change = either(BalanceKind::none) || (!known.swings() && std::fabs(known.margin) < merging)
+                          ? Change::existence
                       : either(BalanceKind::unknown) ? Change::lost
                       : known.swings()               ? Change::hopf
                                                      : Change::zero;

@@ -12,6 +12,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/drives/never_reached.hpp"
+#include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/model/system.hpp"
 
 namespace equipoise {
@@ -132,8 +133,7 @@ model::System Study::system() const {
 double Study::stall_speed() const { return speed.stalled_below ? *speed.stalled_below : usual_stall_speed(*this); }
 
 double Study::passed_speed() const {
-  const auto& kappa = parameters.stiffness;
-  return std::max(std::sqrt(std::max(kappa[0], kappa[1])), usual_stall_speed(*this));
+  return std::max(model::highest_critical_speed(parameters), usual_stall_speed(*this));
 }
 
 }  // namespace equipoise

@@ -19,9 +19,6 @@ namespace {
 // Largest difference between two motions that count as the same at neighbouring parameters.
 constexpr double farthest = 1.0 / 3.0;
 
-// The name without the number that distinguishes it from others of its name.
-std::string plain_name(const std::string& name) { return name.substr(0, name.rfind(" (")); }
-
 double relative(double a, double b) {
   const double size = std::max(std::fabs(a), std::fabs(b));
   return size > 0.0 ? std::fabs(a - b) / size : 0.0;
@@ -38,7 +35,8 @@ double drift_difference(std::vector<double> a, std::vector<double> b) {
 }
 
 double distance(const SweepOutcome& a, const SweepOutcome& b) {
-  if (a.kind != b.kind || plain_name(a.name) != plain_name(b.name)) return std::numeric_limits<double>::infinity();
+  if (a.kind != b.kind || without_number(a.name) != without_number(b.name))
+    return std::numeric_limits<double>::infinity();
   if (!a.r_max || !b.r_max) return 0.0;  // matched by name alone
   return std::max({relative(*a.r_mean, *b.r_mean), relative(*a.r_max, *b.r_max), drift_difference(a.drift, b.drift)});
 }
@@ -96,7 +94,7 @@ class Labels {
 
   int next(const std::string& name) {
     const int id = std::max(first_free_id, names_.empty() ? 0 : names_.rbegin()->first + 1);
-    const std::string plain = plain_name(name);
+    const std::string plain = without_number(name);
     std::string unique = plain;
     const auto taken = [&](const std::string& text) {
       return std::any_of(names_.begin(), names_.end(), [&](const auto& entry) { return entry.second == text; });

@@ -25,9 +25,10 @@ namespace {
 namespace kernels = HWY_NAMESPACE;
 
 constexpr int most = model::largest_state;
-using Flow = kernels::HybridFlow<double, model::any_count>;
+template <class T, bool tilt>
+using FlowOver = kernels::HybridFlow<T, model::any_count, tilt>;
+constexpr int padded = FlowOver<double, true>::dimension;  // the largest array that a flow reads and writes
 using Dual = Gradient<double, most>;
-using SlopeFlow = kernels::HybridFlow<Dual, model::any_count>;
 
 void check_has_equations(const Study& study) {
   check(study);
@@ -35,8 +36,6 @@ void check_has_equations(const Study& study) {
   const auto refuse = [&](const char* key, double value, const char* why) {
     throw InputError(study.name, key, fmt::format("{}", value), why);
   };
-  if (const auto lack = model::lacking(study.system(), model::ResultKind::equations))
-    refuse("rotor.tilt.transverse_inertia", p.tilt.transverse_inertia, lack->reason.c_str());
   if (!study.uncertain.empty())
     throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::equations_of_one_rotor);
   if (p.balls_collide()) refuse("balancer.contact_angle", p.contact_angle, words::runs::contact_needs_events);
@@ -58,8 +57,9 @@ struct StudyEquations::State {
   State(const Study& of, model::Drive how)
       : study(of),
         drive(std::move(how)),
-        machine(model::machine_layout(of.parameters.balls)),
-        own(model::StateLayout::of(of.parameters.balls, of.speed.driven(), of.speed.driven(), integrates_error(drive))),
+        machine(model::machine_layout(of.parameters)),
+        own(model::StateLayout::of(of.parameters.balls, of.speed.driven(), of.speed.driven(), integrates_error(drive),
+                                   of.parameters.tilts())),
         variables(model::state_variables(own)),
         free(of.parameters),
         held(of.parameters) {
@@ -81,10 +81,16 @@ struct StudyEquations::State {
   }
 
   const model::DrivePiece& drive_at(std::size_t piece) const { return drive.pieces[drive_of[piece]]; }
-  template <class T>
-  kernels::HybridFlow<T, model::any_count> flow(std::size_t piece,
-                                                const kernels::ModeTable<T, model::any_count>& m) const {
-    return {study.parameters, drive_at(piece), &m};
+  template <bool tilt, class T>
+  FlowOver<T, tilt> flow(std::size_t piece, const kernels::ModeTable<T, model::any_count>& modes) const {
+    return {study.parameters, drive_at(piece), &modes};
+  }
+
+  // Rates of the full layout into `dz`. Returns the torque on the rotor.
+  double rates(std::size_t piece, double t, const double* z, double* dz) const {
+    kernels::BallForces<double, model::any_count> forces;
+    return study.parameters.tilts() ? tilting[piece].evaluate(t, z, dz, forces).torque
+                                    : flows[piece].evaluate(t, z, dz, forces).torque;
   }
 
   // The state in the full layout of `machine`.
@@ -105,7 +111,9 @@ struct StudyEquations::State {
   std::vector<std::size_t> drive_of;  // drive piece of each entry in `pieces`
   model::BallMode clamped;
   kernels::ModeTable<double, model::any_count> free, held;
-  std::vector<Flow> flows;  // one per entry of `pieces`
+  // One per entry of `pieces`, in one of the two.
+  std::vector<FlowOver<double, false>> flows;
+  std::vector<FlowOver<double, true>> tilting;
 
  private:
   // Cuts the drive's pieces where the balls are let go.
@@ -117,8 +125,13 @@ struct StudyEquations::State {
       if (p.begin < parted) add(k, p.begin, parted, true);
       if (parted < p.end) add(k, parted, p.end, false);
     }
-    flows.reserve(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) flows.push_back(flow(i, pieces[i].held ? held : free));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const auto& modes = pieces[i].held ? held : free;
+      if (study.parameters.tilts())
+        tilting.push_back(flow<true>(i, modes));
+      else
+        flows.push_back(flow<false>(i, modes));
+    }
   }
   void add(std::size_t of, double begin, double end, bool balls_held) {
     pieces.push_back({begin, end, balls_held});
@@ -181,20 +194,23 @@ std::vector<double> StudyEquations::initial_state(const InitialState& start) con
 }
 
 void StudyEquations::rhs(std::size_t piece, double t, const double* y, double* dy) const {
-  double z[Flow::dimension], dz[Flow::dimension];
+  double z[padded], dz[padded];
   state_->whole(piece, t, y, z);
-  state_->flows[piece](t, z, dz);
+  state_->rates(piece, t, z, dz);
   model::copy_state(state_->machine, dz, state_->own, dy);
 }
 
 void StudyEquations::jacobian(std::size_t piece, double t, const double* y, double* matrix) const {
   kernels::ModeTable<Dual, model::any_count> modes(study().parameters);
   if (pieces()[piece].held) modes.set(state_->clamped);
-  Dual variables[most], rates[most], z[SlopeFlow::dimension], dz[SlopeFlow::dimension];
+  Dual variables[most], rates[most], z[padded], dz[padded];
   const int size = dimension();
   for (int k = 0; k < size; ++k) variables[k] = Dual(y[k], k);
   state_->whole(piece, t, variables, z);
-  state_->flow(piece, modes)(Dual(t), z, dz);
+  if (study().parameters.tilts())
+    state_->flow<true>(piece, modes)(Dual(t), z, dz);
+  else
+    state_->flow<false>(piece, modes)(Dual(t), z, dz);
   model::copy_state(state_->machine, dz, state_->own, rates);
   for (int i = 0; i < size; ++i) std::copy_n(rates[i].slope, size, matrix + i * size);
 }
@@ -205,26 +221,28 @@ void StudyEquations::cross(std::size_t piece, double* y) const {
   const double end = pieces()[piece].end, now = before.motion(false).speed_at(end);
   const double then = after.motion(false).speed_at(end);
   model::apply_speed_jump(then - now, y);
+  if (const int tilt = state_->own.tilt; tilt >= 0) model::apply_speed_jump(then - now, y + tilt);
 }
 
 double StudyEquations::energy(std::size_t piece, double t, const double* y) const {
-  double z[Flow::dimension];
+  double z[padded];
   state_->whole(piece, t, y, z);
   return model::full_energy(study().parameters, z);
 }
 
 model::Powers StudyEquations::powers(std::size_t piece, double t, const double* y) const {
   const model::StateLayout& at = state_->machine;
-  double z[Flow::dimension], dz[Flow::dimension];
+  double z[padded], dz[padded];
   state_->whole(piece, t, y, z);
-  state_->flows[piece](t, z, dz);
+  const double torque = state_->rates(piece, t, z, dz);
+  if (study().parameters.tilts()) return model::tilting_powers(study().parameters, torque, pieces()[piece].held, z);
   const model::Segment now{t, t, z[at.psi], z[at.speed], dz[at.speed], pieces()[piece].held};
   return model::powers(study().parameters, study().parameters.inertia, now, t, z);
 }
 
 MotionState StudyEquations::motion(std::size_t piece, double t, const double* y) const {
   const int n = state_->balls();
-  double z[Flow::dimension];
+  double z[padded];
   state_->whole(piece, t, y, z);
   MotionState m;
   m.psi = z[state_->machine.psi];
@@ -235,6 +253,13 @@ MotionState StudyEquations::motion(std::size_t piece, double t, const double* y)
   const auto velocity = model::rotating_velocity(m.psi_dot, z);
   m.x_dot = velocity[0];
   m.y_dot = velocity[1];
+  if (const int tilt = state_->machine.tilt; tilt >= 0) {
+    const auto rate = model::rotating_velocity(m.psi_dot, z + tilt);
+    m.tilt_x = z[tilt];
+    m.tilt_y = z[tilt + 1];
+    m.tilt_x_dot = rate[0];
+    m.tilt_y_dot = rate[1];
+  }
   for (int i = 0; i < n; ++i) {
     m.phi[i] = z[model::index::phi(i)];
     m.phi_dot[i] = z[model::index::q(i, n)];
@@ -244,13 +269,14 @@ MotionState StudyEquations::motion(std::size_t piece, double t, const double* y)
 
 std::vector<double> StudyEquations::state(std::size_t piece, double t, const MotionState& motion) const {
   const int n = state_->balls();
-  double z[Flow::dimension];
+  double z[padded];
   z[state_->machine.psi] = motion.psi;
   z[state_->machine.speed] = motion.psi_dot;
   z[state_->machine.error] = motion.speed_error_integral;
   const model::DrivePiece& p = state_->drive_at(piece);
   const double speed_now = p.driven() ? motion.psi_dot : p.motion(false).speed_at(t);
   equipoise::initial_state(motion, n, speed_now, z);
+  if (const int tilt = state_->machine.tilt; tilt >= 0) initial_tilt(motion, speed_now, z + tilt);
   if (pieces()[piece].held)
     for (int i = 0; i < n; ++i) z[model::index::q(i, n)] = 0.0;
   std::vector<double> y(static_cast<std::size_t>(dimension()));
@@ -260,7 +286,7 @@ std::vector<double> StudyEquations::state(std::size_t piece, double t, const Mot
 
 void StudyEquations::append(double t, const double* y, Trajectory& trajectory) const {
   const int n = state_->balls();
-  double z[Flow::dimension];
+  double z[padded];
   state_->whole(piece_at(t), t, y, z);
   trajectory.phi.resize(static_cast<std::size_t>(n));
   trajectory.phi_dot.resize(static_cast<std::size_t>(n));

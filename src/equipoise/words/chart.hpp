@@ -35,6 +35,8 @@ inline constexpr char way_unknown[] =
 inline constexpr char real_loss[] = "On another line balance loses its stability without a swing.";
 inline constexpr char balance_ends[] =
     "On the line where balance ends all balls stand in line, and their states merge.";
+inline constexpr char balance_ends_in_a_plane[] =
+    "On the line where balance ends all balls of one plane stand in line, and states merge.";
 
 // The proof. Percent each.
 inline constexpr char proved[] = "Proved by interval arithmetic: {}; {} of the plane is not decided.";
@@ -45,7 +47,8 @@ inline constexpr char proved_nothing[] = "Interval arithmetic proved nothing.";
 // Why.
 inline constexpr char not_proved[] = "Nothing is proved: {}.\n";
 inline constexpr char rotor_not_proved[] =
-    "proofs are of two balls with equal drag that slide freely in a centred race, at a prescribed speed";
+    "proofs are of two balls with equal drag that slide freely in a centred race, at a prescribed speed and without "
+    "tilt";
 inline constexpr char keys_not_proved[] = "a key of the axes is not itself a parameter of the equations";
 inline constexpr char boxes_used_up[] = "More boxes (--boxes) would decide more of the plane.\n";
 

@@ -1,0 +1,188 @@
+// What a rotor that tilts comes to, beside equations and trajectories in fixed axes: equilibria, eigenvalues, fates.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
+#include "equipoise/study/study.hpp"
+#include "tilt_fixed_flow.hpp"
+
+namespace equipoise {
+namespace {
+
+using namespace tilting;
+
+Study study(const std::vector<std::string>& overrides = {}) { return long_rotor_with(overrides); }
+
+// Distance from the axis of the section at z.
+double off_axis(const model::System& system, const VectorXd& y, double z) {
+  const int t = system.layout().tilt;
+  return std::hypot(y[0] + z * y[t], y[1] + z * y[t + 1]);
+}
+
+struct Rest {
+  std::vector<std::string> overrides;
+  const char* name;
+};
+
+// Balls too light for their race's share: together on the light side. The other race, whose share they can cancel, is
+// centred with its balls apart.
+const std::vector<Rest> rests{
+    {damped({"speed.speed=3", "balancer.mass=0.002"}), "locked (2 together)"},
+    {damped({"speed.speed=1.2", "balancer.mass=0.0028"}), "locked (2 and 2 together)"},
+    {damped({"speed.speed=3", "rotor.eccentricity=0.05", "rotor.eccentricity_angle=0", "rotor.tilt.misalignment=0"}),
+     "locked together"}};
+
+TEST(TiltEquilibria, HaveTheEigenvaluesOfFixedAxes) {
+  for (const Rest& rest : rests) {
+    const Study s = study(rest.overrides);
+    const model::System system = s.system();
+    const std::vector<Equilibrium> all = unbalanced_equilibria(system, 100);
+    ASSERT_GT(all.size(), 2u) << rest.name;
+    int stable = 0;
+    for (const Equilibrium& e : all) {
+      EXPECT_LT(fixed_rate(system, e.state).lpNorm<Eigen::Infinity>(), 1e-12);
+      const Eigen::VectorXcd fixed = fixed_eigenvalues(system, e.state);
+      EXPECT_LT(farthest(e.eigenvalues, fixed), same_eigenvalue);
+      EXPECT_LT(farthest(fixed, e.eigenvalues), same_eigenvalue);
+      if (!attracts(e.eigenvalues, 0)) continue;
+      ++stable;
+      const Motion motion = describe_equilibrium(system, e);
+      EXPECT_EQ(motion_name(s.parameters, motion).name, rest.name);
+      const double upper = off_axis(system, e.state, 2.0), lower = off_axis(system, e.state, -2.0);
+      EXPECT_EQ(std::min(upper, lower) < 1e-9, std::string(rest.name) == "locked (2 together)");
+      EXPECT_GT(std::max(upper, lower), 1e-3);
+    }
+    EXPECT_EQ(stable, 1) << rest.name;
+  }
+}
+
+// Each equilibrium is listed once, whatever balls of one race exchange.
+TEST(TiltEquilibria, AreListedOnce) {
+  const model::System system = study(rests[0].overrides).system();
+  const std::vector<Equilibrium> few = unbalanced_equilibria(system, 200), many = unbalanced_equilibria(system, 400);
+  EXPECT_GE(many.size(), few.size());
+  EXPECT_LE(many.size(), few.size() + 2);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_FALSE(same_motion(system.parameters(), describe_equilibrium(system, many[i]),
+                               describe_equilibrium(system, many[k])));
+}
+
+// At rest under a motor all that it gives goes into the supports' dampers, of centre and slope.
+TEST(TiltEquilibria, TakeTheMotorsPower) {
+  const model::System held = study(rests[0].overrides).system();
+  std::vector<std::string> overrides = rests[0].overrides;
+  overrides.push_back("rotor.tilt.damping=[0.1, 1.8]");
+  overrides.push_back(
+      "speed={ profile = \"torque\", initial = 3.0, torque = { stall = 0.001, no_load_speed = 3.02 } }");
+  const model::System driven = study(overrides).system();
+  VectorXd guess = VectorXd::Zero(driven.dimension());
+  const VectorXd at = unbalanced_equilibria(held, 100).front().state;
+  model::copy_state(held.layout(), at.data(), driven.layout(), guess.data());
+  guess[driven.layout().speed] = 3.0;
+  const auto found = refine_equilibrium(driven, guess);
+  ASSERT_TRUE(found);
+  const Motion motion = describe_equilibrium(driven, *found);
+  ASSERT_TRUE(motion.motor);
+  EXPECT_GT(motion.motor->power, 1e-6);
+  EXPECT_NEAR(motion.motor->support_power, motion.motor->power, 1e-8 * motion.motor->power);
+}
+
+TEST(TiltEquilibria, AreAttractorsWithShares) {
+  for (const Rest& rest : rests) {
+    const Study s = study(rest.overrides);
+    AttractorsOptions options;
+    options.starts = 100;
+    const AttractorsResult result = attractors(s, options);
+    const auto at = std::find_if(result.attractors.begin(), result.attractors.end(),
+                                 [&](const Attractor& a) { return a.name == rest.name; });
+    ASSERT_NE(at, result.attractors.end()) << rest.name;
+    const auto share = std::find_if(result.basin.attractors.begin(), result.basin.attractors.end(),
+                                    [&](const OutcomeShare& o) { return o.id == at->id; });
+    ASSERT_NE(share, result.basin.attractors.end());
+    EXPECT_GT(share->share.count, 0u);
+    EXPECT_LT(farthest(at->motion.spectrum, fixed_eigenvalues(s.system(), at->motion.state)), same_eigenvalue);
+  }
+}
+
+// Balls that lag at first are caught, or not, by the two races' unbalance. Followed until long after that in fixed
+// axes, as many drift as the label of the start says; where it says locked, the rotor is where that equilibrium is.
+TEST(TiltFates, AreThoseOfFixedAxes) {
+  Study s = study({"rotor.damping=0.1", "rotor.tilt.damping=[0, 0.9]", "balancer.drag=0.05", "speed.speed=3",
+                   "balancer.mass=0.0025", "initial.phi_dot=-1.5", "sampling.starts=200"});
+  std::vector<Fate> fates;
+  BasinOptions options;
+  options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+  Catalogue catalogue;
+  basin(s, options, &catalogue);
+  ASSERT_EQ(fates.size(), 200u);
+  int locked = 0, drifting = 0;
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    const Attractor* attractor = catalogue.find(fates[i].attractor);
+    ASSERT_TRUE(attractor) << i;
+    Study own = s;
+    own.initial = start_of(s, i);
+    const FixedFlow flow{own.parameters, false, 0.0};
+    std::array<double, most> y{};
+    const int lagging = drifting_in_fixed_axes(own, 1e-9, &y);
+    EXPECT_EQ(lagging, drifting_by(attractor->name)) << i << ", " << attractor->name;
+    ++(lagging > 0 ? drifting : locked);
+    if (lagging > 0) continue;
+    EXPECT_NEAR(std::abs(flow.state(y.data()).q1), attractor->motion.r_max, 1e-5);
+    EXPECT_NEAR(std::abs(flow.state(y.data()).q2), attractor->motion.state.tail(4).head(2).norm(), 1e-5);
+  }
+  EXPECT_GT(locked, 10);
+  EXPECT_GT(drifting, 100);
+}
+
+// Balls held through a ramp; and a motor on supports that differ in X and Y, with balls that lag at first.
+TEST(TiltFates, AfterARampAndUnderAMotorAreThoseOfFixedAxes) {
+  const std::vector<std::string> ramp{"rotor.damping=0.2", "rotor.tilt.damping=[0, 1.8]",
+                                      "speed={ profile = \"ramp\", initial = 0.0, final = 3.5, duration = 20 }"};
+  const std::vector<std::string> motor{
+      "rotor.damping=0.1",
+      "rotor.tilt.damping=[0, 0.9]",
+      "balancer.mass=0.0025",
+      "initial.phi_dot=-1.5",
+      "speed={ profile = \"torque\", initial = 3.0, torque = { constant = 0.3, slope = -0.1 } }",
+      "rotor.stiffness=[1, 1.1]",
+      "rotor.tilt.stiffness={ x = [0, 9], y = [0, 9.5] }"};
+  for (std::vector<std::string> overrides : {ramp, motor}) {
+    // A transient is sensitive: the errors of 1e-6 a step that ensembles allow turn the fate of one start in thirty.
+    for (const char* key : {"balancer.drag=0.05", "numerics.tolerance=1e-11", "sampling.starts=24"})
+      overrides.push_back(key);
+    const Study s = study(overrides);
+    std::vector<Fate> fates;
+    BasinOptions options;
+    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    Catalogue catalogue;
+    basin(s, options, &catalogue);
+    ASSERT_EQ(fates.size(), s.sampling.starts);
+    std::set<int> kinds;
+    for (std::size_t i = 0; i < fates.size(); ++i) {
+      const Attractor* attractor = catalogue.find(fates[i].attractor);
+      ASSERT_TRUE(attractor) << i;
+      Study own = s;
+      own.initial = start_of(s, i);
+      const int drifting = drifting_in_fixed_axes(own, 1e-11);
+      EXPECT_EQ(drifting, drifting_by(attractor->name)) << i << ", " << attractor->name;
+      kinds.insert(drifting);
+    }
+    EXPECT_GE(kinds.size(), 3u);
+  }
+}
+
+}  // namespace
+}  // namespace equipoise
