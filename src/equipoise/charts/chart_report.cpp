@@ -164,7 +164,7 @@ using ChartJson = nlohmann::ordered_json;
 ChartJson chart_number(double value) { return std::isfinite(value) ? ChartJson(value) : ChartJson(nullptr); }
 
 ChartJson curve_json(const ChartCurve& c) {
-  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
+  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}, {"of", c.of}};
   for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
   json["error"] = c.error;
   for (const char* name : {"x", "y", "frequency", "lyapunov", "others"}) json[name] = ChartJson::array();

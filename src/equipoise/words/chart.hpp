@@ -73,6 +73,19 @@ inline constexpr char is_double_hopf[] = "double Hopf: two swings begin at once"
 inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real eigenvalue is 0";
 inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
 
+// Locked states, by where the balls are. Numbers of balls, or their numbers.
+inline constexpr char one_ball[] = "ball on the line";
+inline constexpr char together[] = "balls together";
+inline constexpr char opposite[] = "balls opposite";
+inline constexpr char alike_against[] = "{} balls against {}";
+inline constexpr char balls_against[] = "balls {} against {}";
+// Why they are not known.
+inline constexpr char locked_of_plain_rotors[] =
+    "they are known of rotors that do not tilt, with a centred race, equal supports and no gravity";
+inline constexpr char locked_without_events[] = "balls that touch or stick may rest anywhere";
+inline constexpr char locked_under_drive[] = "without a drive that lasts no speed is kept";
+inline constexpr char too_many_kinds[] = "unlike balls can be divided in too many ways";
+
 // Notes.
 inline constexpr char no_curve[] = "No curve on which balance changes was found.\n";
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
