@@ -109,11 +109,11 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
   return way;
 }
 
-bool FollowedCurve::follow(const VectorXd& guess, const StopFlag* stop) {
+bool FollowedCurve::follow(const VectorXd& guess, const StopFlag* stop, const Known& known) {
   const auto at = follower_.nearby(guess);
   if (!at || !is_inside(*at)) return false;
   const auto first = described(*at);
-  if (!first) return false;
+  if (!first || (known && known(*first))) return false;
   VectorXd towards = VectorXd::Zero(guess.size());
   towards.head(2) << 0.8, 0.6;  // of straight curves few run across it
   const Way forwards = way(*first, towards, stop);

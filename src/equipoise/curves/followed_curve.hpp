@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,8 +31,10 @@ class FollowedCurve {
   FollowedCurve& operator=(const FollowedCurve&) = delete;
   virtual ~FollowedCurve() = default;
 
-  /// False if there is no curve near `guess`. A stopped curve ends where it has come to.
-  bool follow(const Eigen::VectorXd& guess, const StopFlag* stop);
+  /// Whether a place of a curve is on one that is known already.
+  using Known = std::function<bool(const CurvePlace&)>;
+  /// False if there is no curve near `guess`, or a known one. A stopped curve ends where it has come to.
+  bool follow(const Eigen::VectorXd& guess, const StopFlag* stop, const Known& known = {});
 
   const std::vector<CurvePlace>& places() const { return places_; }
   const std::array<CurveEnd, 2>& ends() const { return ends_; }

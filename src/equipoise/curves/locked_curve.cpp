@@ -176,7 +176,7 @@ void LockedCurve::stay_near(const CurvePlace& place) const {
   column_ = place.left;
 }
 
-bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopFlag* stop) {
+bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopFlag* stop, const Known& known) {
   VectorXd guess(2 + symmetry_.size());
   guess << at, symmetry_.reduced(z).cwiseQuotient(natural_size * symmetry_.scale());
   if (kind_ == CurveKind::fold) {
@@ -191,7 +191,7 @@ bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopF
     }
     if (!row_.allFinite() || !column_.allFinite()) return false;
   }
-  return follow(guess, stop);
+  return follow(guess, stop, known);
 }
 
 std::vector<SpecialPoint> LockedCurve::specials() const {

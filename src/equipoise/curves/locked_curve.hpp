@@ -17,7 +17,7 @@ class LockedCurve : public FollowedCurve {
       : FollowedCurve(plane, kind, like), symmetry_(system, locked) {}
 
   /// From a state near the curve at a place near it.
-  bool follow_from(const Eigen::VectorXd& at, const Eigen::VectorXd& state, const StopFlag* stop);
+  bool follow_from(const Eigen::VectorXd& at, const Eigen::VectorXd& state, const StopFlag* stop, const Known& known);
   std::vector<SpecialPoint> specials() const override;
 
  private:

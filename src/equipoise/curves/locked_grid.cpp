@@ -2,7 +2,6 @@
 #include "equipoise/curves/locked_grid.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 
@@ -170,9 +169,15 @@ class LockedSearch {
   void follow(CurveKind curve_kind, std::size_t kind, const VectorXd& at, const VectorXd& state,
               const EigenPair& pair) {
     const std::string& of = kinds_[kind].name;
-    if (is_known(plane_, chart_, curve_kind, of, at, std::sqrt(std::max(0.0, pair.product)))) return;
+    const auto known = [&](const VectorXd& place, double frequency) {
+      return is_known(plane_, chart_, curve_kind, of, place, frequency);
+    };
+    if (known(at, std::sqrt(std::max(0.0, pair.product)))) return;
     LockedCurve curve(plane_, curve_kind, kinds_[kind], middle_, pair);
-    if (curve.follow_from(at, state, stop_)) add_curve(plane_, curve_kind, of, curve, chart_);
+    // A motor's states may be missed beside a fold: the curve that is found may then be farther away.
+    if (curve.follow_from(at, state, stop_,
+                          [&](const CurvePlace& place) { return known(place.at.head(2), place.point.frequency); }))
+      add_curve(plane_, curve_kind, of, curve, chart_);
   }
 
   const PlaneStudies& studies_;
