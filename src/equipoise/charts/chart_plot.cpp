@@ -104,18 +104,21 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
     add(fmt::format("$special with points pointtype 6 pointsize 2.2 linewidth 3 linecolor rgb '#000000' title {}",
                     quoted(words::chart::legend_special)));
   }
+  int lines = 0;
   if (const std::size_t regions = told_regions(chart); regions > 1) {
+    const std::string unseen = "keyentry with lines linecolor rgb '#FFFFFF' title ";
     for (std::size_t k = 0; k < regions; ++k) {
       const ChartRegion& r = chart.regions[k];
       script += fmt::format("set label {} {} at {:.8g},{:.8g} center front font ',22' textcolor rgb '#1A1A1A'\n", k + 1,
                             quoted(region_letter(k)), r.x * x.factor, r.y * y.factor);
-      // The legend's lines are as long as what is there: a state a line.
-      std::string words = region_letter(k) + ": " + region_words(chart, r);
+      std::string words = region_letter(k) + ": " + region_words(chart, r);  // a state a line
       for (std::size_t at = words.find("; "); at != std::string::npos; at = words.find("; ")) {
-        add("NaN with lines linecolor rgb '#FFFFFF' title " + quoted(words.substr(0, at)));
+        add(unseen + quoted(words.substr(0, at)));
         words = "     " + words.substr(at + 2);
+        ++lines;
       }
-      add("NaN with lines linecolor rgb '#FFFFFF' title " + quoted(words));
+      add(unseen + quoted(words));
+      ++lines;
     }
   }
   if (items.empty()) add("NaN notitle");
@@ -126,7 +129,8 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
                         plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
   script +=
       "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
+      "set key outside right top vertical Left reverse samplen 2.2 width 1 ";
+  script += lines > 10 ? "spacing 1.0 font ',13'\n" : "spacing 1.3\n";
   return script + "plot " + items + "\n";
 }
 

@@ -30,16 +30,14 @@ std::size_t told_regions(const BifurcationChart& chart) {
 
 std::string region_letter(std::size_t number) { return std::string(1, static_cast<char>('A' + number)); }
 
-std::string regions_table(const BifurcationChart& chart, const TextStyle& style) {
-  namespace w = words::chart;
-  if (chart.regions.empty()) return "";
-  DocumentTable table{{w::region, w::region_part, w::region_place, w::region_states}, {}, "", false, {2}};
+std::string regions_list(const BifurcationChart& chart, const TextStyle& style) {
+  std::string text;
   for (std::size_t k = 0; k < told_regions(chart); ++k) {
     const ChartRegion& r = chart.regions[k];
-    table.rows.push_back(row_of("tntt", {region_letter(k), fmt::format("{:.1f} %", 100.0 * r.part),
-                                         fmt::format("{:.3g}, {:.3g}", r.x, r.y), region_words(chart, r)}));
+    text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
+                   fmt::format(words::chart::region_at, region_words(chart, r), r.x, r.y), style);
   }
-  return table_text(table, style);
+  return text;
 }
 
 std::string region_notes(const BifurcationChart& chart) {

@@ -17,8 +17,8 @@ std::size_t told_regions(const BifurcationChart& chart);
 /// "A" of the largest.
 std::string region_letter(std::size_t number);
 
-/// A line a region; empty without any.
-std::string regions_table(const BifurcationChart& chart, const TextStyle& style);
+/// A paragraph a region: letter, part of the plane, what is at rest there.
+std::string regions_list(const BifurcationChart& chart, const TextStyle& style);
 /// What the table leaves out, and what regions do not tell.
 std::string region_notes(const BifurcationChart& chart);
 

@@ -217,7 +217,7 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   text += lines_filled(plane_heading(chart.plane), style) + "\n";
   if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
-  if (!chart.regions.empty()) text += regions_table(chart, style) + "\n";
+  if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
   return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
                                                               chart.curves.size() == 1 ? "" : "s", chart.boxes.size(),
                                                               computed_text(chart), version_string),

@@ -93,11 +93,8 @@ inline constexpr char locked_without_events[] = "balls that touch or stick may r
 inline constexpr char locked_under_drive[] = "without a drive that lasts no speed is kept";
 inline constexpr char too_many_kinds[] = "unlike balls can be divided in too many ways";
 
-// Regions: letter, percent, a place, what is there.
-inline constexpr char region[] = "region";
-inline constexpr char region_part[] = "of plane";
-inline constexpr char region_place[] = "e.g. at";
-inline constexpr char region_states[] = "states at rest";
+// Regions: what is there, a place.
+inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
 // What balance is; of other states how many, if more than one.
 inline constexpr char region_balance[] = "balance {}";
 inline constexpr char region_locked[] = "{} {}{}";
