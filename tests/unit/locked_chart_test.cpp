@@ -78,7 +78,8 @@ double nearest(const Eigen::VectorXcd& values, std::complex<double> value) {
 }
 
 TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
-  for (const char* balls : {"balls = 2\nmass = 0.05", "balls = 3\nmass = 0.02", "balls = 3\nmass = [0.03, 0.01, 0.01]"}) {
+  for (const char* balls :
+       {"balls = 2\nmass = 0.05", "balls = 3\nmass = 0.02", "balls = 3\nmass = [0.03, 0.01, 0.01]"}) {
     const Study study = study_of(with(with(constant_speed, "balls = 2\nmass = 0.05", balls), "0.01", "0.06"));
     const model::System system = study.system();
     std::vector<Eigen::VectorXd> known;
@@ -125,7 +126,8 @@ TEST(LockedChart, EveryPointHasTheEigenvaluesThatItsCurveStates) {
         // Beside a double zero an eigenvalue is that of rounding, to its square root.
         const double gap = std::abs(values.array().abs().minCoeff());
         const double other = (values.array().abs() > gap).select(values.array().abs(), INFINITY).minCoeff();
-        const double allowed = curve.kind == CurveKind::hopf ? 1e-9 + 1e-12 / (p.frequency + 1e-12) : 1e-9 + 1e-12 / other;
+        const double allowed =
+            curve.kind == CurveKind::hopf ? 1e-9 + 1e-12 / (p.frequency + 1e-12) : 1e-9 + 1e-12 / other;
         EXPECT_LT(nearest(values, {0.0, curve.kind == CurveKind::hopf ? p.frequency : 0.0}), allowed)
             << curve_kind_names[static_cast<std::size_t>(curve.kind)] << " " << curve.of << " " << p.x << " " << p.y;
       }
@@ -177,7 +179,8 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
   };
   for (const auto& [places, cause] : {std::pair{&folds, BranchCause::fold}, {&hopfs, BranchCause::hopf}})
     for (const double x : *places) {
-      const ParameterLine line(study, "speed.final=" + std::to_string(x - 0.06) + ":" + std::to_string(x + 0.06) + ":0.04");
+      const ParameterLine line(study,
+                               "speed.final=" + std::to_string(x - 0.06) + ":" + std::to_string(x + 0.06) + ":0.04");
       ContinuationOptions options;
       options.starts = 60;
       options.threads = 2;
@@ -204,7 +207,9 @@ TEST(LockedChart, SpecialPointsHaveTheEigenvaluesThatNameThem) {
       Eigen::VectorXcd values = eigenvalues_at(*chart, at);
       std::sort(values.begin(), values.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });
       ++seen[static_cast<int>(p.kind)];
-      if (p.kind == SpecialKind::bogdanov_takens) EXPECT_LT(std::abs(values[1]), 2e-4) << p.x;  // root of rounding
+      if (p.kind == SpecialKind::bogdanov_takens) {
+        EXPECT_LT(std::abs(values[1]), 2e-4) << p.x;  // root of rounding
+      }
       if (p.kind == SpecialKind::fold_hopf || p.kind == SpecialKind::zero_hopf) {
         EXPECT_LT(std::abs(values[0]), 1e-7) << p.x;
         EXPECT_LT(nearest(values, {0.0, p.frequency}), 1e-7) << p.x;
@@ -229,7 +234,8 @@ TEST(LockedChart, FoldsMeetInACuspBeyondWhichTheMotorHasOneStateLess) {
       // Both ways from it along the fold the states merge pairwise; there are two more between than outside.
       int least = 99, most = 0;
       for (int k = 0; k < 24; ++k) {
-        const double x = p.x * (1.0 + 0.03 * std::cos(M_PI * k / 12.0)), y = p.y * (1.0 + 0.03 * std::sin(M_PI * k / 12.0));
+        const double x = p.x * (1.0 + 0.03 * std::cos(M_PI * k / 12.0)),
+                     y = p.y * (1.0 + 0.03 * std::sin(M_PI * k / 12.0));
         const model::System system = system_at(chart, x, y);
         const int count = static_cast<int>(locked_states(system, locked_kinds(system.parameters()).front()).size());
         least = std::min(least, count);
@@ -252,7 +258,8 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
       int stable = 0, unstable = 0;
       for (const Eigen::VectorXd& state : locked_states(system, kinds[n])) {
         Eigen::VectorXd pushed = state;
-        for (Eigen::Index i = 0; i < pushed.size(); ++i) pushed[i] += 1e-4 * std::cos(3.0 * static_cast<double>(i) + 1.0);
+        for (Eigen::Index i = 0; i < pushed.size(); ++i)
+          pushed[i] += 1e-4 * std::cos(3.0 * static_cast<double>(i) + 1.0);
         const auto later = advance_state(system, pushed, 3000.0);
         (later && (*later - state).norm() < 1e-5 ? stable : unstable) += 1;
       }
