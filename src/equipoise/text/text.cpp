@@ -148,7 +148,11 @@ std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
   const Shown shown(study);
-  const bool same = p.equal_balls();
+  // One number stands for all, in whatever planes the balls are.
+  const auto alike = [&](const auto& values) {
+    return std::count(&values[0], &values[0] + p.balls, values[0]) == p.balls;
+  };
+  const bool same = alike(p.mass) && alike(p.drag);
   if (p.balls == 0)
     text += words::text::no_balls_semicolon;
   else
