@@ -1,5 +1,7 @@
 // Lane arithmetic on every instruction set of this machine: sine and cosine against the C library, step factors.
+#include <algorithm>
 #include <cmath>
+#include <new>
 #include <random>
 #include <vector>
 
@@ -44,6 +46,24 @@ double coarse_round_trip(double a) {
   return out[0];
 }
 
+struct Registers {
+  Pack number[3];
+  Mask mask[3];
+};
+
+bool braces_make_zeros(unsigned char* place, std::size_t size) {
+  if (size < sizeof(Registers)) return false;
+  const Registers& made = *new (place) Registers{};
+  alignas(64) double out[8];
+  for (int i = 0; i < 3; ++i) {
+    made.number[i].store(out);
+    if (std::count(out, out + pack_lanes, 0.0) != static_cast<std::ptrdiff_t>(pack_lanes) ||
+        lane_bits(made.mask[i]) != 0)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
 HWY_AFTER_NAMESPACE();
@@ -53,6 +73,7 @@ namespace equipoise {
 HWY_EXPORT(sin_cos_array);
 HWY_EXPORT(step_factor);
 HWY_EXPORT(coarse_round_trip);
+HWY_EXPORT(braces_make_zeros);
 namespace {
 
 template <class Check>
@@ -65,6 +86,14 @@ void on_every_target(Check check) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
+}
+
+TEST(Pack, EmptyBracesMakeZerosOfWhateverWasThere) {
+  on_every_target([] {
+    alignas(64) unsigned char place[1024];
+    std::fill(std::begin(place), std::end(place), 0xff);
+    EXPECT_TRUE(HWY_DYNAMIC_DISPATCH(braces_make_zeros)(place, sizeof place));
+  });
 }
 
 TEST(Pack, SineAndCosineKeepTheirStatedErrors) {
