@@ -1,4 +1,5 @@
 // Lane arithmetic on every instruction set of this machine: sine and cosine against the C library, step factors.
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -44,6 +45,28 @@ double coarse_round_trip(double a) {
   return out[0];
 }
 
+struct Registers {
+  Pack number[3];
+  Mask mask[3];
+};
+
+// Of what was not set after it was made. Compilers may take what they know to be unset for anything.
+unsigned not_zero_after_braces(bool set, const double* from) {
+  Registers made{};
+  if (set) {
+    made.number[0] = made.number[2] = Pack::load(from);
+    made.mask[0] = made.number[1] < made.number[0];
+  }
+  alignas(64) double out[8];
+  unsigned result = 0;
+  for (const Pack& number : made.number) {
+    (number * Pack::load(from)).store(out);
+    result += pack_lanes - static_cast<unsigned>(std::count(out, out + pack_lanes, 0.0));
+  }
+  for (const Mask& mask : made.mask) result += lane_bits(mask);
+  return result;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise
 HWY_AFTER_NAMESPACE();
@@ -53,6 +76,7 @@ namespace equipoise {
 HWY_EXPORT(sin_cos_array);
 HWY_EXPORT(step_factor);
 HWY_EXPORT(coarse_round_trip);
+HWY_EXPORT(not_zero_after_braces);
 namespace {
 
 template <class Check>
@@ -65,6 +89,14 @@ void on_every_target(Check check) {
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
+}
+
+TEST(Pack, EmptyBracesMakeZeros) {
+  on_every_target([] {
+    alignas(64) const double from[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+    EXPECT_GT(HWY_DYNAMIC_DISPATCH(not_zero_after_braces)(true, from), 0u);
+    EXPECT_EQ(HWY_DYNAMIC_DISPATCH(not_zero_after_braces)(false, from), 0u);
+  });
 }
 
 TEST(Pack, SineAndCosineKeepTheirStatedErrors) {

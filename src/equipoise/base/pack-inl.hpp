@@ -28,8 +28,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 using PackTag = HWY_CAPPED(double, 8);
 inline constexpr std::size_t pack_lanes = HWY_LANES(double) < 8 ? HWY_LANES(double) : 8;
 
+// What `{}` makes is zero, or false. Highway's vectors and masks of Arm have constructors of their own, which leave
+// them as they are.
 struct Mask {
+#if HWY_ARCH_ARM && HWY_TARGET != HWY_SCALAR
+  hn::Mask<PackTag> m = hn::MaskFromVec(hn::Zero(PackTag()));
+#else
   hn::Mask<PackTag> m;
+#endif
   friend HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
   friend HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
 };
@@ -37,7 +43,11 @@ struct Mask {
 struct Pack {
   hn::Vec<PackTag> v;
 
+#if HWY_ARCH_ARM && HWY_TARGET != HWY_SCALAR
+  HWY_INLINE Pack() : v(hn::Zero(PackTag())) {}
+#else
   Pack() = default;
+#endif
   HWY_INLINE Pack(double s) : v(hn::Set(PackTag(), s)) {}
   HWY_INLINE explicit Pack(hn::Vec<PackTag> w) : v(w) {}
 
