@@ -99,7 +99,10 @@ TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
       for (int i = 0; i < 2; ++i) guess[i] = 0.3 * part(random);
       guess[2] = -system.speed() * guess[1];
       guess[3] = system.speed() * guess[0];
-      for (int i = 0; i < system.balls(); ++i) guess[model::index::phi(i)] = M_PI * part(random);
+      // Saddles are met from beside them only: half of the starts have the balls nearly in line with the rotor.
+      const double line = std::atan2(guess[1], guess[0]), spread = k % 2 ? M_PI : 0.3;
+      for (int i = 0; i < system.balls(); ++i)
+        guess[model::index::phi(i)] = line + (part(random) < 0.0 ? M_PI : 0.0) + spread * part(random);
       const auto rest = refine_equilibrium(system, guess);
       if (!rest || rest->state.head(2).norm() < 1e-6) continue;
       ++found;
@@ -168,10 +171,10 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
       const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
       if ((a.y - at) * (b.y - at) > 0.0 || a.others > 0) continue;
       const double x = a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x);
-      (curve.kind == CurveKind::fold ? folds : hopfs).push_back(x);
+      (curve.kind == CurveKind::fold ? folds : hopfs) = {x};  // one is enough: the search takes its time
     }
   }
-  ASSERT_FALSE(folds.empty() && hopfs.empty());
+  ASSERT_FALSE(folds.empty() || hopfs.empty());
   int compared = 0;
   // Of motions that exchange of balls leaves as they are, branches call a fold what may also be a pitchfork.
   const auto like = [](BranchCause told, BranchCause cause) {
@@ -180,9 +183,9 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
   for (const auto& [places, cause] : {std::pair{&folds, BranchCause::fold}, {&hopfs, BranchCause::hopf}})
     for (const double x : *places) {
       const ParameterLine line(study,
-                               "speed.final=" + std::to_string(x - 0.06) + ":" + std::to_string(x + 0.06) + ":0.04");
+                               "speed.final=" + std::to_string(x - 0.02) + ":" + std::to_string(x + 0.02) + ":0.04");
       ContinuationOptions options;
-      options.starts = 60;
+      options.starts = 20;
       options.threads = 2;
       const BranchesResult branches = follow_attractors(study, line, options);
       bool met = false;
@@ -192,7 +195,7 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
       EXPECT_TRUE(met) << x << " " << static_cast<int>(cause);
       ++compared;
     }
-  EXPECT_GE(compared, 1);
+  EXPECT_EQ(compared, 2);
 }
 
 TEST(LockedChart, SpecialPointsHaveTheEigenvaluesThatNameThem) {
@@ -274,7 +277,7 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
   for (std::size_t k = 0; k < chart.region_of.size(); ++k)
     EXPECT_EQ(chart.regions[static_cast<std::size_t>(chart.region_of[k])].balance, chart.plane.points[k].kind);
   EXPECT_TRUE(holds(chart_text(chart), "balls together stable")) << chart_text(chart);
-  EXPECT_TRUE(holds(chart_plot_script(chart, "", "x.svg"), "set label 1 \"A\""));
+  EXPECT_TRUE(holds(chart_plot_script(chart, "", "x.svg"), "set label 1 "));
 }
 
 TEST(LockedChart, IsTheSameWhateverTheThreads) {
