@@ -80,7 +80,7 @@ double nearest(const Eigen::VectorXcd& values, std::complex<double> value) {
 TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
   for (const char* balls :
        {"balls = 2\nmass = 0.05", "balls = 3\nmass = 0.02", "balls = 3\nmass = [0.03, 0.01, 0.01]"}) {
-    const Study study = study_of(with(with(constant_speed, "balls = 2\nmass = 0.05", balls), "0.01", "0.06"));
+    const Study study = study_of(with(with(constant_speed, "balls = 2\nmass = 0.05", balls), "0.01", "0.055"));
     const model::System system = study.system();
     std::vector<Eigen::VectorXd> known;
     for (const LockedKind& kind : locked_kinds(study.parameters))
@@ -99,7 +99,10 @@ TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
       for (int i = 0; i < 2; ++i) guess[i] = 0.3 * part(random);
       guess[2] = -system.speed() * guess[1];
       guess[3] = system.speed() * guess[0];
-      for (int i = 0; i < system.balls(); ++i) guess[model::index::phi(i)] = M_PI * part(random);
+      // Saddles are met from beside them only: half of the starts have the balls nearly in line with the rotor.
+      const double line = std::atan2(guess[1], guess[0]), spread = k % 2 ? M_PI : 0.3;
+      for (int i = 0; i < system.balls(); ++i)
+        guess[model::index::phi(i)] = line + (part(random) < 0.0 ? M_PI : 0.0) + spread * part(random);
       const auto rest = refine_equilibrium(system, guess);
       if (!rest || rest->state.head(2).norm() < 1e-6) continue;
       ++found;
@@ -159,19 +162,19 @@ TEST(LockedChart, TwoBallsTogetherMergeWhereTheClosedFormSays) {
 }
 
 TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
-  Study study = study_of(with(constant_speed, "eccentricity = 0.01", "eccentricity = 0.08"));
-  const double at = 0.08;
+  const auto unbalance = [](CurveKind kind) { return kind == CurveKind::fold ? 0.08 : 0.12; };
   std::vector<double> folds, hopfs;
   for (const ChartCurve& curve : over_unbalance().curves) {
     if (curve.of != "balls together") continue;
+    const double at = unbalance(curve.kind);
     for (std::size_t k = 1; k < curve.points.size(); ++k) {
       const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
       if ((a.y - at) * (b.y - at) > 0.0 || a.others > 0) continue;
       const double x = a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x);
-      (curve.kind == CurveKind::fold ? folds : hopfs).push_back(x);
+      (curve.kind == CurveKind::fold ? folds : hopfs) = {x};  // one is enough: the search takes its time
     }
   }
-  ASSERT_FALSE(folds.empty() && hopfs.empty());
+  ASSERT_FALSE(folds.empty() || hopfs.empty());
   int compared = 0;
   // Of motions that exchange of balls leaves as they are, branches call a fold what may also be a pitchfork.
   const auto like = [](BranchCause told, BranchCause cause) {
@@ -179,10 +182,12 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
   };
   for (const auto& [places, cause] : {std::pair{&folds, BranchCause::fold}, {&hopfs, BranchCause::hopf}})
     for (const double x : *places) {
+      Study study = study_of(constant_speed);
+      study.parameters.eccentricity = unbalance(cause == BranchCause::fold ? CurveKind::fold : CurveKind::hopf);
       const ParameterLine line(study,
-                               "speed.final=" + std::to_string(x - 0.06) + ":" + std::to_string(x + 0.06) + ":0.04");
+                               "speed.final=" + std::to_string(x - 0.02) + ":" + std::to_string(x + 0.02) + ":0.04");
       ContinuationOptions options;
-      options.starts = 60;
+      options.starts = 20;
       options.threads = 2;
       const BranchesResult branches = follow_attractors(study, line, options);
       bool met = false;
@@ -192,7 +197,7 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
       EXPECT_TRUE(met) << x << " " << static_cast<int>(cause);
       ++compared;
     }
-  EXPECT_GE(compared, 1);
+  EXPECT_EQ(compared, 2);
 }
 
 TEST(LockedChart, SpecialPointsHaveTheEigenvaluesThatNameThem) {
@@ -274,7 +279,7 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
   for (std::size_t k = 0; k < chart.region_of.size(); ++k)
     EXPECT_EQ(chart.regions[static_cast<std::size_t>(chart.region_of[k])].balance, chart.plane.points[k].kind);
   EXPECT_TRUE(holds(chart_text(chart), "balls together stable")) << chart_text(chart);
-  EXPECT_TRUE(holds(chart_plot_script(chart, "", "x.svg"), "set label 1 \"A\""));
+  EXPECT_TRUE(holds(chart_plot_script(chart, "", "x.svg"), "set label 1 "));
 }
 
 TEST(LockedChart, IsTheSameWhateverTheThreads) {

@@ -100,25 +100,18 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
     for (const SpecialPoint& p : chart.specials)
       script += fmt::format("{:.8g} {:.8g}\n", p.x * x.factor, p.y * y.factor);
     script += "EOD\n";
-    add("$special with points pointtype 7 pointsize 2.6 linecolor rgb '#FFFFFF' notitle");
-    add(fmt::format("$special with points pointtype 6 pointsize 2.2 linewidth 3 linecolor rgb '#000000' title {}",
+    add("$special with points pointtype 7 pointsize 1.7 linecolor rgb '#FFFFFF' notitle");
+    add(fmt::format("$special with points pointtype 6 pointsize 1.4 linewidth 3 linecolor rgb '#000000' title {}",
                     quoted(words::chart::legend_special)));
   }
-  int lines = 0;
   if (const std::size_t regions = told_regions(chart); regions > 1) {
     const std::string unseen = "keyentry with lines linecolor rgb '#FFFFFF' title ";
+    add(unseen + quoted(words::chart::legend_regions));
     for (std::size_t k = 0; k < regions; ++k) {
       const ChartRegion& r = chart.regions[k];
       script += fmt::format("set label {} {} at {:.8g},{:.8g} center front font ',22' textcolor rgb '#1A1A1A'\n", k + 1,
                             quoted(region_letter(k)), r.x * x.factor, r.y * y.factor);
-      std::string words = region_letter(k) + ": " + region_words(chart, r);  // a state a line
-      for (std::size_t at = words.find("; "); at != std::string::npos; at = words.find("; ")) {
-        add(unseen + quoted(words.substr(0, at)));
-        words = "     " + words.substr(at + 2);
-        ++lines;
-      }
-      add(unseen + quoted(words));
-      ++lines;
+      add(unseen + quoted(region_letter(k) + ": " + stable_words(chart, r)));
     }
   }
   if (items.empty()) add("NaN notitle");
@@ -129,8 +122,7 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
                         plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
   script +=
       "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set key outside right top vertical Left reverse samplen 2.2 width 1 ";
-  script += lines > 10 ? "spacing 1.0 font ',13'\n" : "spacing 1.3\n";
+      "set key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
   return script + "plot " + items + "\n";
 }
 

@@ -21,6 +21,14 @@ std::string region_words(const BifurcationChart& chart, const ChartRegion& regio
   return text;
 }
 
+std::string stable_words(const BifurcationChart& chart, const ChartRegion& region) {
+  std::vector<std::string> stable;
+  if (region.balance == BalanceKind::stable) stable.push_back(of_balance);
+  for (std::size_t k = 0; k < region.locked.size(); ++k)
+    if (region.locked[k].stable > 0) stable.push_back(chart.locked[k]);
+  return stable.empty() ? words::chart::legend_no_region : fmt::format("{}", fmt::join(stable, ", "));
+}
+
 std::size_t told_regions(const BifurcationChart& chart) {
   constexpr std::size_t letters = 26;
   std::size_t count = 0;

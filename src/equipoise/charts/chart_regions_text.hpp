@@ -12,6 +12,9 @@ namespace equipoise {
 /// "balance stable; balls together unstable (2)".
 std::string region_words(const BifurcationChart& chart, const ChartRegion& region);
 
+/// Of them those that are stable: "balance, balls together".
+std::string stable_words(const BifurcationChart& chart, const ChartRegion& region);
+
 /// Regions that are told of and drawn, the largest first: no part below half a percent, and at most as many as letters.
 std::size_t told_regions(const BifurcationChart& chart);
 /// "A" of the largest.

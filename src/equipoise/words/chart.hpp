@@ -128,6 +128,8 @@ inline constexpr char legend_proved[] = "proved: {}";
 inline constexpr char legend_fold[] = "two locked states merge";
 inline constexpr char legend_pitchfork[] = "balls of a locked state part";
 inline constexpr char legend_locked_hopf[] = "a locked state begins to swing";
+inline constexpr char legend_regions[] = "at rest and stable:";
+inline constexpr char legend_no_region[] = "nothing";
 inline constexpr char legend_open[] = "not decided";
 inline constexpr char legend_special[] = "where curves change their kind";
 
