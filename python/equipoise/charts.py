@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from html import escape
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -24,12 +24,15 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve on which balance changes.
+    """A curve on which balance or a locked state changes.
 
     Attributes
     ----------
     kind : str
-        "hopf": a pair of eigenvalues crosses; "zero": a real one does; "existence": the balanced state ends.
+        "hopf": a pair of eigenvalues crosses; "zero": a real one does; "existence": the balanced state ends; "fold": two
+        locked states merge; "pitchfork": alike balls of one part.
+    of : str
+        "balance", or the locked state by where its balls are: "balls together".
     ends : tuple[str, str]
         Why it ends: "plane", "closed", "no-balance", "no-pair", "lost".
     x, y : ndarray
@@ -39,10 +42,11 @@ class Curve:
     lyapunov : ndarray
         First Lyapunov coefficient: growth rate per square of the largest swing, omega_c/rad^2. Negative: balance is lost softly.
     others : ndarray of int
-        Unstable eigenvalues besides the pair: 0 where balance itself loses stability.
+        Unstable eigenvalues besides those that cross: 0 where the state itself loses stability.
     """
 
     kind: str
+    of: str
     ends: tuple[str, str]
     x: Array
     y: Array
@@ -55,7 +59,7 @@ class Curve:
 class SpecialPoint:
     """A point where a curve changes its kind.
 
-    `kind` is "generalised-hopf", "double-hopf", "zero-hopf" or "bogdanov-takens"; `curve` the number of its curve; `x`, `y`
+    `kind` is "generalised-hopf", "double-hopf", "zero-hopf", "bogdanov-takens", "cusp" or "fold-hopf"; `curve` the number of its curve; `x`, `y`
     its place; `frequency` that of the curve's pair; `second` that of a double Hopf point's other pair.
     """
 
@@ -72,7 +76,7 @@ def _numbers(values: list[Optional[float]]) -> Array:
 
 
 class ChartResult(Result):
-    """Curves on which balance changes, and boxes in which it is proved.
+    """Curves on which balance and locked states change, regions by what exists, and boxes in which balance is proved.
 
     Attributes
     ----------
@@ -80,6 +84,11 @@ class ChartResult(Result):
         What `text` begins with.
     curves : list[Curve]
     specials : list[SpecialPoint]
+    regions : list[dict]
+        Connected parts of the grid by what is at rest there, the largest first: "states" in words, "balance", "locked" (by
+        name how many are "stable" and "unstable"), "part" of the grid, and the place "x", "y" farthest from its edge.
+    region_of : ndarray of int
+        By point of the grid, rows following y: the number of its region.
     boxes : ndarray (n, 4)
         x from, x to, y from, y to; empty if nothing was proved.
     box_kind : ndarray (n,)
@@ -94,12 +103,15 @@ class ChartResult(Result):
         self.answer: str = data["answer"]
         self.curves: list[Curve] = [
             Curve(
-                c["kind"], (c["ends"][0], c["ends"][1]), _numbers(c["x"]), _numbers(c["y"]), _numbers(c["frequency"]),
+                c["kind"], c["of"], (c["ends"][0], c["ends"][1]), _numbers(c["x"]), _numbers(c["y"]), _numbers(c["frequency"]),
                 _numbers(c["lyapunov"]), np.array(c["others"], dtype=np.int64),
             )
             for c in data["curves"]
         ]
         self.specials: list[SpecialPoint] = [SpecialPoint(**point) for point in data["specials"]]
+        self.regions: list[dict[str, Any]] = data["regions"]
+        region_of = np.array(data["region_of"], dtype=np.int64)
+        self.region_of: npt.NDArray[np.int64] = region_of.reshape(-1, data["x"]["points"]) if region_of.size else region_of
         proof = data["proof"] or {"boxes": []}
         boxes = np.array(proof["boxes"], dtype=float).reshape(-1, 5)
         self.boxes: Array = boxes[:, :4]
@@ -110,8 +122,8 @@ class ChartResult(Result):
         return f"<ChartResult of {self.study.name}: {len(self.curves)} curves, {len(self.specials)} special points>"
 
     def _repr_html_(self) -> str:
-        rows = [(c.kind, f"{c.x[0]:.5g}, {c.y[0]:.5g}", f"{c.x[-1]:.5g}, {c.y[-1]:.5g}") for c in self.curves]
-        return f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}" + table(("curve", "from", "to"), rows)
+        rows = [(c.kind, c.of, f"{c.x[0]:.5g}, {c.y[0]:.5g}", f"{c.x[-1]:.5g}, {c.y[-1]:.5g}") for c in self.curves]
+        return f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}" + table(("curve", "of", "from", "to"), rows)
 
     def to_csv(self) -> str:
         """The table that the command line writes with ``--csv``."""

@@ -155,7 +155,10 @@ def test_chart(program, tmp_path):
     assert without_times(made.data) == without_times(told(program, "chart", PAPER, *axes))
     assert sum(made.proved.values()) == pytest.approx(1.0) and made.proved["open"] <= 0.02
     curves = eq.curve(study, size=24, **ranges)
-    assert [c.kind for c in curves] == ["hopf"] * len(curves) and len(curves) == len(made.curves)
+    assert [c.kind for c in curves] == [c.kind for c in made.curves]
+    assert [c.kind for c in curves if c.of == "balance"] == ["hopf"] * sum(c.of == "balance" for c in curves)
+    assert any(c.of != "balance" for c in curves) and made.region_of.shape == (24, 24)
+    assert sum(r["part"] for r in made.regions) == pytest.approx(1.0) and "balance stable" in made.regions[0]["states"]
     point = curves[0]
     k = len(point.x) // 2
     for side, kind in ((1.0 - 1e-6, 2), (1.0 + 1e-6, 1)):  # below the curve of that drag unstable, above it stable

@@ -21,7 +21,7 @@ class Results(Case):
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
         text = " ".join(done.stdout.split())
         for words in ("softly along", "abruptly", "Proved by interval arithmetic: stable all over", "generalised Hopf: softly",
-                      "double Hopf: two swings", "2 curves"):
+                      "double Hopf: two swings", "balls together", "balance stable", "5 curves"):
             self.assertIn(words, text)
 
     def test_files_and_json_agree(self):

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/charts/chart_regions_text.hpp"
 #include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
@@ -17,23 +18,29 @@ namespace equipoise {
 namespace {
 
 // How a piece of a curve is drawn.
-enum class Stroke { soft, abrupt, hopf, zero, existence };
+enum class Stroke { soft, abrupt, hopf, zero, existence, fold, pitchfork, locked_hopf };
 
 struct StrokeStyle {
   Stroke stroke;
   const char* look;
   const char* words;
 };
-constexpr std::array<StrokeStyle, 5> strokes{{
+constexpr std::array<StrokeStyle, 8> strokes{{
     {Stroke::soft, "linecolor rgb '#000000' linewidth 4", words::chart::legend_soft},
     {Stroke::abrupt, "linecolor rgb '#C00000' linewidth 4 dashtype (10,6)", words::chart::legend_abrupt},
     {Stroke::hopf, "linecolor rgb '#000000' linewidth 1.5", words::chart::legend_hopf},
     {Stroke::zero, "linecolor rgb '#000000' linewidth 2 dashtype (3,4)", words::chart::legend_zero},
     {Stroke::existence, "linecolor rgb '#444444' linewidth 2.5 dashtype (12,4,3,4)", words::chart::legend_existence},
+    {Stroke::fold, "linecolor rgb '#6A3D9A' linewidth 3", words::chart::legend_fold},
+    {Stroke::pitchfork, "linecolor rgb '#6A3D9A' linewidth 3 dashtype (3,5)", words::chart::legend_pitchfork},
+    {Stroke::locked_hopf, "linecolor rgb '#1B7837' linewidth 3 dashtype (9,4)", words::chart::legend_locked_hopf},
 }};
 
 Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
   if (curve.kind == CurveKind::zero) return Stroke::zero;
+  if (curve.kind == CurveKind::fold) return Stroke::fold;
+  if (curve.kind == CurveKind::pitchfork) return Stroke::pitchfork;
+  if (curve.of != of_balance) return Stroke::locked_hopf;
   if (curve.kind == CurveKind::existence) return Stroke::existence;
   if (p.others > 0 || std::isnan(p.lyapunov)) return Stroke::hopf;
   return p.lyapunov < 0.0 ? Stroke::soft : Stroke::abrupt;
@@ -93,9 +100,19 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
     for (const SpecialPoint& p : chart.specials)
       script += fmt::format("{:.8g} {:.8g}\n", p.x * x.factor, p.y * y.factor);
     script += "EOD\n";
-    add("$special with points pointtype 7 pointsize 2.6 linecolor rgb '#FFFFFF' notitle");
-    add(fmt::format("$special with points pointtype 6 pointsize 2.2 linewidth 3 linecolor rgb '#000000' title {}",
+    add("$special with points pointtype 7 pointsize 1.7 linecolor rgb '#FFFFFF' notitle");
+    add(fmt::format("$special with points pointtype 6 pointsize 1.4 linewidth 3 linecolor rgb '#000000' title {}",
                     quoted(words::chart::legend_special)));
+  }
+  if (const std::size_t regions = told_regions(chart); regions > 1) {
+    const std::string unseen = "keyentry with lines linecolor rgb '#FFFFFF' title ";
+    add(unseen + quoted(words::chart::legend_regions));
+    for (std::size_t k = 0; k < regions; ++k) {
+      const ChartRegion& r = chart.regions[k];
+      script += fmt::format("set label {} {} at {:.8g},{:.8g} center front font ',22' textcolor rgb '#1A1A1A'\n", k + 1,
+                            quoted(region_letter(k)), r.x * x.factor, r.y * y.factor);
+      add(unseen + quoted(region_letter(k) + ": " + stable_words(chart, r)));
+    }
   }
   if (items.empty()) add("NaN notitle");
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),

@@ -2,6 +2,7 @@
 #include "equipoise/charts/chart_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
+#include "equipoise/charts/chart_regions_text.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/text.hpp"
@@ -21,6 +23,7 @@ namespace {
 
 BalanceLoss loss_on(const BifurcationChart& chart, const ChartCurve& curve) {
   BalanceLoss loss;
+  if (curve.of != of_balance) return loss;
   const double wide = chart.plane.x.high - chart.plane.x.low, high = chart.plane.y.high - chart.plane.y.low;
   for (std::size_t k = 1; k < curve.points.size(); ++k) {
     const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
@@ -78,13 +81,18 @@ std::string proof_sentence(const BifurcationChart& chart) {
 std::string place_text(double x, double y) { return fmt::format("{:.4g}, {:.4g}", x, y); }
 
 const char* curve_words(CurveKind kind) {
-  return kind == CurveKind::hopf   ? words::chart::is_hopf
-         : kind == CurveKind::zero ? words::chart::is_zero
-                                   : words::chart::is_existence;
+  constexpr std::array words{words::chart::is_hopf, words::chart::is_zero, words::chart::is_existence,
+                             words::chart::is_fold, words::chart::is_pitchfork};
+  return words[static_cast<std::size_t>(kind)];
 }
 
 const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
   if (curve.kind == CurveKind::existence) return words::chart::how_ends;
+  if (curve.of != of_balance) {
+    const auto stable = [](const CurvePoint& p) { return p.others == 0; };
+    const bool some = std::any_of(curve.points.begin(), curve.points.end(), stable);
+    return some ? words::chart::how_stable_state : words::chart::how_unstable_states;
+  }
   const BalanceLoss loss = loss_on(chart, curve);
   if (loss.real > 0.0) return words::chart::how_real;
   if (loss.soft > 0.0 && loss.abrupt > 0.0) return words::chart::how_both;
@@ -110,6 +118,10 @@ const char* special_words(SpecialKind kind) {
       return words::chart::is_double_hopf;
     case SpecialKind::zero_hopf:
       return words::chart::is_zero_hopf;
+    case SpecialKind::cusp:
+      return words::chart::is_cusp;
+    case SpecialKind::fold_hopf:
+      return words::chart::is_fold_hopf;
     default:
       return words::chart::is_bogdanov_takens;
   }
@@ -118,12 +130,12 @@ const char* special_words(SpecialKind kind) {
 std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
   namespace w = words::chart;
   DocumentTable table{
-      {w::curve, w::what_crosses, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {4, 3}};
+      {w::curve, w::what_crosses, w::of, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {5, 4}};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const ChartCurve& c = chart.curves[k];
     const CurvePoint &a = c.points.front(), &b = c.points.back();
-    table.rows.push_back(row_of("nttttt", {fmt::format("{}", k + 1), curve_words(c.kind), place_text(a.x, a.y),
-                                           place_text(b.x, b.y), frequency_text(c), loss_words(chart, c)}));
+    table.rows.push_back(row_of("ntttttt", {fmt::format("{}", k + 1), curve_words(c.kind), c.of, place_text(a.x, a.y),
+                                            place_text(b.x, b.y), frequency_text(c), loss_words(chart, c)}));
   }
   return table_text(table, style);
 }
@@ -154,7 +166,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
     text += words::chart::boxes_used_up;
-  text += plane_notes(chart.plane);
+  text += region_notes(chart) + plane_notes(chart.plane);
   if (!chart.complete && chart.plane.complete) text += words::chart::partial;
   return text;
 }
@@ -164,7 +176,7 @@ using ChartJson = nlohmann::ordered_json;
 ChartJson chart_number(double value) { return std::isfinite(value) ? ChartJson(value) : ChartJson(nullptr); }
 
 ChartJson curve_json(const ChartCurve& c) {
-  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
+  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}, {"of", c.of}};
   for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
   json["error"] = c.error;
   for (const char* name : {"x", "y", "frequency", "lyapunov", "others"}) json[name] = ChartJson::array();
@@ -205,6 +217,7 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   text += lines_filled(plane_heading(chart.plane), style) + "\n";
   if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
+  if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
   return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
                                                               chart.curves.size() == 1 ? "" : "s", chart.boxes.size(),
                                                               computed_text(chart), version_string),
@@ -226,6 +239,20 @@ std::string chart_json(const BifurcationChart& chart) {
                                 {"y", p.y},
                                 {"frequency", p.frequency},
                                 {"second", p.second}});
+  json["regions"] = ChartJson::array();
+  for (const ChartRegion& r : chart.regions) {
+    ChartJson region{
+        {"states", region_words(chart, r)},
+        {"balance", balance_kind_names[static_cast<std::size_t>(std::max(0, static_cast<int>(r.balance)))]},
+        {"locked", ChartJson::object()},
+        {"part", r.part},
+        {"x", r.x},
+        {"y", r.y}};
+    for (std::size_t k = 0; k < r.locked.size(); ++k)
+      region["locked"][chart.locked[k]] = {{"stable", r.locked[k].stable}, {"unstable", r.locked[k].unstable}};
+    json["regions"].push_back(std::move(region));
+  }
+  json["region_of"] = chart.region_of;
   const BalanceLoss loss = balance_loss(chart);
   json["loss"] = {{"soft", loss.soft}, {"abrupt", loss.abrupt}, {"unknown", loss.unknown}, {"real", loss.real}};
   ChartJson proof{{"stable", chart.proved(ProvedKind::stable)},
@@ -242,13 +269,14 @@ std::string chart_json(const BifurcationChart& chart) {
 }
 
 std::string chart_csv(const BifurcationChart& chart) {
-  std::string text = fmt::format("curve,kind,{},{},frequency,lyapunov,others\n", chart.plane.x.key, chart.plane.y.key);
+  std::string text =
+      fmt::format("curve,kind,of,{},{},frequency,lyapunov,others\n", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {
       const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", k + 1,
-                     curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)], p.x, p.y, number(p.frequency),
-                     number(p.lyapunov), p.others);
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", k + 1,
+                     curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)], chart.curves[k].of, p.x, p.y,
+                     number(p.frequency), number(p.lyapunov), p.others);
     }
   return text;
 }

@@ -19,6 +19,14 @@ const Study* BalancePlane::study_at(const Eigen::VectorXd& at) const {
   return &study_;
 }
 
+std::optional<model::System> BalancePlane::system(const Eigen::VectorXd& at) const {
+  const Study* study = study_at(at);
+  std::optional<model::System> found;
+  if (study) found.emplace(study->system());
+  if (found && found->prescribed() && found->speed() == 0.0) return std::nullopt;
+  return found;
+}
+
 std::optional<BalanceSpectrum> BalancePlane::spectrum(const Eigen::VectorXd& at) const {
   const Study* study = study_at(at);
   return study ? balance_spectrum(*study) : std::nullopt;

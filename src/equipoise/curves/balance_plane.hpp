@@ -21,6 +21,8 @@ class BalancePlane {
     return Eigen::Vector2d((x - x_.low) / (x_.high - x_.low), (y - y_.low) / (y_.high - y_.low));
   }
 
+  /// Empty where no study can have the values, and where nothing turns.
+  std::optional<model::System> system(const Eigen::VectorXd& at) const;
   /// Empty without a balanced state, and where no study can have the values.
   std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const;
   /// lambda + sum mu_i - 2 max(lambda, mu_i).

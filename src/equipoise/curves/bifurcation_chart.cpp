@@ -1,9 +1,10 @@
-// The grid, then the curves, then the proof.
+// The grid, then the curves and regions, then the proof.
 #include "equipoise/curves/bifurcation_chart.hpp"
 
 #include <chrono>
 
 #include "equipoise/curves/curve_starts.hpp"
+#include "equipoise/curves/locked_grid.hpp"
 #include "equipoise/curves/proof_boxes.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/planes/chart_file.hpp"
@@ -31,7 +32,9 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   chart.plane = stability(study, grid);
   if (chart.plane.complete) {
     const PlaneStudies studies(study, settings.x, settings.y);
-    add_curves(BalancePlane(studies, settings.x, settings.y), settings.stop, chart);
+    const BalancePlane plane(studies, settings.x, settings.y);
+    add_curves(plane, settings.stop, chart);
+    add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
   }

@@ -22,7 +22,7 @@ VectorXd last_unit(Eigen::Index size) { return VectorXd::Unit(size, size - 1); }
 }  // namespace
 
 // Central differences: their error only slows Newton's method, which corrects until the equations hold.
-std::optional<MatrixXd> CurveFollower::slopes(const VectorXd& at) const {
+std::optional<MatrixXd> CurveFollower::differences(const VectorXd& at) const {
   constexpr double step = 1e-6;
   MatrixXd result(at.size() - 1, at.size());
   for (Eigen::Index k = 0; k < at.size(); ++k) {

@@ -16,7 +16,11 @@ class CurveFollower {
 
   static constexpr double longest_step = 0.01, shortest_step = 1e-7, precision = 1e-11;
 
-  explicit CurveFollower(Equations equations) : equations_(std::move(equations)) {}
+  using Slopes = std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd&)>;
+
+  /// `slopes`: derivatives of the equations; differences() if there are none.
+  explicit CurveFollower(Equations equations, Slopes slopes = {})
+      : equations_(std::move(equations)), slopes_(std::move(slopes)) {}
 
   /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to `precision`.
   std::optional<Eigen::VectorXd> at_plane(const Eigen::VectorXd& guess, const Eigen::VectorXd& normal) const;
@@ -32,13 +36,19 @@ class CurveFollower {
   /// if even the shortest step fails.
   std::optional<Step> next(const Step& from, double& step) const;
 
+  /// Derivatives by central differences.
+  std::optional<Eigen::MatrixXd> differences(const Eigen::VectorXd& at) const;
+
   /// Last correction of the points that were found: their largest distance from the curve.
   double error() const { return error_; }
 
  private:
-  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const;
+  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const {
+    return slopes_ ? slopes_(at) : differences(at);
+  }
 
   Equations equations_;
+  Slopes slopes_;
   mutable double error_ = 0.0;
 };
 

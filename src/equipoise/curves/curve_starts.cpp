@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "equipoise/curves/balance_curve.hpp"
+#include "equipoise/curves/chart_curves.hpp"
 
 namespace equipoise {
 
 namespace {
 
 using Eigen::VectorXd;
-
-// A curve's places are nearer to each other than CurveFollower::longest_step; it turns by less than 0.1 between two.
-constexpr double beside = 1e-3;
 
 struct CurveStart {
   CurveKind kind = CurveKind::hopf;
@@ -75,45 +73,11 @@ class CurveSearch {
     return other;
   }
 
-  bool known(const CurveStart& start) const {
-    const double x = plane_.x(start.at), y = plane_.y(start.at);
-    const double frequency = std::sqrt(std::max(0.0, start.pair.product));
-    for (const ChartCurve& curve : chart_.curves) {
-      if (curve.kind != start.kind) continue;
-      for (std::size_t k = 1; k < curve.points.size(); ++k) {
-        const CurvePoint &p = curve.points[k - 1], &q = curve.points[k];
-        const VectorXd a = plane_.place(p.x, p.y), chord = plane_.place(q.x, q.y) - a;
-        const VectorXd offset = plane_.place(x, y) - a;
-        const double length = std::max(chord.squaredNorm(), 1e-300);
-        const double part = std::clamp(offset.dot(chord) / length, 0.0, 1.0);
-        if ((offset - part * chord).norm() > beside) continue;
-        // Two Hopf curves that cross have different frequencies.
-        if (start.kind != CurveKind::hopf || std::fabs(p.frequency - frequency) < 0.05 * (1.0 + frequency)) return true;
-      }
-    }
-    return false;
-  }
-
   void follow(const CurveStart& start) {
-    if (known(start)) return;
+    if (is_known(plane_, chart_, start.kind, of_balance, start.at, std::sqrt(std::max(0.0, start.pair.product))))
+      return;
     BalanceCurve curve(plane_, start.kind, start.pair);
-    if (!curve.follow(start.at, stop_)) return;
-    ChartCurve found{start.kind, {}, curve.ends(), curve.error()};
-    for (const CurvePlace& p : curve.places()) found.points.push_back(p.point);
-    for (SpecialPoint special : curve.specials()) {
-      special.curve = chart_.curves.size();
-      if (!known(special)) chart_.specials.push_back(special);
-    }
-    found.error = std::max(found.error, curve.error());
-    chart_.curves.push_back(std::move(found));
-  }
-
-  // Where two curves cross, a point is found on each.
-  bool known(const SpecialPoint& point) const {
-    const VectorXd at = plane_.place(point.x, point.y);
-    return std::any_of(chart_.specials.begin(), chart_.specials.end(), [&](const SpecialPoint& other) {
-      return other.kind == point.kind && (plane_.place(other.x, other.y) - at).norm() < 1e-7;
-    });
+    if (curve.follow(start.at, stop_)) add_curve(plane_, start.kind, of_balance, curve, chart_);
   }
 
   const BalancePlane& plane_;

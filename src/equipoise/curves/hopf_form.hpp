@@ -14,7 +14,8 @@ struct HopfForm {
 };
 /// At a state of which a pair with about this frequency lies on the imaginary axis. First Lyapunov coefficient as in
 /// Kuznetsov, Elements of Applied Bifurcation Theory, section 5.4, with exact derivatives and this scale of the
-/// eigenvector. Empty for a member of a continuum, under a motor, and where the pair is no pair or another eigenvalue is 0.
+/// eigenvector. Empty for a member of a continuum, under a motor, and where the pair is no pair or another eigenvalue
+/// is 0.
 std::optional<HopfForm> hopf_form(const BalanceSpectrum& at, double frequency);
 
 }  // namespace equipoise

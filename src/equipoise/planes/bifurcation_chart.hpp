@@ -1,8 +1,9 @@
-// Curves in a plane of two parameters on which balance changes, the points where they change their kind, and boxes in
-// which it is proved what balance does.
+// Curves in a plane of two parameters on which balance and locked states change, the points where they change their
+// kind, regions by what exists and is stable, and boxes in which it is proved what balance does.
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -14,11 +15,16 @@ namespace equipoise {
 
 /// What happens on a curve. The values stand in files.
 enum class CurveKind : signed char {
-  hopf = 0,       ///< a pair of eigenvalues at balance crosses the imaginary axis
+  hopf = 0,       ///< a pair of eigenvalues crosses the imaginary axis
   zero = 1,       ///< a real eigenvalue at balance crosses zero
   existence = 2,  ///< the balls just reach: in line they cancel the unbalance; beyond there is no balanced state
+  fold = 3,       ///< two locked states merge; beyond there is neither
+  pitchfork = 4,  ///< alike balls of a locked state part, with the rotor centred: a real eigenvalue crosses zero
 };
-inline constexpr std::array<const char*, 3> curve_kind_names{"hopf", "zero", "existence"};
+inline constexpr std::array<const char*, 5> curve_kind_names{"hopf", "zero", "existence", "fold", "pitchfork"};
+
+/// What a curve is of that is not of a locked state; locked states have their own names.
+inline constexpr char of_balance[] = "balance";
 
 struct CurvePoint {
   double x = 0.0, y = 0.0;
@@ -26,7 +32,9 @@ struct CurvePoint {
   /// First Lyapunov coefficient as a change of the growth rate: omega_c per square of the largest swing of a ball, in
   /// radians. Negative: a swing that grows settles small (supercritical). Not a number of continua.
   double lyapunov = frequency;
-  int others = 0;  ///< unstable eigenvalues besides the pair: 0 where balance itself loses stability
+  int others = 0;  ///< unstable eigenvalues besides those that cross: 0 where the state itself loses stability
+  std::vector<double> state;                ///< of model::System, that of which this is a point; none of `existence`
+  std::vector<std::complex<double>> rates;  ///< its eigenvalues, those that grow most first
 };
 
 /// Why a curve ends. The values stand in files.
@@ -41,6 +49,7 @@ inline constexpr std::array<const char*, 5> curve_end_names{"plane", "closed", "
 
 struct ChartCurve {
   CurveKind kind = CurveKind::hopf;
+  std::string of = of_balance;     ///< or the locked state's name
   std::vector<CurvePoint> points;  ///< in order along the curve
   std::array<CurveEnd, 2> ends{};  ///< of the first and the last point
   double error = 0.0;              ///< no point is farther from the curve, as a part of the plane's sides
@@ -52,9 +61,11 @@ enum class SpecialKind : signed char {
   double_hopf = 1,       ///< a second pair lies on the imaginary axis
   zero_hopf = 2,         ///< a real eigenvalue is zero beside the pair
   bogdanov_takens = 3,   ///< the pair's frequency is 0
+  cusp = 4,              ///< two folds meet
+  fold_hopf = 5,         ///< a pair lies on the imaginary axis where two locked states merge
 };
-inline constexpr std::array<const char*, 4> special_kind_names{"generalised-hopf", "double-hopf", "zero-hopf",
-                                                               "bogdanov-takens"};
+inline constexpr std::array<const char*, 6> special_kind_names{"generalised-hopf", "double-hopf", "zero-hopf",
+                                                               "bogdanov-takens",  "cusp",        "fold-hopf"};
 
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::generalised_hopf;
@@ -62,6 +73,20 @@ struct SpecialPoint {
   double x = 0.0, y = 0.0;
   double frequency = 0.0;  ///< of the curve's pair
   double second = 0.0;     ///< of a double Hopf point's other pair
+  std::vector<double> state;
+};
+
+/// A connected part of the grid in which the same states at rest exist and are stable.
+struct ChartRegion {
+  BalanceKind balance = BalanceKind::not_computed;
+  struct Locked {
+    int stable = 0, unstable = 0;  ///< states
+    bool operator==(const Locked& other) const { return stable == other.stable && unstable == other.unstable; }
+  };
+  std::vector<Locked> locked;  ///< in the order of BifurcationChart::locked
+  std::size_t points = 0;
+  double part = 0.0;        ///< of the grid's points
+  double x = 0.0, y = 0.0;  ///< the point farthest from the region's edge
 };
 
 /// What interval arithmetic proves of every point of a box. The values stand in files.
@@ -82,9 +107,13 @@ struct BifurcationChart {
   StabilityPlane plane;  ///< the grid from which curves were begun
   std::vector<ChartCurve> curves;
   std::vector<SpecialPoint> specials;
-  std::vector<ProofBox> boxes;  ///< cover the plane; none if nothing was to be proved
-  double undecided = 0.0;       ///< the part of the plane at which proofs were to end
-  std::string not_proved;       ///< why nothing can be proved of this rotor; empty: boxes were tried, or not asked for
+  std::vector<std::string> locked;   ///< names of the kinds of locked state
+  std::string no_locked;             ///< why they are not known of this rotor; empty: they are
+  std::vector<ChartRegion> regions;  ///< the largest first; none if the chart was stopped
+  std::vector<int> region_of;        ///< by point of the grid
+  std::vector<ProofBox> boxes;       ///< cover the plane; none if nothing was to be proved
+  double undecided = 0.0;            ///< the part of the plane at which proofs were to end
+  std::string not_proved;  ///< why nothing can be proved of this rotor; empty: boxes were tried, or not asked for
   bool complete = true;
   int threads = 1;
   double seconds = 0.0, cpu_seconds = 0.0;

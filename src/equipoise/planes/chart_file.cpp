@@ -1,6 +1,7 @@
 // Dimensions, variables and attributes of a chart; its identity.
 #include "equipoise/planes/chart_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -74,7 +75,8 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     for (const CurvePoint& p : chart.curves[k].points) points.push_back({k, p});
   io::write_netcdf_file(path, [&](io::NetcdfFile& f) {
     ChartColumns at(f, "point", points.size()), curve(f, "curve", chart.curves.size()),
-        special(f, "special", chart.specials.size()), box(f, "box", chart.boxes.size());
+        special(f, "special", chart.specials.size()), region(f, "region", chart.regions.size()),
+        grid(f, "grid_point", chart.region_of.size()), box(f, "box", chart.boxes.size());
     at.add("point_curve", "number of the curve, from 0", [&](std::size_t k) { return points[k].curve; });
     at.add("point_x", "parameter x of the point", [&](std::size_t k) { return points[k].point.x; });
     at.add("point_y", "parameter y of the point", [&](std::size_t k) { return points[k].point.y; });
@@ -82,19 +84,39 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     at.add("lyapunov", "growth rate per square of the swing, omega_c/rad^2",
            [&](std::size_t k) { return points[k].point.lyapunov; });
     at.add("others", "other unstable eigenvalues", [&](std::size_t k) { return points[k].point.others; });
-    curve.add("curve_kind", "0 hopf, 1 zero, 2 existence",
+    curve.add("curve_kind", "0 hopf, 1 zero, 2 existence, 3 fold, 4 pitchfork",
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].kind); });
+    curve.add("curve_of", "0 balance, else the kind of locked state, from 1, as in the attribute locked_states",
+              [&](std::size_t k) {
+                const auto& names = chart.locked;
+                const auto name = std::find(names.begin(), names.end(), chart.curves[k].of);
+                return name == names.end() ? std::ptrdiff_t{0} : name - names.begin() + 1;
+              });
     curve.add("curve_first_end", "0 plane, 1 closed, 2 no balance, 3 no pair, 4 lost",
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[0]); });
     curve.add("curve_last_end", "the same of the last point",
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[1]); });
-    special.add("special_kind", "0 generalised Hopf, 1 double Hopf, 2 zero-Hopf, 3 Bogdanov-Takens",
+    special.add("special_kind",
+                "0 generalised Hopf, 1 double Hopf, 2 zero-Hopf, 3 Bogdanov-Takens, 4 cusp, 5 fold-Hopf",
                 [&](std::size_t k) { return static_cast<int>(chart.specials[k].kind); });
     special.add("special_curve", "number of the curve, from 0", [&](std::size_t k) { return chart.specials[k].curve; });
     special.add("special_x", "parameter x", [&](std::size_t k) { return chart.specials[k].x; });
     special.add("special_y", "parameter y", [&](std::size_t k) { return chart.specials[k].y; });
     special.add("special_frequency", "of the pair, omega_c",
                 [&](std::size_t k) { return chart.specials[k].frequency; });
+    region.add("region_part", "part of the grid's points", [&](std::size_t k) { return chart.regions[k].part; });
+    region.add("region_balance", "0 no balanced state, 1 stable, 2 unstable, 3 marginal, 4 not found",
+               [&](std::size_t k) { return static_cast<int>(chart.regions[k].balance); });
+    region.add("region_x", "parameter x of its inmost point", [&](std::size_t k) { return chart.regions[k].x; });
+    region.add("region_y", "parameter y of its inmost point", [&](std::size_t k) { return chart.regions[k].y; });
+    for (std::size_t n = 0; n < chart.locked.size() && !chart.regions.empty(); ++n) {
+      region.add(fmt::format("region_stable_{}", n + 1).c_str(), "stable locked states of that kind",
+                 [&](std::size_t k) { return chart.regions[k].locked[n].stable; });
+      region.add(fmt::format("region_unstable_{}", n + 1).c_str(), "unstable locked states of that kind",
+                 [&](std::size_t k) { return chart.regions[k].locked[n].unstable; });
+    }
+    grid.add("grid_region", "number of the region, from 0; rows follow y, points within a row x",
+             [&](std::size_t k) { return chart.region_of[k]; });
     box.add("box_kind", "-1 not decided, 0 no balanced state, 1 stable, 2 unstable all over the box",
             [&](std::size_t k) { return static_cast<int>(chart.boxes[k].kind); });
     box.add("box_x_low", "parameter x, from", [&](std::size_t k) { return chart.boxes[k].x[0]; });
@@ -110,12 +132,15 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     say("y_key", chart.plane.y.key);
     say("x_range", fmt::format("{} {}", chart.plane.x.low, chart.plane.x.high));
     say("y_range", fmt::format("{} {}", chart.plane.y.low, chart.plane.y.high));
+    say("locked_states", fmt::format("{}", fmt::join(chart.locked, ", ")));
     say("study", to_toml(chart.study));
     say("complete", chart.complete ? "yes" : "no");
     f.end_definitions();
     at.write();
     curve.write();
     special.write();
+    region.write();
+    grid.write();
     box.write();
   });
 }

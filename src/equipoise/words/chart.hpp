@@ -11,7 +11,7 @@ inline constexpr char undecided_range[] = "must be a part of the plane in percen
 inline constexpr char file[] = "must be a new file, or one that \"chart -o\" wrote";
 inline constexpr char no_such_file[] = "holds no chart; {}";
 inline constexpr char these_results[] = "this chart of this study";
-inline constexpr char file_title[] = "curves in a plane of two parameters on which balance changes";
+inline constexpr char file_title[] = "curves in a plane of two parameters on which balance and locked states change";
 
 // The answer: how balance is lost on Hopf curves. Percent.
 inline constexpr char no_loss[] = "No line on which a stable balance loses its stability crosses the plane.";
@@ -55,10 +55,13 @@ inline constexpr char what_crosses[] = "what it is";
 inline constexpr char from_place[] = "from";
 inline constexpr char to_place[] = "to";
 inline constexpr char frequency[] = "frequency";
-inline constexpr char how[] = "balance is lost";
+inline constexpr char of[] = "of";
+inline constexpr char how[] = "what is lost";
 inline constexpr char is_hopf[] = "Hopf";
 inline constexpr char is_zero[] = "real eigenvalue";
 inline constexpr char is_existence[] = "balance ends";
+inline constexpr char is_fold[] = "fold";
+inline constexpr char is_pitchfork[] = "pitchfork";
 inline constexpr char how_softly[] = "softly";
 inline constexpr char how_abruptly[] = "abruptly";
 inline constexpr char how_both[] = "softly, abruptly";
@@ -66,15 +69,44 @@ inline constexpr char how_before[] = "it was before";
 inline constexpr char how_real[] = "without a swing";
 inline constexpr char how_ends[] = "it ends";
 inline constexpr char how_unknown[] = "not known how";
+inline constexpr char how_stable_state[] = "a stable state";
+inline constexpr char how_unstable_states[] = "unstable states";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
 inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
 inline constexpr char is_double_hopf[] = "double Hopf: two swings begin at once";
 inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real eigenvalue is 0";
 inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
+inline constexpr char is_cusp[] = "cusp: two folds meet";
+inline constexpr char is_fold_hopf[] = "fold-Hopf: a swing begins where two states merge";
+
+// Locked states, by where the balls are. Numbers of balls, or their numbers.
+inline constexpr char one_ball[] = "ball on the line";
+inline constexpr char together[] = "balls together";
+inline constexpr char opposite[] = "balls opposite";
+inline constexpr char alike_against[] = "{} balls against {}";
+inline constexpr char balls_against[] = "balls {} against {}";
+// Why they are not known.
+inline constexpr char locked_of_plain_rotors[] =
+    "they are known of rotors that do not tilt, with a centred race, equal supports and no gravity";
+inline constexpr char locked_without_events[] = "balls that touch or stick may rest anywhere";
+inline constexpr char locked_under_drive[] = "without a drive that lasts no speed is kept";
+inline constexpr char too_many_kinds[] = "unlike balls can be divided in too many ways";
+
+// Regions: what is there, a place.
+inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
+// What balance is; of other states how many, if more than one.
+inline constexpr char region_balance[] = "balance {}";
+inline constexpr char region_locked[] = "{} {}{}";
+inline constexpr char region_count[] = " ({})";
+inline constexpr char more_regions[] = "{} smaller regions are left out; --json has them.\n";
+inline constexpr char regions_are[] =
+    "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
+// Why.
+inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}.\n";
 
 // Notes.
-inline constexpr char no_curve[] = "No curve on which balance changes was found.\n";
+inline constexpr char no_curve[] = "No curve was found.\n";
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
 // Error, part of the plane's sides.
 inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
@@ -90,6 +122,11 @@ inline constexpr char legend_hopf[] = "a swing begins";
 inline constexpr char legend_zero[] = "a real eigenvalue crosses";
 inline constexpr char legend_existence[] = "balance ends";
 inline constexpr char legend_proved[] = "proved: {}";
+inline constexpr char legend_fold[] = "two locked states merge";
+inline constexpr char legend_pitchfork[] = "balls of a locked state part";
+inline constexpr char legend_locked_hopf[] = "a locked state begins to swing";
+inline constexpr char legend_regions[] = "at rest and stable:";
+inline constexpr char legend_no_region[] = "nothing";
 inline constexpr char legend_open[] = "not decided";
 inline constexpr char legend_special[] = "where curves change their kind";
 
