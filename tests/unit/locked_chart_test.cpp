@@ -2,6 +2,7 @@
 // trajectories.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "equipoise/charts/chart_plot.hpp"
 #include "equipoise/charts/chart_regions_text.hpp"
 #include "equipoise/charts/chart_report.hpp"
-#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/attractors/motion.hpp"
+#include "equipoise/continuation/branch_events.hpp"
+#include "equipoise/continuation/branch_follower.hpp"
 #include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/curves/locked_states.hpp"
 #include "equipoise/math/dense.hpp"
@@ -171,33 +174,46 @@ TEST(LockedChart, BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre) {
       const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
       if ((a.y - at) * (b.y - at) > 0.0 || a.others > 0) continue;
       const double x = a.x + (at - a.y) / (b.y - a.y) * (b.x - a.x);
-      (curve.kind == CurveKind::fold ? folds : hopfs) = {x};  // one is enough: the search takes its time
+      (curve.kind == CurveKind::fold ? folds : hopfs) = {x};
     }
   }
   ASSERT_FALSE(folds.empty() || hopfs.empty());
-  int compared = 0;
-  // Of motions that exchange of balls leaves as they are, branches call a fold what may also be a pitchfork.
-  const auto like = [](BranchCause told, BranchCause cause) {
-    return told == cause || (cause == BranchCause::fold && told == BranchCause::pitchfork);
-  };
-  for (const auto& [places, cause] : {std::pair{&folds, BranchCause::fold}, {&hopfs, BranchCause::hopf}})
-    for (const double x : *places) {
-      Study study = study_of(constant_speed);
-      study.parameters.eccentricity = unbalance(cause == BranchCause::fold ? CurveKind::fold : CurveKind::hopf);
-      const ParameterLine line(study,
-                               "speed.final=" + std::to_string(x - 0.02) + ":" + std::to_string(x + 0.02) + ":0.04");
-      ContinuationOptions options;
-      options.starts = 20;
-      options.threads = 2;
-      const BranchesResult branches = follow_attractors(study, line, options);
-      bool met = false;
-      for (const Branch& branch : branches.branches)
-        for (const BranchEvent& event : branch.events)
-          met = met || (like(event.cause, cause) && event.low - 1e-4 <= x && x <= event.high + 1e-4);
-      EXPECT_TRUE(met) << x << " " << static_cast<int>(cause);
-      ++compared;
+  for (const auto& [places, kind] : {std::pair{&folds, CurveKind::fold}, {&hopfs, CurveKind::hopf}}) {
+    const double x = places->front(), low = x - 0.02, high = x + 0.02;
+    Study study = study_of(constant_speed);
+    study.parameters.eccentricity = unbalance(kind);
+    const ParameterLine line(study, "speed.final=" + std::to_string(low) + ":" + std::to_string(high) + ":0.04");
+    const BranchContinuation follower(line, 0, nullptr);
+    const auto motion_at = [&](double value) -> std::optional<Motion> {
+      const model::System system = line.system_at(value);
+      for (const Eigen::VectorXd& state : locked_states(system, locked_kinds(system.parameters()).front())) {
+        const auto rest = refine_equilibrium(system, state);
+        if (rest && rest->eigenvalues[0].real() < 0.0) return describe_equilibrium(system, *rest);
+      }
+      return std::nullopt;
+    };
+    const double from = motion_at(line.values().front()) ? line.values().front() : line.values().back();
+    const double to = line.values().front() + line.values().back() - from;
+    const auto begin = motion_at(from);
+    ASSERT_TRUE(begin) << x;
+    const Advance way = follower.advance(*begin, from, to);
+    if (kind == CurveKind::fold) {
+      EXPECT_FALSE(way.arrived);
+      EXPECT_LE(std::min(way.value, way.refused), x + 1e-5);
+      EXPECT_GE(std::max(way.value, way.refused), x - 1e-5);
+      // Of motions that exchange of balls leaves as they are, branches call a fold what may also be a pitchfork.
+      const BranchCause cause = cause_of_end(follower, way);
+      EXPECT_TRUE(cause == BranchCause::fold || cause == BranchCause::pitchfork) << name_of(cause);
+      continue;
     }
-  EXPECT_EQ(compared, 2);
+    ASSERT_TRUE(way.arrived);
+    const BranchPoint first{0, from, *begin}, last{1, to, way.motion};
+    const auto events = changes_between(follower, from < to ? first : last, from < to ? last : first);
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].cause, BranchCause::hopf);
+    EXPECT_LE(events[0].low, x + 1e-5);
+    EXPECT_GE(events[0].high, x - 1e-5);
+  }
 }
 
 TEST(LockedChart, SpecialPointsHaveTheEigenvaluesThatNameThem) {
