@@ -85,12 +85,6 @@ TEST(HigherDerivatives, AreThoseOfTheJacobian) {
   }
 }
 
-// The others are tested in locked_chart_test.cpp.
-std::vector<ChartCurve> of_balance_alone(std::vector<ChartCurve> curves) {
-  std::erase_if(curves, [](const ChartCurve& curve) { return curve.of != of_balance; });
-  return curves;
-}
-
 TEST(CurveFollower, GoesRoundACircleToItsPrecision) {
   // Of radius 1/4: the unknowns are those of the unit square.
   CurveFollower follower([](const Eigen::VectorXd& p) -> std::optional<Eigen::VectorXd> {
@@ -111,10 +105,10 @@ TEST(CurveFollower, GoesRoundACircleToItsPrecision) {
 }
 
 TEST(Chart, CurvesAreWhereTheStabilityOfThePlaneChanges) {
-  const std::vector<ChartCurve> curves = of_balance_alone(wide_chart().curves);
-  ASSERT_EQ(curves.size(), 2u);
+  const BifurcationChart& chart = wide_chart();
+  ASSERT_EQ(chart.curves.size(), 2u);
   int compared = 0, crossed = 0;
-  for (const ChartCurve& curve : curves) {
+  for (const ChartCurve& curve : chart.curves) {
     EXPECT_EQ(curve.kind, CurveKind::hopf);
     EXPECT_LT(curve.error, 1e-10);
     for (std::size_t k = 3; k + 3 < curve.points.size(); k += 25) {
@@ -165,7 +159,6 @@ TEST(Chart, AFinerGridFindsTheSameCurvesAndPoints) {
 TEST(Chart, DoubleHopfPointsHaveTwoPairsOnTheAxisAndGeneralisedOnesNoCubicTerm) {
   int doubles = 0, generalised = 0;
   for (const SpecialPoint& p : wide_chart().specials) {
-    if (wide_chart().curves[p.curve].of != of_balance) continue;
     const auto spectrum = balance_spectrum(at(p.x, p.y));
     if (p.kind == SpecialKind::double_hopf) {
       ++doubles;
@@ -210,7 +203,7 @@ Eigen::VectorXd swung(const BalanceSpectrum& spectrum, double frequency, double 
 // Places on curves where a stable balance is lost, softly or abruptly, with a cubic term that counts.
 std::vector<CurvePoint> places_of_loss(bool soft) {
   std::vector<CurvePoint> places;
-  for (const ChartCurve& curve : of_balance_alone(wide_chart().curves))
+  for (const ChartCurve& curve : wide_chart().curves)
     for (std::size_t k = 5; k + 5 < curve.points.size(); k += 4) {
       const CurvePoint& p = curve.points[k];
       if (p.others == 0 && (p.lyapunov < 0.0) == soft && std::fabs(p.lyapunov) > 0.02 && p.frequency > 0.03)
@@ -303,7 +296,7 @@ TEST(Chart, TheLineWhereBalanceEndsIsWhereTheBallsJustReach) {
   EXPECT_EQ(ends, 1);
   int met = 0;
   for (const SpecialPoint& p : chart.specials)
-    if (p.kind == SpecialKind::zero_hopf && chart.curves[p.curve].of == of_balance) {
+    if (p.kind == SpecialKind::zero_hopf) {
       ++met;
       EXPECT_NEAR(p.y, 0.1, 1e-11);
       EXPECT_GT(p.frequency, 0.1);
@@ -344,7 +337,7 @@ TEST(Chart, TheProvedBoxesCoverThePlaneAndAgreeWithEigenvalues) {
     EXPECT_EQ(static_cast<int>(balance_at(at(x, y)).kind), static_cast<int>(box.kind)) << x << " " << y;
   }
   // No box that a curve of lost stability passes through is decided.
-  for (const ChartCurve& curve : of_balance_alone(chart.curves))
+  for (const ChartCurve& curve : chart.curves)
     for (std::size_t k = 0; k < curve.points.size(); k += 7) {
       const CurvePoint& p = curve.points[k];
       if (p.others > 0) continue;
