@@ -102,7 +102,7 @@ inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
 inline constexpr char region_balance[] = "balance {}";
 inline constexpr char region_locked[] = "{} {}{}";
 inline constexpr char region_count[] = " ({})";
-inline constexpr char more_regions[] = "{} smaller regions are left out; --json has them.\n";
+inline constexpr char more_regions[] = "Smaller regions are left out ({}); --json has them.\n";
 inline constexpr char regions_are[] =
     "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
 // Why.
