@@ -1,6 +1,7 @@
 // The script: boxes, curves in pieces of one kind, points, the legend.
 #include "equipoise/charts/chart_plot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -122,7 +123,10 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
                         plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
   script +=
       "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
+      "set key outside right top vertical Left reverse samplen 2.2 width 1 ";
+  // In one column: a second one takes the plane's room.
+  const auto lines = std::count(items.begin(), items.end(), '\n');
+  script += lines > 14 ? fmt::format("font ',{}' spacing 1.05\n", lines > 24 ? 9 : 13) : "spacing 1.3\n";
   return script + "plot " + items + "\n";
 }
 

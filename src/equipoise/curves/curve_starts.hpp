@@ -1,15 +1,24 @@
-// Where curves begin to be followed: between neighbours of a grid that differ.
+// Where curves begin to be followed: between neighbours of a grid that differ; each curve once.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "equipoise/base/stop_flag.hpp"
-#include "equipoise/curves/balance_plane.hpp"
+#include "equipoise/curves/followed_curve.hpp"
 #include "equipoise/planes/bifurcation_chart.hpp"
 
 namespace equipoise {
 
-/// All curves of the chart's plane, with their special points.
+/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross have different
+/// frequencies.
+bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
+              const Eigen::VectorXd& at, double frequency);
+
+/// With its special points, of which two curves may each have the same.
+void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of, const FollowedCurve& curve,
+               BifurcationChart& chart);
+
+/// All curves of balance in the chart's plane, with their special points.
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
 
 }  // namespace equipoise

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/curves/chart_curves.hpp"
-#include "equipoise/curves/chart_regions.hpp"
+#include "equipoise/curves/curve_starts.hpp"
+#include "equipoise/planes/chart_regions.hpp"
 #include "equipoise/curves/locked_curve.hpp"
 #include "equipoise/running/parallel.hpp"
 

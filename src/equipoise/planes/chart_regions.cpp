@@ -1,5 +1,5 @@
 // A flood through neighbours that are alike; a region's own place is the point farthest from its edge.
-#include "equipoise/curves/chart_regions.hpp"
+#include "equipoise/planes/chart_regions.hpp"
 
 #include <algorithm>
 #include <map>
