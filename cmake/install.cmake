@@ -12,7 +12,7 @@ set(equipoise_public_headers
     model/ball_mode.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
     types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
       types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp
-    mechanics/balance_grade.hpp mechanics/balanced_state.hpp mechanics/energy.hpp
+    mechanics/balance_grade.hpp mechanics/balanced_state.hpp mechanics/energy.hpp mechanics/whirl.hpp
     statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp
     sampling/jittered_grid.hpp sampling/sampling.hpp
     units/units.hpp

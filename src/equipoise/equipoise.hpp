@@ -46,6 +46,7 @@
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/energy.hpp"
+#include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/plots/map_plot.hpp"
 #include "equipoise/plots/sweep_plot.hpp"
 #include "equipoise/reports/attractors_report.hpp"
