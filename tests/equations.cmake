@@ -20,8 +20,7 @@ equipoise_test(linearisation_test unit unit/linearisation_test.cpp unit/tangent_
 equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
 equipoise_test(stability_test unit unit/stability_test.cpp)
 equipoise_test(chart_test unit unit/chart_test.cpp)
-equipoise_test(locked_chart_test unit unit/locked_chart_test.cpp
-  LONG LockedChart.BranchesAlongOneParameterFoldAndSwingWhereTheCurvesAre)
+equipoise_test(locked_chart_test unit unit/locked_chart_test.cpp)
 equipoise_test(system_test unit unit/system_test.cpp unit/gravity_well_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
 equipoise_test(cancelling_test unit unit/cancelling_test.cpp)
