@@ -8,7 +8,7 @@ namespace equipoise {
 
 namespace {
 
-// What a region is told by: how many of each kind's states are stable and unstable.
+// Points of one region agree in this: how many states of each kind are stable and unstable.
 ChartRegion region_like(const RegionPattern& pattern) {
   ChartRegion region;
   region.balance = pattern.balance;
