@@ -90,6 +90,7 @@ void add_regions(const std::vector<RegionPattern>& patterns, const std::vector<i
     if (same == kinds.end()) kinds.push_back(region);
   }
   std::vector<int> label;
+  label.reserve(pattern_of.size());
   for (const int pattern : pattern_of) label.push_back(kind_of[static_cast<std::size_t>(pattern)]);
   Flood flood(chart.plane, label);
   std::vector<ChartRegion> found;
