@@ -2,9 +2,11 @@
 #include "progress.hpp"
 
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "words.hpp"
@@ -18,12 +20,23 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} h {:02.0f} min", std::floor(seconds / 3600.0), std::fmod(seconds / 60.0, 60.0));
 }
 
+std::chrono::duration<double> lines_apart() {
+  constexpr char variable[] = "EQUIPOISE_PROGRESS";
+  constexpr double usual = 10.0;
+  const char* text = std::getenv(variable);
+  return std::chrono::duration<double>(text && *text ? option_number(variable, text, 0.1, 86400.0, words::lines_apart_range)
+                                                     : usual);
+}
+
 ProgressLine::ProgressLine(bool quiet)
     : style_(quiet                 ? Style::none
              : error_is_terminal() ? Style::bar
                                    : Style::lines),
       begin_(Clock::now()),
-      last_(begin_) {}
+      last_(begin_) {
+  constexpr std::chrono::milliseconds redrawn{100};
+  apart_ = style_ == Style::lines ? lines_apart() : redrawn;
+}
 
 ProgressLine::~ProgressLine() { finish(); }
 
@@ -43,8 +56,7 @@ void ProgressLine::update(const Progress& progress) {
   before_ = progress;
   told_ = now;
   if (style_ == Style::none) return;
-  constexpr std::chrono::milliseconds redrawn{100};
-  if (now - last_ < (style_ == Style::bar ? redrawn : lines_apart)) return;
+  if (now - last_ < apart_) return;
   last_ = now;
   const double rate = this->rate();
   std::string text;

@@ -21,8 +21,9 @@ struct WorkLeft {
   std::optional<double> seconds = {};
 };
 
-/// Between lines if standard error is no terminal: it may be a log that somebody reads.
-inline constexpr std::chrono::seconds lines_apart{10};
+/// Time between two lines if standard error is no terminal: it may be a log that somebody reads. Ten seconds, or as
+/// many as the variable EQUIPOISE_PROGRESS says; InputError if that is no number from 0.1 to 86400.
+std::chrono::duration<double> lines_apart();
 
 class ProgressLine {
  public:
@@ -48,6 +49,7 @@ class ProgressLine {
   std::optional<Progress> before_;
   std::uint64_t first_ = 0;
   Clock::time_point begin_, last_, told_;
+  std::chrono::duration<double> apart_;  // two bars or lines
 };
 
 }  // namespace equipoise::app

@@ -100,8 +100,8 @@ SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, 
   using Clock = std::chrono::steady_clock;
   Clock::time_point told;  // not yet
   if (!a.quiet && !error_is_terminal())
-    options.cell = [&](std::size_t index, const SweepCell& cell) {
-      if (told != Clock::time_point{} && Clock::now() - told < lines_apart) return;
+    options.cell = [&, apart = lines_apart()](std::size_t index, const SweepCell& cell) {
+      if (told != Clock::time_point{} && Clock::now() - told < apart) return;
       told = Clock::now();
       const Share& balanced = cell.outcomes.front().share;
       put_error(fmt::format(words::cell_done, plan.title_of(index), cell.starts,

@@ -43,6 +43,7 @@ inline constexpr char pixel_range[] = "a whole number from 2 to 4096";
 inline constexpr char paper_start_range[] = "a whole number from 1 to 1000000000";
 inline constexpr char time_range[] = "a number from 0 to 1e9";
 inline constexpr char step_range[] = "a number greater than 0, at most 1e9";
+inline constexpr char lines_apart_range[] = "a number of seconds from 0.1 to 86400";
 inline constexpr char tolerance_range[] = "a number from 1e-14 to 1e-2";
 inline constexpr char times_out_of_order[] = "times out of order: must be later than {}";
 inline constexpr char shard_form[] = "must be I/N with I from 1 to N, e.g. 2/8";

@@ -57,8 +57,8 @@ def test_states_of_the_wrong_shape_are_refused(study):
 
 def test_branches(program, tmp_path):
     study = eq.Study.from_file(PAPER)
-    branches = eq.follow(study, "speed.final", 2.2, 2.6, 0.2)
-    same = told(program, "attractors", PAPER, "--along", "speed.final=2.2:2.6:0.2", "--quiet")
+    branches = eq.follow(study, "speed.final", 2.2, 2.6, 0.2, starts=300)
+    same = told(program, "attractors", PAPER, "--along", "speed.final=2.2:2.6:0.2", "--starts", 300, "--quiet")
     assert without_times(branches.data)["branches"] == without_times(same)["branches"]
     balanced = branches["balanced"]
     np.testing.assert_allclose(balanced.value, [2.2, 2.4, 2.6])

@@ -31,9 +31,10 @@ def test_fates_are_the_programs_bit_for_bit(path, changes, program, tmp_path):
     xarray = pytest.importorskip("xarray")
     file = tmp_path / "result.nc"
     settings = [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
-    told = program("basin", studies / path, "--starts", 60, "-o", file, "--quiet", *settings)
+    starts = 30 if "drive" in path else 60  # of so few no verdict is sought: its trials would follow many times as many
+    told = program("basin", studies / path, "--starts", starts, "-o", file, "--quiet", *settings)
     assert told.returncode == 0, told.stderr
-    answer = eq.basin(eq.Study.from_file(studies / path).replace(changes), starts=60)
+    answer = eq.basin(eq.Study.from_file(studies / path).replace(changes), starts=starts)
     with xarray.open_dataset(file) as stored:
         for name in ("outcome", "decision_time", "decided_by", "phi"):
             np.testing.assert_array_equal(answer.arrays[name], stored[name].values, name)

@@ -234,13 +234,13 @@ def test_calls_leave_nothing_behind(study):
 
 
 def test_a_thousand_ensembles_leave_nothing_behind():
-    """The same of ensembles, searches and threads included; EQUIPOISE_ENSEMBLES says how many, 200 in the quick run."""
+    """The same of ensembles, searches and threads included; EQUIPOISE_ENSEMBLES says how many, 100 in the quick run."""
     fan = eq.Study(
         rotor=dict(mass="12 kg", stiffness="48 kN/m", damping="380 N s/m", unbalance="2.4 kg mm"),
         balancer=dict(balls=2, race_radius="60 mm", mass="60 g", drag="2e-3 N m s"),
         speed=dict(profile="constant", speed="1450 rpm"),
     )
-    calls = int(os.environ.get("EQUIPOISE_ENSEMBLES", "200"))
+    calls = int(os.environ.get("EQUIPOISE_ENSEMBLES", "100"))
     warm = calls // 4  # pools of threads and memory fill in the first few dozens
     for k in range(calls):
         if k == warm:

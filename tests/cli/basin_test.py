@@ -286,7 +286,7 @@ horizon = "20 s"
         self.assertGreater(os.path.getsize(output), 1000)
 
     def test_a_long_search_for_attractors_is_told_and_can_be_ended(self):
-        # Eight balls under gravity: several lines, five seconds apart, before the first start is followed.
+        # Eight balls under gravity: several lines before the first start is followed.
         study = self.file("eight.toml", "[rotor]\neccentricity = 0.01\ndamping = 0.05\ngravity = 0.001\n"
                           "[balancer]\nballs = 8\nmass = 0.005\ndrag = 0.02\n"
                           "[speed]\nprofile = \"constant\"\nspeed = 2.4\n")

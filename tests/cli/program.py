@@ -14,6 +14,9 @@ WASHER, DRIVE, GRINDER = (os.path.join(STUDIES, "examples", name + ".toml")
                           for name in ("washing-machine", "optical-drive", "angle-grinder"))
 SNAPSHOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "snapshots")
 
+# Lines of progress soon, so that no test waits for them; a test of the usual ten seconds takes this away.
+os.environ["EQUIPOISE_PROGRESS"] = "0.3"
+
 
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)

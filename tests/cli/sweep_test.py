@@ -44,11 +44,20 @@ class Sweep(Case):
 
     def test_a_log_gets_a_line_in_ten_seconds(self):
         begin = time.monotonic()
-        done = run("sweep", ROW, "--over", "balancer.drag=0.05:0.07:0.002", "--starts", "10")  # eleven cells
+        usual = {key: value for key, value in os.environ.items() if key != "EQUIPOISE_PROGRESS"}
+        done = run("sweep", ROW, "--over", "balancer.drag=0.05:0.07:0.002", "--starts", "10", env=usual)  # eleven cells
         elapsed = time.monotonic() - begin
         self.assertEqual(done.returncode, 0)
         # One line for the first cell, and at most two more, for cells and progress, every ten seconds.
         self.assertTrue(1 <= done.stderr.count("\n") <= 1 + 2 * int(elapsed / 10), (elapsed, done.stderr))
+
+        often = run("sweep", ROW, "--over", "balancer.drag=0.05:0.07:0.002", "--starts", "10",
+                    env=usual | {"EQUIPOISE_PROGRESS": "0.1"})
+        self.assertGreater(often.stderr.count("\n"), done.stderr.count("\n"))
+        for wrong in ("0", "x", "1 s", "-1"):
+            refused = run("sweep", ROW, "--over", "balancer.drag=0.05", env=usual | {"EQUIPOISE_PROGRESS": wrong})
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+            self.assertIn(f"EQUIPOISE_PROGRESS = {wrong}: must be a number of seconds from 0.1 to 86400", refused.stderr)
 
     def test_a_neighbours_search_changes_no_outcome(self):
         # Motions appear and vanish between cells: an orbit, a torus that becomes chaos, one captured.

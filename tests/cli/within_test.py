@@ -47,7 +47,7 @@ class Within(unittest.TestCase):
                 self.assertLess(late, 5.0)
                 if name != "simulate":
                     self.assertIn("PARTIAL", done.stdout)
-                    self.assertTrue(json.loads(limited(1, *arguments, "--json")[0].stdout)["partial"])
+                    self.assertTrue(json.loads(limited(0.5, *arguments, "--json")[0].stdout)["partial"])
 
     def test_what_ends_before_its_time_says_nothing_of_it(self):
         done = run("basin", ROW, "--starts", "200", "--within", "1h", "--quiet")
