@@ -57,4 +57,5 @@ equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.c
 equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
 equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
                equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)
-equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp)
+equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp
+  LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes)

@@ -135,7 +135,7 @@ class Basin(Case):
         self.assertTrue(any("left_unbalance" in o for o in outcomes))
 
     def test_transients_are_told_by_outcome_when_asked_for(self):
-        common = ("basin", ROW, "--starts", "1000", "--quiet")
+        common = ("basin", ROW, "--starts", "1000", "--no-changes", "--quiet")
         self.assertNotIn("transients", json.loads(run(*common, "--json").stdout))
         done = run(*common, "--json", "--transients")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -160,7 +160,7 @@ class Basin(Case):
         self.assertLessEqual(float(one["peak_radial"]), everything["figures"]["peak_radial"]["largest"])
 
     def test_work_of_the_drive_is_told_where_it_is_known(self):
-        ramp = ("--set", "speed={profile='ramp', final=2.4, duration=100.0}", "--transients", "--quiet")
+        ramp = ("--set", "speed={profile='ramp', final=2.4, duration=100.0}", "--transients", "--no-changes", "--quiet")
         self.assertNotIn("work of the drive", run("basin", ROW, "--starts", "100", *ramp).stdout)
         known = run("basin", ROW, "--starts", "100", *ramp, "--set", "rotor.inertia=0.3", "--json")
         everything = json.loads(known.stdout)["transients"]["groups"][0]

@@ -55,7 +55,7 @@ class Results(Case):
         part = (0.05 - below) / (above - below) if above > below else 0.0
         self.assertAlmostEqual(left + part * (right - left), at, delta=1e-5)  # the chord of one step
         self.assertIsNone(found["proof"])
-        along = answer("attractors", ROW, "--along", "speed.final=1.68:1.7:0.02", "--starts", "10")["events"]
+        along = answer("attractors", ROW, "--along", "speed.final=1.66:1.72:0.06", "--starts", "10")["events"]
         low, high = next(event["between"] for event in along if event["type"] == "Hopf")
         self.assertTrue(low <= at <= high, (low, at, high))
 

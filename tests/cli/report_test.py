@@ -50,7 +50,7 @@ class HeldBalls(Case):
     def test_every_page_begins_with_until_when_balls_are_held(self):
         ramp = "speed={profile='ramp', final=2.4, duration=8.0}"
         file = self.path("page.html")
-        for command in (["basin", ROW, "--starts", "50"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
+        for command in (["basin", ROW, "--starts", "50", "--no-changes"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
                         ["map", ROW, "--size", "2x2"]):
             for release, said in (("{}", True), ("{time=0.0}", False)):
                 with self.subTest(command=command[0], release=release):
@@ -124,13 +124,13 @@ class Machines(Case):
 
     def test_basin_writes_the_same_page_beside_its_table(self):
         page, table = self.path("b.html"), self.path("b.nc")
-        done = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
+        done = run("basin", ROW, "--starts", "300", "--no-changes", "--report", page, "-o", table, "--quiet", "--json")
         found = json.loads(done.stdout)
         self.assertEqual(found["starts"], 300)
         self.assertIn("transients", found)
         first = Page(page).lead
         # From the file alone, without computing a start again.
-        again = run("basin", ROW, "--starts", "300", "--report", page, "-o", table, "--quiet", "--json")
+        again = run("basin", ROW, "--starts", "300", "--no-changes", "--report", page, "-o", table, "--quiet", "--json")
         self.assertEqual(json.loads(again.stdout)["resumed_from"], 300)
         self.assertEqual(Page(page).lead, first)
 

@@ -32,7 +32,7 @@ speed = "1500 rpm"
 [limits]
 velocity = "10 mm/s"
 [sampling]
-starts = 200
+starts = 50
 )";
 
 TEST(Capacity, AnUnbalanceIsOneQuantity) {

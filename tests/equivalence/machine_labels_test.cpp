@@ -236,7 +236,7 @@ TEST(Release, ThatIsNeverReachedIsSaid) {
 TEST(UndecidedMachines, SayWhatTheyDo) {
   const std::string two = "balls = 2\nmass = 0.05\ndrag = 0.05\n", heavy = "damping = 0.5\ninertia = 0.5\n";
   const auto note = [&](const std::string& law, const std::string& more) {
-    return equipoise::basin(parse_study(text(heavy, two, motor(law)) + "[sampling]\nstarts = 20\n" + more, "undecided"))
+    return equipoise::basin(parse_study(text(heavy, two, motor(law)) + "[sampling]\nstarts = 6\n" + more, "undecided"))
         .note;
   };
   const std::string speeding = note("{ constant = 0.1 }", ""),

@@ -141,7 +141,7 @@ TEST(TiltStability, TheMarginTellsWhereAStateExists) {
 
 // Couple unbalance beyond what both planes can cancel: for chi = (0.02 - 0.005) 2 / 2.75 one plane's balls lie in line.
 TEST(TiltSurveys, SweepAndCapacityAreThoseOfEnsembles) {
-  const std::vector<std::string> rotor = damped({"rotor.eccentricity_angle=0", "sampling.starts=60"});
+  const std::vector<std::string> rotor = damped({"rotor.eccentricity_angle=0", "sampling.starts=24"});
   const StudySource source{long_rotor, "rotor", rotor};
   const SweepResult swept =
       sweep(SweepPlan(source, sweep_axes({"rotor.tilt.misalignment=0.005,0.012"}, false, "--over"), {}, "--over"));
@@ -160,7 +160,7 @@ TEST(TiltSurveys, SweepAndCapacityAreThoseOfEnsembles) {
       return o.name == (k ? "locked (2 together)" : "balanced");
     });
     ASSERT_NE(at, cell.outcomes.end()) << k;
-    EXPECT_EQ(at->share.count, 60u) << k;
+    EXPECT_EQ(at->share.count, 24u) << k;
   }
   CapacityOptions asked;
   asked.key = "rotor.tilt.misalignment";
