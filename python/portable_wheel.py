@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import importlib.util
 import os
 import pathlib
 import re
@@ -37,6 +38,16 @@ COMPILED_IN = ("libboost-dev", "libeigen3-dev", "librandom123-dev", "nlohmann-js
 
 #: The Debian whose NetCDF is taken: 4.9.3 or newer, for 4.9.0 cannot do without HDF5.
 NETCDF_OF = "trixie"
+
+
+def require_tools(builds: bool, tries: bool) -> None:
+    """Ends at once, and names what is missing, where something that is needed later is not there."""
+    modules = ["wheel", "setuptools", *(["build"] if builds else [])]
+    programs = ["patchelf", *(["apt-get", "cmake", "ninja"] if builds else []), *(["mmdebstrap"] if tries else [])]
+    missing = [f"Python's {name}" for name in modules if importlib.util.find_spec(name) is None]
+    missing += [name for name in programs if shutil.which(name) is None]
+    if missing:
+        sys.exit(f"portable_wheel: {sys.executable} needs {', '.join(missing)}")
 
 
 def run(*command: object, **options: object) -> str:
@@ -223,6 +234,7 @@ def main() -> None:
     parser.add_argument("--of", type=pathlib.Path, help="a wheel that was built already", metavar="WHEEL")
     parser.add_argument("--try", action="store_true", dest="trial", help="use it in an empty Debian (as root)")
     given = parser.parse_args()
+    require_tools(builds=given.of is None, tries=given.trial)
     out = given.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
     copyright_ = build / "netcdf" / "COPYRIGHT"
