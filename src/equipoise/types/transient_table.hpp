@@ -98,7 +98,7 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
 struct DriveWork {
   double before = 0.0;  ///< of the pieces that are over
   double piece = 0.0;   ///< of the one under way, less what was taken back
-  double stored = 0.0;  ///< energy when last seen, where work is told by a balance
+  double stored = 0.0;  ///< energy when last seen, where work follows from a balance
   double power = 0.0;   ///< then: what is summed over time
   bool begun = false;
 
