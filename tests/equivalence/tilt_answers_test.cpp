@@ -94,7 +94,7 @@ TEST(TiltEquilibria, WithAFreeAngleAreOneContinuum) {
   EXPECT_GT(slowest, a.continuum->fastest_rate - same_eigenvalue);
   EXPECT_EQ(free_angles(system, a.motion.state), 1);
   int others = 0;
-  for (double turn = -0.3; turn < 0.4; turn += 0.2) {
+  for (double turn = -0.6; turn < 0.7; turn += 0.4) {
     VectorXd beside = a.motion.state;
     beside[model::index::phi(2)] += turn;
     const auto e = refine_equilibrium(system, beside);
