@@ -59,3 +59,5 @@ equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equival
                equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)
 equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp
   LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes)
+equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
+  LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo)

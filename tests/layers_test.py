@@ -94,7 +94,7 @@ ROOMS = {
     "changes": "running model units study ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision answers design_words",
     "plots": "units study echo results drawing text decision answers reports",
-    "charts": "model units study echo results planes drawing text answers plots",
+    "charts": "model mechanics units study echo results planes drawing text answers plots",
     "explain":
         "math model mechanics datasheet study periodic_orbits attractors results spin_up rotor_family attractor_search "
         "start_runs stability text",

@@ -15,6 +15,7 @@
 #include "equipoise/attractors/motion_description.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/periodic_orbits/equilibria.hpp"
+#include "equipoise/reports/attractors_report.hpp"
 #include "equipoise/study/study.hpp"
 #include "tilt_fixed_flow.hpp"
 
@@ -66,6 +67,47 @@ TEST(TiltEquilibria, HaveTheEigenvaluesOfFixedAxes) {
     }
     EXPECT_EQ(stable, 1) << rest.name;
   }
+}
+
+// Two light balls in one race cannot cancel its share; three in the other leave an angle free, and that race centred.
+TEST(TiltEquilibria, WithAFreeAngleAreOneContinuum) {
+  const Study s = study(damped({"speed.speed=3", "balancer.balls=5", "balancer.mass=0.002",
+                                "balancer.plane=[2, 2, -2, -2, -2]", "initial.phi=[0, 1, 2, 3, 4]"}));
+  const model::System system = s.system();
+  AttractorsOptions options;
+  options.starts = 60;
+  const AttractorsResult result = attractors(s, options);
+  ASSERT_EQ(result.attractors.size(), 1u) << attractors_text(result);
+  const Attractor& a = result.attractors.front();
+  EXPECT_EQ(a.name, "locked (2 together)");
+  ASSERT_TRUE(a.continuum);
+  EXPECT_EQ(a.continuum->drawn, 256);
+  EXPECT_EQ(a.continuum->stable, 256);
+  EXPECT_LT(a.continuum->slowest_rate, 0.0);
+  EXPECT_NE(attractors_text(result).find("of the continuum"), std::string::npos);
+  // One zero, all other eigenvalues within the range; another member rests as well.
+  Eigen::VectorXcd fixed = fixed_eigenvalues(system, a.motion.state);
+  std::sort(fixed.begin(), fixed.end(), [](Complex p, Complex q) { return std::abs(p) < std::abs(q); });
+  EXPECT_LT(std::abs(fixed[0]), same_eigenvalue);
+  const double slowest = fixed.tail(fixed.size() - 1).real().maxCoeff();
+  EXPECT_LT(slowest, a.continuum->slowest_rate + same_eigenvalue);
+  EXPECT_GT(slowest, a.continuum->fastest_rate - same_eigenvalue);
+  EXPECT_EQ(free_angles(system, a.motion.state), 1);
+  int others = 0;
+  for (double turn = -0.6; turn < 0.7; turn += 0.4) {
+    VectorXd beside = a.motion.state;
+    beside[model::index::phi(2)] += turn;
+    const auto e = refine_equilibrium(system, beside);
+    ASSERT_TRUE(e);
+    EXPECT_LT(fixed_rate(system, e->state).lpNorm<Eigen::Infinity>(), 1e-10);
+    EXPECT_TRUE(same_continuum(system, a.motion.state, e->state));
+    others += (e->state - a.motion.state).lpNorm<Eigen::Infinity>() > 0.05;
+  }
+  EXPECT_GT(others, 2);
+  // Where two balls run in either race no angle is free.
+  const Study isolated = study(rests[0].overrides);
+  for (const Equilibrium& e : unbalanced_equilibria(isolated.system(), 50))
+    EXPECT_EQ(free_angles(isolated.system(), e.state), 0);
 }
 
 // Each equilibrium is listed once, whatever balls of one race exchange.

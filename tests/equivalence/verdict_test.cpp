@@ -121,6 +121,27 @@ TEST(Verdict, IsOpenWhileUndecidedStartsMayTurnIt) {
   EXPECT_TRUE(holds(verdict.change, "a longer numerics.horizon may tell")) << verdict.change;
 }
 
+// A motor with half the torque that the unbalance takes at resonance: the rotor comes there after half a minute and
+// stays, with balls that never settle or without any. Until then a longer horizon may tell.
+TEST(Verdict, AsksForTorqueWhereTheRotorStallsWithoutBalls) {
+  std::string weak = machine.substr(0, machine.find("[speed]"));
+  weak.insert(weak.find("[balancer]"), "inertia = \"1e-4 kg m2\"\n");
+  weak +=
+      "[speed]\nprofile = \"torque\"\ntorque = { stall = \"3e-4 N m\", no_load_speed = \"1800 rpm\" }\n"
+      "[sampling]\nstarts = 6\n[numerics]\nhorizon = ";
+  BasinOptions options;
+  options.transients = true;
+  for (const bool long_enough : {false, true}) {
+    const BasinResult r = basin(parse_study(weak + (long_enough ? "\"120 s\"\n" : "\"15 s\"\n"), "machine"), options);
+    ASSERT_GT(r.undecided.count, 0u);
+    ASSERT_EQ(r.without_balls->bare.stalled, long_enough ? 1u : 0u);
+    const BalancerVerdict verdict = *verdict_of(r);
+    ASSERT_EQ(verdict.decision, Decision::open);
+    EXPECT_EQ(holds(verdict.change, "stalls even without balls: give its motor more torque"), long_enough);
+    EXPECT_EQ(holds(verdict.change, "a longer numerics.horizon may tell"), !long_enough);
+  }
+}
+
 TEST(Verdict, AsksForTheShareThatLimitsState) {
   BasinResult r = with_numbers(true, {.kept = 900});
   EXPECT_EQ(verdict_of(r)->decision, Decision::change);

@@ -65,6 +65,15 @@ class Discoverer {
     return std::move(s_.result);
   }
 
+  AttractorSearch balance_alone() {
+    regions_.find_balanced();
+    if (s_.is_stopped()) return stopped();
+    if (s_.balance_box) ask_for_balance();
+    s_.notes.finish();
+    s_.result.rule.blind = false;
+    return std::move(s_.result);
+  }
+
  private:
   AttractorSearch stopped() {
     s_.result.stopped = true;
@@ -211,7 +220,7 @@ class Discoverer {
     constexpr int arrangements = 200;
     if (!s_.system.tilts() || !s_.system.autonomous() || !s_.system.prescribed() || s_.drawn) return;
     for (const Equilibrium& e : unbalanced_equilibria(s_.system, arrangements, s_.settings.stop))
-      if (attracts(e.eigenvalues, 0)) candidates_.push_back({{}, {}, {}, e.state});
+      if (attracts(e.eigenvalues, free_angles(s_.system, e.state))) candidates_.push_back({{}, {}, {}, e.state});
   }
 
   // A neighbour's motions come first. Their trapping regions or looks then decide most of the pilot, and only the rest
@@ -347,6 +356,12 @@ AttractorSearch search_attractors(const StudyFamily& family, const FamilyBox& bo
                                   const AttractorSearchSettings& settings) {
   const DrawnSource source(family, box, settings.stop);
   return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).run();
+}
+
+AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
+                               const AttractorSearchSettings& settings) {
+  const DrawnSource source(family, box, settings.stop);
+  return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).balance_alone();
 }
 
 double followed_for(const model::System& system) { return is_dear(system) ? 0.25 * motion_patience : motion_patience; }

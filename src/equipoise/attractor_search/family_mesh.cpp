@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "equipoise/attractor_search/search.hpp"
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
@@ -89,9 +90,13 @@ class MeshMaker {
       settings.warm_start_states = parent->search.warm_start_states;
       settings.warm_start_levels = parent->search.warm_start_levels;
     }
-    AttractorSearch found = search_attractors(family_, box, settings);
+    const model::System middle = family_.at(family_.values_at(box.centre())).system();
+    // To follow so few starts one by one costs less than to search for what they may come to.
+    const bool few = middle.tilts() && starts_.count * dear < a_search;
+    AttractorSearch found = few ? search_balance(family_, box, settings) : search_attractors(family_, box, settings);
     if (found.stopped) return std::nullopt;
-    Tried result{{box, family_.at(family_.values_at(box.centre())).system(), std::move(found), {}}, {}};
+    Tried result{{box, middle, std::move(found), {}}, {}};
+    if (few) return result;
     NotePage notes(settings_.notes, "judging\n" + search_key(box, settings));
     result.judgement = notes.answer("cost", settings_.stop, [&] { return judge(result.cell); });
     if (is_set(settings_.stop)) return std::nullopt;

@@ -111,6 +111,11 @@ bool follow_chaos(Search& search, const std::map<int, Eigen::VectorXd>& chaos);
 /// Features of a candidate or one of its members, shown by the rotor `own`, as the middle's motion shows them.
 Features of_middle(const Search& search, const Candidate& c, const Features& f, const OwnRotor* own);
 
+/// For few rotors of a family's part: its balance alone. Every start that comes to anything else is then followed by
+/// itself.
+AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
+                               const AttractorSearchSettings& settings);
+
 /// For a coasting rotor: each start finds its own final speed, and with it the motions that it can come to.
 AttractorSearch discover_coasting(const Study& study, const StopFlag* stop);
 

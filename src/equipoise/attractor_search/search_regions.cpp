@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
 #include "equipoise/attractor_search/balance_box.hpp"
 #include "equipoise/attractor_search/balanced_levels.hpp"
+#include "equipoise/balanced_regions/family_regions.hpp"
 #include "equipoise/mechanics/capability.hpp"
 #include "equipoise/trapping_regions/orbit_forms.hpp"
 #include "equipoise/trapping_regions/path_region.hpp"
@@ -127,7 +129,9 @@ void SearchRegions::level_balanced() {
 // Around a motion that each rotor has in its own place, as one rotor was found to have it.
 void SearchRegions::add_of_candidate(const Candidate& c) {
   constexpr int most_failures = 2;
-  if (!s_.drawn || !s_.system.autonomous() || c.motion->eventful || without_[c.attractor] >= most_failures) return;
+  if (!s_.drawn || !s_.system.autonomous() || !worth_a_region(*c.motion, c.attractor) ||
+      without_[c.attractor] >= most_failures)
+    return;
   const OwnRotor& own = c.own ? *c.own : s_.rotors.front();
   if (!add_path_region(own.system, *c.motion, c.attractor, &own)) ++without_[c.attractor];
 }
@@ -136,15 +140,19 @@ void SearchRegions::add_of_candidate(const Candidate& c) {
 void SearchRegions::add_listed(const Attractor& a) {
   if (!s_.drawn) return add(a.motion, a.id);
   if (s_.system.autonomous()) return;  // add_of_candidate() has tried each of its motions
-  if (a.motion.eventful || a.motion.state.size() == 0) return;
+  if (!worth_a_region(a.motion, a.id) || a.motion.state.size() == 0) return;
   const auto motion = s_.motion_of_middle(a.motion.state);
   if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
 }
 
+// Windows recognise all others. States of a rotor that tilts have so many directions that trials would cost more than
+// they save.
+bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
+  return !motion.eventful && (!s_.system.tilts() || id == balanced_id);
+}
+
 void SearchRegions::add(const Motion& motion, int id) {
-  // Windows recognise it. States of a rotor that tilts have so many directions that trials would cost more than they
-  // save.
-  if (motion.eventful || (s_.system.tilts() && id != balanced_id)) return;
+  if (!worth_a_region(motion, id)) return;
   // Another rotor's torus lies beside this one, by more than its cloud of points can resolve.
   if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
       !model::lacking(s_.system, model::ResultKind::torus_regions))
@@ -155,8 +163,15 @@ void SearchRegions::add(const Motion& motion, int id) {
     return;
   }
   const auto is_it = [&](const model::Parameters& p, const Motion& m) { return s_.result.catalogue.find(p, m) == id; };
-  const double floor = s_.drawn ? own_floor(regions.front(), s_.trials, motion, is_it) : 0.0;
-  if (!validate(regions, s_.trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id, false), floor))
+  TrialSettings trials = s_.trials;
+  std::vector<OwnRotor> balancing;  // a region of balance holds for no other rotors
+  if (s_.drawn && id == balanced_id) {
+    std::copy_if(trials.rotors.begin(), trials.rotors.end(), std::back_inserter(balancing),
+                 [&](const OwnRotor& rotor) { return !balanced_shifts(rotor.system, s_.system).empty(); });
+    if (!balancing.empty()) trials.rotors = balancing;
+  }
+  const double floor = s_.drawn ? own_floor(regions.front(), trials, motion, is_it) : 0.0;
+  if (!validate(regions, trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id, false), floor))
     return;
   s_.result.warm_start_levels.levels.push_back({id, false, regions.front().level});
   for (OrbitRegion& region : regions) cycles_.push_back(std::make_shared<OrbitRegion>(std::move(region)));

@@ -36,6 +36,7 @@ class SearchRegions {
   void balance_of_some();
   void list_member(const std::optional<ContinuumPart>& part);
   void find_stalled();
+  bool worth_a_region(const Motion& motion, int id) const;
   void add(const Motion& motion, int id);
   bool add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own = nullptr);
   void add_torus(const Motion& motion, int id);

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/attractors/motion.hpp"
+#include "equipoise/attractors/motion_description.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
@@ -53,7 +55,10 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::
     name.id = first_free_id;
     while (find(name.id)) ++name.id;
   }
-  add({name.id, name.name, name.alias, motion, continuum});
+  const model::System system = system_of(p, motion);
+  const bool partly = motion.kind == MotionKind::equilibrium && free_angles(system, motion.state) > 0;
+  add({name.id, name.name, name.alias, motion,
+       partly ? std::optional(partly_balanced_part(system, motion.state)) : continuum});
   return name.id;
 }
 

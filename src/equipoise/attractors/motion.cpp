@@ -25,6 +25,7 @@
 #include "equipoise/mechanics/coincident_balls.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
 #include "equipoise/periodic_orbits/recurrence.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 
@@ -45,6 +46,13 @@ namespace {
 
 // In 4000 time units the second exponent of a torus is zero to 2e-4.
 constexpr double clear_zero = 3e-4;
+
+// Of the deviation that dies out slowest; a continuum's zeros are none.
+double slowest_rate(const Eigen::VectorXcd& eigenvalues) {
+  return std::find_if(eigenvalues.begin(), eigenvalues.end(),
+                      [](const auto& value) { return std::abs(value) >= zero_eigenvalue; })
+      ->real();
+}
 
 // A stable periodic orbit met on the way.
 struct KnownOrbit {
@@ -206,12 +214,18 @@ std::optional<Motion> Journey::rest() {
   if (on_section()) return creep();  // all other rest shows as a return on the section
   if (system_.layout().psi >= 0 && std::fabs(system_.speed(state_)) > in_reach)
     return std::nullopt;  // it shows as a return after a turn
-  const auto equilibrium = refine_equilibrium(system_, state_);
-  if (!equilibrium || !attracts(equilibrium->eigenvalues, 0)) return std::nullopt;
-  const bool comes = approaches(equilibrium->eigenvalues[0].real(),
-                                [&](const Eigen::VectorXd& z) { return difference_.distance(z, equilibrium->state); });
-  if (!comes) return std::nullopt;
-  return describe_equilibrium(system_, *equilibrium);
+  std::optional<Equilibrium> end = refine_equilibrium(system_, state_);
+  const auto free = [&] { return free_angles(system_, end->state); };
+  if (!end || !attracts(end->eigenvalues, free())) return std::nullopt;
+  // Each state of a continuum comes to a member of its own.
+  const bool searched = free() > 0;
+  const auto distance = [&](const Eigen::VectorXd& z) {
+    if (searched) end = refine_equilibrium(system_, z);
+    return end ? difference_.distance(z, end->state) : std::numeric_limits<double>::infinity();
+  };
+  if (!approaches(slowest_rate(end->eigenvalues), distance) || !end || !attracts(end->eigenvalues, free()))
+    return std::nullopt;
+  return describe_equilibrium(system_, *end);
 }
 
 std::optional<Motion> Journey::recurrence() {

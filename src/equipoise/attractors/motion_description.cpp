@@ -14,6 +14,7 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 
@@ -198,7 +199,8 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;
   motion.r_min = motion.r_mean = motion.r_max = r_at_rest(system, motion.state);
-  motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system) : 0);
+  motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system)
+                                                                        : free_angles(system, motion.state));
   motion.copies = count_copies(system, motion);
   return motion;
 }

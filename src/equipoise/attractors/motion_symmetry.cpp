@@ -13,6 +13,7 @@
 #include "equipoise/math/assignment.hpp"
 #include "equipoise/math/orders.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/periodic_orbits/equilibria.hpp"
 #include "equipoise/periodic_orbits/recurrence.hpp"
 
 namespace equipoise {
@@ -117,6 +118,7 @@ bool are_one(const model::System& system, const Motion& m, int i, int k) {
   if (!system.alike(i, k)) return false;
   if (m.kind == MotionKind::periodic) return m.cluster[i] == m.cluster[k];
   if (m.kind != MotionKind::equilibrium) return false;
+  if (has_free_angle(system, m.state, i)) return true;
   return std::fabs(wrapped(m.state[model::index::phi(i)] - m.state[model::index::phi(k)])) < same_point;
 }
 
@@ -229,6 +231,7 @@ bool same_motion(const model::Parameters& p, const Motion& a, const Motion& b) {
   const bool both_balanced = is_balanced_continuum(system, a) && is_balanced_continuum(system, b);
   if (std::fabs(a.speed - b.speed) > (a.motor ? share * std::fabs(a.speed) + 1e-9 : 0.0) && !both_balanced)
     return false;
+  if (a.kind == MotionKind::equilibrium && same_continuum(system, a.state, b.state)) return true;
   const auto close = [&](double f, double g) { return std::fabs(f - g) <= share * std::max(a.r_max, b.r_max) + 1e-9; };
   if (!close(a.r_min, b.r_min) || !close(a.r_mean, b.r_mean) || !close(a.r_max, b.r_max)) return false;
   const double rate = std::max(largest_rate(a, n), largest_rate(b, n));

@@ -30,12 +30,19 @@ Eigen::VectorXd terms_at(const OwnRotor& rotor, int degree) { return polynomial_
 // As high a degree as a few hundred rotors can determine.
 int degree_for(std::size_t values) { return values <= 1 ? 8 : values == 2 ? 5 : values == 3 ? 3 : 2; }
 
-std::optional<Eigen::VectorXd> balanced_place(const model::System& system, int number) {
+std::vector<Eigen::VectorXd> balanced_places(const model::System& system) {
+  std::vector<Eigen::VectorXd> places;
   const std::optional<double> speed = model::balanced_speed(system);
   const model::BalancedStates states = model::balanced_states(system);
-  if (!speed || states.kind != model::BalancedStates::Kind::isolated) return std::nullopt;
-  if (static_cast<std::size_t>(number) >= states.angles.size()) return std::nullopt;
-  return model::balanced_state(system, *speed, states.angles[static_cast<std::size_t>(number)].data());
+  if (!speed || states.kind != model::BalancedStates::Kind::isolated) return places;
+  for (const auto& phi : states.angles) places.push_back(model::balanced_state(system, *speed, phi.data()));
+  return places;
+}
+
+std::optional<Eigen::VectorXd> balanced_place(const model::System& system, int number) {
+  std::vector<Eigen::VectorXd> places = balanced_places(system);
+  if (static_cast<std::size_t>(number) >= places.size()) return std::nullopt;
+  return std::move(places[static_cast<std::size_t>(number)]);
 }
 
 }  // namespace
@@ -138,10 +145,11 @@ void FamilyRegions::place(const std::vector<BalancedRegion>& regions, OwnRotor& 
   const auto outside = [](double c) { return !(c >= -1e-9 && c <= 1.0 + 1e-9); };
   if (regions.empty() || std::any_of(rotor.coordinates.begin(), rotor.coordinates.end(), outside)) return;
   const Eigen::MatrixXd first = form(rotor);
+  const std::vector<Eigen::VectorXd> places = balanced_places(rotor.system);
   for (std::size_t k = 0; k < regions.size(); ++k) {
-    const auto place = balanced_place(rotor.system, regions[k].state);
-    if (!place) continue;
-    std::copy(place->begin(), place->end(), &rotor.places[k * size]);
+    const auto number = static_cast<std::size_t>(regions[k].state);
+    if (number >= places.size()) continue;
+    std::copy(places[number].begin(), places[number].end(), &rotor.places[k * size]);
     Eigen::MatrixXd p = first;
     if (regions[k].state != regions.front().state) {
       const Eigen::VectorXi from = exchanged_components(2, {1, 0}, size_);
@@ -154,24 +162,29 @@ void FamilyRegions::place(const std::vector<BalancedRegion>& regions, OwnRotor& 
   }
 }
 
+namespace {
+
+std::vector<Eigen::VectorXd> shifts_from(const std::vector<Eigen::VectorXd>& places, const model::System& other) {
+  std::vector<Eigen::VectorXd> shifts = balanced_places(other);
+  shifts.resize(std::min(shifts.size(), places.size()));
+  for (std::size_t number = 0; number < shifts.size(); ++number) shifts[number] -= places[number];
+  return shifts;
+}
+
+}  // namespace
+
 std::vector<Eigen::VectorXd> balanced_shifts(const model::System& other, const model::System& system) {
-  std::vector<Eigen::VectorXd> shifts;
-  for (int number = 0;; ++number) {
-    const auto there = balanced_place(other, number), here = balanced_place(system, number);
-    if (!there || !here) return shifts;
-    shifts.emplace_back(*there - *here);
-  }
+  return shifts_from(balanced_places(system), other);
 }
 
 Eigen::VectorXd balanced_shift(const model::System& other, const model::System& system, const Eigen::VectorXd& state) {
-  const std::vector<Eigen::VectorXd> shifts = balanced_shifts(other, system);
+  const std::vector<Eigen::VectorXd> places = balanced_places(system), shifts = shifts_from(places, other);
   Eigen::VectorXd nearest = Eigen::VectorXd::Zero(system.dimension());
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t number = 0; number < shifts.size(); ++number) {
-    const Eigen::VectorXd place = *balanced_place(system, static_cast<int>(number));
     double away = 0.0;
     for (int i = 0; i < system.balls(); ++i)
-      away += std::fabs(wrapped(state[model::index::phi(i)] - place[model::index::phi(i)]));
+      away += std::fabs(wrapped(state[model::index::phi(i)] - places[number][model::index::phi(i)]));
     if (away < least) nearest = shifts[number];
     least = std::min(least, away);
   }

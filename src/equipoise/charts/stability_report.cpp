@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/echo/given_value.hpp"
+#include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/text.hpp"
@@ -29,10 +29,10 @@ constexpr std::array balance_kinds{BalanceKind::stable, BalanceKind::unstable, B
 // Whether balanced states, where there are any, form a continuum. In two planes the balls of each balance its share.
 bool leaves_angles_free(const model::Parameters& p) {
   if (!p.tilts()) return p.balls > 2 || p.eccentricity == 0.0;
-  std::map<double, int> planes;
-  for (int i = 0; i < p.balls; ++i) ++planes[p.tilt.plane[static_cast<std::size_t>(i)]];
+  const std::vector<double> planes = model::planes_of(p);
   if (planes.size() > 2) return p.balls > 4;
-  return std::any_of(planes.begin(), planes.end(), [](const auto& plane) { return plane.second > 2; });
+  const auto* const first = p.tilt.plane.data();
+  return std::any_of(planes.begin(), planes.end(), [&](double z) { return std::count(first, first + p.balls, z) > 2; });
 }
 
 // A value of a key: dimensionless, and in its unit where the study has one.

@@ -166,6 +166,8 @@ class Judge {
 
   std::string more_starts() const {
     const Share& undecided = r_.undecided;
+    if (undecided.count > 0 && bare_.runs > 0 && bare_.stalled == bare_.runs)
+      return fmt::format(words::decision::more_torque, percent_text(undecided.share));
     if (undecided.count > 0) return fmt::format(words::decision::longer_horizon, percent_text(undecided.share));
     return fmt::format(words::decision::more_starts, 4 * std::max<std::uint64_t>(r_.starts, 250));
   }

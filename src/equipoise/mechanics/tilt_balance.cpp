@@ -15,6 +15,13 @@
 
 namespace equipoise::model {
 
+std::vector<double> planes_of(const Parameters& p) {
+  std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
+  std::sort(planes.begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  return planes;
+}
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -24,13 +31,6 @@ using Angles = std::array<double, max_balls>;
 constexpr double nothing = 1e-12;
 
 Complex static_unbalance(const Parameters& p) { return std::polar(p.eccentricity, p.eccentricity_angle); }
-
-std::vector<double> planes_of(const Parameters& p) {
-  std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
-  std::sort(planes.begin(), planes.end());
-  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-  return planes;
-}
 
 struct Race : BallPlane {
   double turn = 0.0;  // from the rotor's angles to those of the plane rotor

@@ -12,6 +12,9 @@ namespace equipoise::model {
 /// balls in two planes each plane closes a polygon of its own; with more, angles are searched for.
 BalancedStates tilt_balanced_states(const Parameters& p);
 
+/// The places along the shaft at which balls run, rising.
+std::vector<double> planes_of(const Parameters& p);
+
 /// The balls of one plane, and a plane rotor with these balls and the unbalance that they have to cancel.
 struct BallPlane {
   double at;  ///< along the shaft

@@ -2,9 +2,12 @@
 #include "equipoise/periodic_orbits/equilibria.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/random.hpp"
@@ -12,7 +15,9 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/continuum_draws.hpp"
 #include "equipoise/periodic_orbits/recurrence.hpp"
+#include "equipoise/types/motion.hpp"
 
 namespace equipoise {
 
@@ -60,7 +65,78 @@ double distance_in_any_order(const model::System& system, const StateDifference&
   return std::sqrt(square);
 }
 
+// A race at rest is on the axis to rounding, and rotors of one continuum rest alike.
+constexpr double race_on_axis = 1e-9, rotors_alike = 1e-6;
+
+std::vector<int> free_balls(const model::System& system, const VectorXd& equilibrium) {
+  std::vector<int> balls;
+  for (int i = 0; i < system.balls(); ++i)
+    if (has_free_angle(system, equilibrium, i)) balls.push_back(i);
+  return balls;
+}
+
 }  // namespace
+
+bool has_free_angle(const model::System& system, const VectorXd& equilibrium, int i) {
+  const model::Parameters& p = system.parameters();
+  if (!system.tilts() || !system.autonomous() || !system.prescribed()) return false;
+  const auto& plane = p.tilt.plane;
+  const double z = plane[static_cast<std::size_t>(i)];
+  if (std::count(plane.begin(), plane.begin() + p.balls, z) < 3) return false;
+  const VectorXd centre = equilibrium.head(2), slope = equilibrium.segment(system.layout().tilt, 2);
+  return (centre + z * slope).norm() < race_on_axis && model::off_balance(p, equilibrium) >= race_on_axis;
+}
+
+int free_angles(const model::System& system, const VectorXd& equilibrium) {
+  return std::max(static_cast<int>(free_balls(system, equilibrium).size()) - 2, 0);
+}
+
+ContinuumPart partly_balanced_part(const model::System& system, const VectorXd& equilibrium) {
+  constexpr int draws = 256;
+  const model::Parameters& p = system.parameters();
+  const std::vector<int> balls = free_balls(system, equilibrium);
+  model::Parameters race;  // what else its balls have to cancel
+  race.balls = static_cast<int>(balls.size());
+  std::complex<double> sum;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    race.mass[k] = p.mass[static_cast<std::size_t>(balls[k])];
+    sum += std::polar(race.mass[k], equilibrium[model::index::phi(balls[k])]);
+  }
+  race.eccentricity = std::abs(sum);
+  const double turn = std::arg(-sum);
+  const auto zeros = static_cast<std::size_t>(free_angles(system, equilibrium));
+  ContinuumDraws source(race);
+  ContinuumPart part;
+  std::vector<double> stable, growing;
+  std::array<double, model::max_balls> phi{};
+  for (; part.drawn < draws && source.next(phi); ++part.drawn) {
+    VectorXd member = equilibrium;
+    for (std::size_t k = 0; k < balls.size(); ++k) member[model::index::phi(balls[k])] = phi[k] + turn;
+    const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(system, member));
+    std::vector<std::complex<double>> rates(all.begin(), all.end());
+    std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
+    double largest = -1e300;
+    for (std::size_t k = zeros; k < rates.size(); ++k) largest = std::max(largest, rates[k].real());
+    (largest < -zero_eigenvalue ? stable : growing).push_back(largest);
+  }
+  part.stable = static_cast<int>(stable.size());
+  if (!stable.empty()) {
+    part.slowest_rate = *std::max_element(stable.begin(), stable.end());
+    part.fastest_rate = *std::min_element(stable.begin(), stable.end());
+  }
+  if (!growing.empty()) {
+    part.least_growth = std::max(0.0, *std::min_element(growing.begin(), growing.end()));
+    part.most_growth = *std::max_element(growing.begin(), growing.end());
+  }
+  return part;
+}
+
+bool same_continuum(const model::System& system, const VectorXd& a, const VectorXd& b) {
+  if (free_angles(system, a) == 0 || free_angles(system, b) == 0) return false;
+  const int tilt = system.layout().tilt;
+  const double apart = std::hypot((a - b).head(4).norm(), (a - b).segment(tilt, 4).norm());
+  return apart < rotors_alike * system.parameters().all_unbalances();
+}
 
 std::vector<Equilibrium> unbalanced_equilibria(const model::System& system, int starts, const StopFlag* stop) {
   const StateDifference difference(system);
@@ -75,7 +151,8 @@ std::vector<Equilibrium> unbalanced_equilibria(const model::System& system, int 
     if (!e || model::off_balance(system.parameters(), e->state) < centred_rotor) continue;
     e->state = system.with_angles_reduced(e->state);
     const auto is_it = [&](const Equilibrium& other) {
-      return distance_in_any_order(system, difference, e->state, other.state) < same_equilibrium;
+      return same_continuum(system, e->state, other.state) ||
+             distance_in_any_order(system, difference, e->state, other.state) < same_equilibrium;
     };
     if (std::none_of(found.begin(), found.end(), is_it)) found.push_back(std::move(*e));
   }

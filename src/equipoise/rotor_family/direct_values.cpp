@@ -11,7 +11,12 @@ std::vector<double*> numbers_of(model::Parameters& p) {
   std::vector<double*> all{&p.eccentricity, &p.gravity, &p.inertia, &p.contact_angle, &p.restitution};
   for (auto* pair : {&p.damping, &p.stiffness, &p.race_offset})
     for (double& v : *pair) all.push_back(&v);
-  for (auto* balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius})
+  model::Tilt& t = p.tilt;
+  all.insert(all.end(), {&p.eccentricity_angle, &t.transverse_inertia, &t.polar_inertia, &t.misalignment});
+  for (auto* supports : {&t.damping, &t.stiffness})
+    for (auto& pair : *supports)
+      for (double& v : pair) all.push_back(&v);
+  for (auto* balls : {&p.mass, &p.drag, &p.rolling, &p.stiction, &p.ball_radius, &t.plane})
     for (int i = 0; i < p.balls; ++i) all.push_back(&(*balls)[static_cast<std::size_t>(i)]);
   return all;
 }

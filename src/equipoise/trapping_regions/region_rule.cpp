@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <utility>
+#include <vector>
 
 #include "equipoise/attractors/event_motion.hpp"
 #include "equipoise/attractors/stuck.hpp"
@@ -101,18 +102,6 @@ int stalled_in(const model::System& system, const StalledRegion& stalled, const 
   return well ? StalledRegion{*well, stalled.rests}.caught(own->system, state) : 0;
 }
 
-// For a rotor of its own, the region of a balanced motion moves as the balanced state does.
-double value_for(const model::System& system, const OrbitRegion& region, const double* state, double psi,
-                 const OwnRotor* own) {
-  if (!own || region.attractor != balanced_id) return value(system, region, state, psi);
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::VectorXd& shift : balanced_shifts(own->system, system)) {
-    const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(state, system.dimension()) - shift;
-    least = std::min(least, value(system, region, moved.data(), psi));
-  }
-  return least;
-}
-
 class SectionRegions final : public TrappingRegions {
  public:
   SectionRegions(const model::System& system, const OrbitRegions& cycles,
@@ -124,12 +113,29 @@ class SectionRegions final : public TrappingRegions {
 
   Caught ask(const double* state, double psi, const OwnRotor* own) const override {
     if (const int attractor = stalled_ ? stalled_in(system_, *stalled_, state, own) : 0) return {attractor};
-    for (const auto& region : cycles_)
-      if (value_for(system_, *region, state, psi, own) < region->level) return {region->attractor};
+    std::optional<Shifts> shifts;  // one for all regions: to find balanced states costs as much as to test many
+    for (const auto& region : cycles_) {
+      const bool moves = own && region->attractor == balanced_id;
+      if (moves && !shifts) shifts = balanced_shifts(own->system, system_);
+      const double v = moves ? moved_value(*region, state, psi, *shifts) : value(system_, *region, state, psi);
+      if (v < region->level) return {region->attractor};
+    }
     return {continuum_ && continuum_->holds(state, psi, own) ? balanced_id : 0};
   }
 
  private:
+  using Shifts = std::vector<Eigen::VectorXd>;
+
+  // For a rotor of its own, the region of a balanced motion moves as the balanced state does.
+  double moved_value(const OrbitRegion& region, const double* state, double psi, const Shifts& shifts) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::VectorXd& shift : shifts) {
+      const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(state, system_.dimension()) - shift;
+      least = std::min(least, value(system_, region, moved.data(), psi));
+    }
+    return least;
+  }
+
   model::System system_;
   OrbitRegions cycles_;
   std::optional<StalledRegion> stalled_;

@@ -47,6 +47,9 @@ inline constexpr char nothing_to_change[] = "Nothing has to change.";
 inline constexpr char leave_it_out[] = "Leave the balancer out.";
 inline constexpr char search_for_better[] = "\"equipoise design\" searches for a better balancer.";
 inline constexpr char longer_horizon[] = "{} of starts are undecided: a longer numerics.horizon may tell.";
+// Where the motor does not bring the rotor up to speed without balls either.
+inline constexpr char more_torque[] =
+    "{} of starts are undecided, and the rotor stalls even without balls: give its motor more torque.";
 inline constexpr char more_starts[] = "Run more starts: --starts {}.";
 
 // The best of the changes tried: a figure of it, and how it serves.
