@@ -16,6 +16,7 @@ struct ChartArguments : PlaneArguments {
   std::string x, y;
   std::uint64_t boxes = ChartSettings().boxes;
   double undecided = 1.0;
+  bool cycles = false;
 };
 
 SliceAxis chart_axis(const Study& study, const std::string& text, int points, const std::string& option) {
@@ -35,6 +36,7 @@ int run_chart(const ChartArguments& a) {
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
         settings.boxes = a.boxes;
+        settings.cycles = a.cycles;
       },
       [](const Study& study, const ChartSettings& settings) { return bifurcation_chart(study, settings); },
       [](const BifurcationChart& chart, const std::string& title) {
@@ -57,6 +59,7 @@ Command add_chart(CLI::App& app) {
   app.add_option("--size", a->size, help::chart::size)->type_name("WIDTHxHEIGHT");
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
+  app.add_flag("--cycles", a->cycles, help::chart::cycles);
   add_plane_forms(app, *a, {help::chart::output, help::chart::csv, help::chart::plot});
   return [a] { return run_chart(*a); };
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "equipoise/curves/curve_starts.hpp"
+#include "equipoise/curves/cycle_search.hpp"
 #include "equipoise/curves/locked_grid.hpp"
 #include "equipoise/curves/proof_boxes.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
@@ -35,6 +36,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     const BalancePlane plane(studies, settings.x, settings.y);
     add_curves(plane, settings.stop, chart);
     add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
+    if (settings.cycles) add_cycles(studies, plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
   }

@@ -99,7 +99,7 @@ bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKin
       const double length = std::max(chord.squaredNorm(), 1e-300);
       const double part = std::clamp(offset.dot(chord) / length, 0.0, 1.0);
       if ((offset - part * chord).norm() > beside) continue;
-      if (kind != CurveKind::hopf || std::fabs(p.frequency - frequency) < 0.05 * (1.0 + frequency)) return true;
+      if ((kind != CurveKind::hopf && !is_of_cycles(kind)) || std::fabs(p.frequency - frequency) < 0.05 * (1.0 + frequency)) return true;
     }
   }
   return false;

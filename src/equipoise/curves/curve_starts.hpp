@@ -9,8 +9,8 @@
 
 namespace equipoise {
 
-/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross have different
-/// frequencies.
+/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two
+/// curves of cycles, have different frequencies.
 bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
               const Eigen::VectorXd& at, double frequency);
 

@@ -96,6 +96,9 @@ inline constexpr char locked_without_events[] = "balls that touch or stick may r
 inline constexpr char locked_under_drive[] = "without a drive that lasts no speed is kept";
 inline constexpr char too_many_kinds[] = "unlike balls can be divided in too many ways";
 
+// Why cycles are not known.
+inline constexpr char cycles_without_events[] = "balls that touch or stick make them break off";
+
 // Regions: what is there, a place.
 inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
 // What balance is; of other states how many, if more than one.
