@@ -29,6 +29,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   chart.study = chart.plane.study = study;
   chart.plane.x = settings.x;
   chart.plane.y = settings.y;
+  chart.cycles = settings.cycles;
   if (!settings.output.empty()) check_chart_file(settings.output, chart);
   chart.plane = stability(study, grid);
   if (chart.plane.complete) {

@@ -18,10 +18,9 @@ namespace {
 constexpr double curve_tolerance = 1e-12;  // of a step of the integrations
 // What a thousand such steps leave, magnified by multipliers.
 constexpr CurveFollower::Limits cycle_limits{CurveFollower::longest_step, 1e-9};
-constexpr std::size_t most_of_cycles = 1500;
+constexpr std::size_t most_of_cycles = 500;
 constexpr double cycle_difference = 1e-6;  // in the unit square
-constexpr double smallest_swing = 0.03;    // radians; a smaller cycle is taken to shrink to a state at rest
-constexpr double eightfold = 8.0;
+constexpr double smallest_swing = 0.005;   // radians; a smaller cycle is taken to shrink to a state at rest
 
 CurveKind kind_of(CycleChange change) {
   return change == CycleChange::fold   ? CurveKind::cycle_fold
@@ -154,7 +153,7 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
                  .dot((b.nodes[k] - middle_b / count).cwiseQuotient(shooting_.unit()));
   if (alike < 0.0 || (place.point.swing < smallest_swing && place.point.swing < before.point.swing))
     return CurveEnd::vanishes;
-  if (b.period > eightfold * first_period_) return CurveEnd::long_period;
+  if (b.period > longest_cycle * first_period_) return CurveEnd::long_period;
   if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) return CurveEnd::resonance;
   return std::nullopt;
 }
@@ -184,8 +183,7 @@ std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePl
   return std::nullopt;
 }
 
-void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b,
-                                    std::vector<SpecialPoint>& found) const {
+void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
   if (a.point.others == b.point.others) return;
   // The multiplier, or pair, that crosses: how far it is outside.
   const auto crossing = [&](const CurvePlace& p) {

@@ -39,6 +39,7 @@ class CycleSearch {
       const BalancePlane own(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
       branches[k] = cycle_branch([&](const VectorXd& at) { return own.system(at); }, origins[k].start, stop_);
     });
+    if (getenv("PODBG")) fprintf(stderr, "scans done\n");
     for (std::size_t k = 0; k < branches.size(); ++k)
       for (const CycleCrossing& crossing : branches[k].crossings) {
         if (is_set(stop_)) return;
@@ -49,27 +50,44 @@ class CycleSearch {
  private:
   VectorXd place(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
-  // At equal distances along the curve, and across it.
+  // At equal distances along the curve, and beside special points, where curves of cycles begin; then across it.
   void add_origins(const ChartCurve& curve, std::vector<CycleOrigin>& origins) const {
     constexpr double apart = 0.1;  // of the plane's sides
-    constexpr double fewest = 3.0;
-    constexpr double slowest = 1e-3;  // a longer period than of a few thousand is not followed
+    constexpr double fewest = 8.0;
+    constexpr double on_curve = 1e-3, beside[] = {-0.02, -0.005, 0.005, 0.02};
     std::vector<double> length{0.0};
     for (std::size_t k = 1; k < curve.points.size(); ++k)
       length.push_back(length.back() + (place(curve.points[k]) - place(curve.points[k - 1])).norm());
     const double count = std::max(fewest, std::floor(length.back() / apart));
-    std::size_t k = 1;
-    for (double n = 0.5; n < count; n += 1.0) {
-      while (k + 2 < curve.points.size() && length[k] < n / count * length.back()) ++k;
-      const CurvePoint& p = curve.points[k];
-      if (k + 1 >= curve.points.size() || !(p.frequency > slowest)) continue;
-      if (curve.of == of_balance && is_of_continuum(place(p))) continue;
-      const VectorXd along = (place(curve.points[k + 1]) - place(curve.points[k - 1])).normalized();
-      origins.push_back({{place(p), Eigen::Vector2d(-along[1], along[0]),
-                          Eigen::Map<const VectorXd>(p.state.data(), static_cast<Eigen::Index>(p.state.size())),
-                          p.frequency},
-                         curve.of});
+    std::vector<double> starts;
+    for (double n = 0.5; n < count; n += 1.0) starts.push_back(n / count * length.back());
+    for (const SpecialPoint& special : chart_.specials) {
+      if (special.kind != SpecialKind::double_hopf && special.kind != SpecialKind::zero_hopf &&
+          special.kind != SpecialKind::fold_hopf && special.kind != SpecialKind::generalised_hopf)
+        continue;
+      const VectorXd at = plane_.place(special.x, special.y);
+      const auto nearer = [&](const CurvePoint& p, const CurvePoint& q) {
+        return (place(p) - at).norm() < (place(q) - at).norm();
+      };
+      const auto nearest = std::min_element(curve.points.begin(), curve.points.end(), nearer);
+      if ((place(*nearest) - at).norm() > CurveFollower::longest_step + on_curve) continue;
+      for (const double step : beside)
+        starts.push_back(length[static_cast<std::size_t>(nearest - curve.points.begin())] + step);
     }
+    for (const double at : starts) add_origin(curve, length, at, origins);
+  }
+  void add_origin(const ChartCurve& curve, const std::vector<double>& length, double at,
+                  std::vector<CycleOrigin>& origins) const {
+    constexpr double slowest = 1e-3;  // a longer period than of a few thousand is not followed
+    const auto k = static_cast<std::size_t>(std::lower_bound(length.begin(), length.end(), at) - length.begin());
+    if (k == 0 || k + 1 >= curve.points.size()) return;
+    const CurvePoint& p = curve.points[k];
+    if (!(p.frequency > slowest) || (curve.of == of_balance && is_of_continuum(place(p)))) return;
+    const VectorXd along = (place(curve.points[k + 1]) - place(curve.points[k - 1])).normalized();
+    origins.push_back(
+        {{place(p), Eigen::Vector2d(-along[1], along[0]),
+          Eigen::Map<const VectorXd>(p.state.data(), static_cast<Eigen::Index>(p.state.size())), p.frequency},
+         curve.of});
   }
   bool is_of_continuum(const VectorXd& at) const {
     const auto spectrum = plane_.spectrum(at);
@@ -86,32 +104,39 @@ class CycleSearch {
       return is_known(plane_, chart_, kind, of, at, frequency);
     };
     if (known(crossing.near.at, two_pi / crossing.near.shape.period)) return;
+    if (getenv("PODBG"))
+      fprintf(stderr, "crossing %s %g %g T %g\n", curve_kind_names[(int)kind], plane_.x(crossing.near.at),
+              plane_.y(crossing.near.at), crossing.near.shape.period);
     CycleCurve curve(plane_, *system, crossing);
-    if (!curve.follow_from(crossing, stop_, [&](const CurvePlace& p) { return known(p.at.head(2), p.point.frequency); }))
+    if (!curve.follow_from(crossing, stop_,
+                           [&](const CurvePlace& p) { return known(p.at.head(2), p.point.frequency); }))
       return;
     add_curve(plane_, kind, of, curve, chart_);
     ChartCurve& found = chart_.curves.back();
+    if (getenv("PODBG"))
+      fprintf(stderr, "  points %zu %s %s\n", found.points.size(), curve_end_names[(int)found.ends[0]],
+              curve_end_names[(int)found.ends[1]]);
     if (found.ends[0] == CurveEnd::vanishes)
-      if (const auto end = birth(kind, of, found.points.front())) found.points.insert(found.points.begin(), *end);
+      if (const auto end = birth(kind, found.points.front())) found.points.insert(found.points.begin(), *end);
     if (found.ends[1] == CurveEnd::vanishes)
-      if (const auto end = birth(kind, of, found.points.back())) found.points.push_back(*end);
+      if (const auto end = birth(kind, found.points.back())) found.points.push_back(*end);
   }
 
   // The point of a Hopf curve at which a cycle of size 0 is what the curve is about.
-  std::optional<CurvePoint> birth(CurveKind kind, const std::string& of, const CurvePoint& last) const {
+  std::optional<CurvePoint> birth(CurveKind kind, const CurvePoint& last) const {
     constexpr double beside = 1e-2, alike = 0.02;
     std::optional<CurvePoint> best;
     double least = beside;
     for (const SpecialPoint& p : chart_.specials) {
-      const bool fits = kind == CurveKind::cycle_fold ? p.kind == SpecialKind::generalised_hopf
-                                                      : p.kind == SpecialKind::double_hopf ||
-                                                            p.kind == SpecialKind::zero_hopf ||
-                                                            p.kind == SpecialKind::fold_hopf;
+      const bool fits = kind == CurveKind::cycle_fold
+                            ? p.kind == SpecialKind::generalised_hopf
+                            : p.kind == SpecialKind::double_hopf || p.kind == SpecialKind::zero_hopf ||
+                                  p.kind == SpecialKind::fold_hopf;
       const double distance = (plane_.place(p.x, p.y) - place(last)).norm();
       const auto swings_so = [&](double frequency) {
         return std::fabs(frequency - last.frequency) < alike * last.frequency;
       };
-      if (!fits || chart_.curves[p.curve].of != of || distance >= least) continue;
+      if (!fits || distance >= least) continue;
       if (!swings_so(p.frequency) && !swings_so(p.second)) continue;
       least = distance;
       best = last;
@@ -136,7 +161,6 @@ class CycleSearch {
 
 void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
                 BifurcationChart& chart) {
-  chart.cycles = true;
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
   if (system && !system->smooth()) chart.no_cycles = words::chart::cycles_without_events;
   if (chart.no_cycles.empty()) CycleSearch(studies, plane, threads, stop, chart).run();

@@ -30,8 +30,8 @@ FollowedCurve::FollowedCurve(const BalancePlane& plane, CurveKind kind, const Ei
     : plane_(plane),
       kind_(kind),
       like_(like),
-      follower_([this](const VectorXd& at) { return equation(at); },
-                [this](const VectorXd& at) { return slopes(at); }, limits),
+      follower_([this](const VectorXd& at) { return equation(at); }, [this](const VectorXd& at) { return slopes(at); },
+                limits),
       most_(most) {}
 
 std::optional<CurvePlace> FollowedCurve::at_edge(const VectorXd& inside, const VectorXd& outside) const {

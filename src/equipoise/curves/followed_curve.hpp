@@ -18,7 +18,8 @@ struct CurvePlace {
   Eigen::VectorXd at;  ///< in the unit square, then what else is unknown on the curve
   EigenPair pair;      ///< of a Hopf curve; of a torus's multipliers
   CurvePoint point;
-  /// Of a fold, of states or cycles, and of a period doubling: right and left eigenvector of the zero, of unit length and without jumps along the curve.
+  /// Of a fold, of states or cycles, and of a period doubling: right and left eigenvector of the zero, of unit length
+  /// and without jumps along the curve.
   Eigen::VectorXd right, left;
   double double_zero = 0.0;  ///< left . right: 0 where the zero is double
   double turn = 0.0;         ///< left . second derivative along `right` twice: 0 where the fold itself turns back

@@ -22,7 +22,6 @@ constexpr double branch_tolerance = 1e-10;  // of a step of the integrations; cu
 constexpr CurveFollower::Limits branch_limits{0.02, 1e-7};
 constexpr double first_swing = 0.02;  // radians: small, and far above the integrations' errors
 constexpr std::size_t most_of_branch = 400;
-constexpr double longest_period = 8.0;  // of the first
 constexpr double parameter_step = 1e-6;
 
 class BranchOfCycles {
@@ -47,11 +46,10 @@ class BranchOfCycles {
       if (!next) return branch;
       const auto found = place(next->point);
       if (!found || found->at.minCoeff() < 0.0 || found->at.maxCoeff() > 1.0) return branch;
-      if (found->shape.period > longest_period * first_period) return branch;
-      const bool shrunk = branch.places.size() > 3 && found->swing < first_swing;
-      if (shrunk) return branch;
-      if (!branch.places.empty() &&
-          unstable_multipliers(found->multipliers) != unstable_multipliers(last->multipliers))
+      if (found->shape.period > longest_cycle * first_period) return branch;
+      const bool shrinks = last && found->swing < last->swing && found->swing < first_swing;
+      if (shrinks) return branch;
+      if (!branch.places.empty() && unstable_multipliers(found->multipliers) != unstable_multipliers(last->multipliers))
         add_crossing(*here, *next, *last, *found, branch);
       branch.places.push_back(*found);
       shooting_.stay_near(*systems_(found->at), found->shape);
@@ -108,8 +106,8 @@ class BranchOfCycles {
     const auto below = systems_(at - parameter_step * start_.direction),
                above = systems_(at + parameter_step * start_.direction);
     if (!arcs_ || !below || !above) return std::nullopt;
-    const auto change = shooting_.by_parameter(
-        *below, *above, 2.0 * parameter_step, shooting_.shape(x.tail(shooting_.unknowns())), *arcs_, nullptr);
+    const auto change = shooting_.by_parameter(*below, *above, 2.0 * parameter_step,
+                                               shooting_.shape(x.tail(shooting_.unknowns())), *arcs_, nullptr);
     if (!change) return std::nullopt;
     MatrixXd m(shooting_.unknowns(), 1 + shooting_.unknowns());
     m << change->equations, shooting_.slopes(*arcs_);

@@ -42,8 +42,12 @@ struct CycleBranch {
   std::vector<CycleCrossing> crossings;
 };
 
+/// Cycles are followed until their period has grown by this factor: close to a connection of states at rest it grows
+/// without bound.
+inline constexpr double longest_cycle = 4.0;
+
 /// From small cycles on, until the branch leaves the square, its cycles shrink again, or their period has grown
-/// eightfold. Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
+/// by longest_cycle. Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
 CycleBranch cycle_branch(const CycleSystems& systems, const CycleStart& start, const StopFlag* stop);
 
 /// Multipliers outside the unit circle.

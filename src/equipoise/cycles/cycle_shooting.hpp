@@ -19,9 +19,9 @@ struct CycleShape {
 
 /// What follows from a shape in one system. Everything is in units of System::scale().
 struct CycleArcs {
-  std::vector<TangentFlight> flights;    ///< from the nodes, with the states' own units in `end`
-  std::vector<Eigen::MatrixXd> slopes;   ///< of an arc's end by its node
-  std::vector<Eigen::VectorXd> rates;    ///< dz/dt at an arc's end
+  std::vector<TangentFlight> flights;   ///< from the nodes, with the states' own units in `end`
+  std::vector<Eigen::MatrixXd> slopes;  ///< of an arc's end by its node
+  std::vector<Eigen::VectorXd> rates;   ///< dz/dt at an arc's end
   /// Their product: of the last arc's end by the first node.
   Eigen::MatrixXd monodromy() const;
 };

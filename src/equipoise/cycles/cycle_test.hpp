@@ -32,9 +32,9 @@ class CycleTest {
 
   struct Value {
     double value = 0.0;
-    Eigen::VectorXd right, left;    ///< of folds and period doublings: null vectors, of unit length
-    double cosine = 0.0;            ///< of a torus's pair: half of its sum
-    std::complex<double> multiplier;  ///< one of the pair
+    Eigen::VectorXd right, left;          ///< of folds and period doublings: null vectors, of unit length
+    double cosine = 0.0;                  ///< of a torus's pair: half of its sum
+    std::complex<double> multiplier;      ///< one of the pair
     std::optional<CycleWeights> weights;  ///< none where a torus's pair is nearly double
   };
   std::optional<Value> at(const CycleArcs& arcs) const;

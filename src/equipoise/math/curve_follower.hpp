@@ -27,7 +27,8 @@ class CurveFollower {
   CurveFollower(Equations equations, Slopes slopes, const Limits& limits)
       : equations_(std::move(equations)), slopes_(std::move(slopes)), limits_(limits) {}
 
-  /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to the precision.
+  /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to the
+  /// precision.
   std::optional<Eigen::VectorXd> at_plane(const Eigen::VectorXd& guess, const Eigen::VectorXd& normal) const;
   /// A point of the curve near `guess`: across the equations' gradients.
   std::optional<Eigen::VectorXd> nearby(const Eigen::VectorXd& guess) const;

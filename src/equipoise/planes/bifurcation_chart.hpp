@@ -15,11 +15,11 @@ namespace equipoise {
 
 /// What happens on a curve. The values stand in files.
 enum class CurveKind : signed char {
-  hopf = 0,       ///< a pair of eigenvalues crosses the imaginary axis
-  zero = 1,       ///< a real eigenvalue at balance crosses zero
-  existence = 2,  ///< the balls just reach: in line they cancel the unbalance; beyond there is no balanced state
-  fold = 3,       ///< two locked states merge; beyond there is neither
-  pitchfork = 4,  ///< alike balls of a locked state part, with the rotor centred: a real eigenvalue crosses zero
+  hopf = 0,         ///< a pair of eigenvalues crosses the imaginary axis
+  zero = 1,         ///< a real eigenvalue at balance crosses zero
+  existence = 2,    ///< the balls just reach: in line they cancel the unbalance; beyond there is no balanced state
+  fold = 3,         ///< two locked states merge; beyond there is neither
+  pitchfork = 4,    ///< alike balls of a locked state part, with the rotor centred: a real eigenvalue crosses zero
   cycle_fold = 5,   ///< two cycles merge: a multiplier is 1
   cycle_flip = 6,   ///< a cycle's period doubles: a multiplier is -1
   cycle_torus = 7,  ///< a second swing begins about a cycle: a pair of multipliers is on the unit circle
@@ -49,13 +49,13 @@ struct CurvePoint {
 
 /// Why a curve ends. The values stand in files.
 enum class CurveEnd : signed char {
-  plane = 0,       ///< at the plane's edge
-  closed = 1,      ///< at its own beginning
-  no_balance = 2,  ///< where the balanced state ends
-  no_pair = 3,     ///< the pair's frequency falls to 0 (Bogdanov-Takens)
-  lost = 4,        ///< it could not be followed further
+  plane = 0,        ///< at the plane's edge
+  closed = 1,       ///< at its own beginning
+  no_balance = 2,   ///< where the balanced state ends
+  no_pair = 3,      ///< the pair's frequency falls to 0 (Bogdanov-Takens)
+  lost = 4,         ///< it could not be followed further
   vanishes = 5,     ///< the cycle shrinks to a state at rest
-  long_period = 6,  ///< the cycle's period has grown eightfold
+  long_period = 6,  ///< the cycle's period has grown fourfold
   resonance = 7,    ///< a torus's pair of multipliers meets at 1 or -1
 };
 inline constexpr std::array<const char*, 8> curve_end_names{"plane", "closed",   "no-balance",  "no-pair",
@@ -88,9 +88,9 @@ enum class SpecialKind : signed char {
   double_torus = 14,     ///< two pairs
 };
 inline constexpr std::array<const char*, 15> special_kind_names{
-    "generalised-hopf", "double-hopf",   "zero-hopf",     "bogdanov-takens", "cusp",
-    "fold-hopf",        "cycle-cusp",    "resonance-1-1", "resonance-1-2",   "resonance-1-3",
-    "resonance-1-4",    "fold-flip",     "fold-torus",    "flip-torus",      "double-torus"};
+    "generalised-hopf", "double-hopf", "zero-hopf",     "bogdanov-takens", "cusp",
+    "fold-hopf",        "cycle-cusp",  "resonance-1-1", "resonance-1-2",   "resonance-1-3",
+    "resonance-1-4",    "fold-flip",   "fold-torus",    "flip-torus",      "double-torus"};
 
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::generalised_hopf;

@@ -65,6 +65,9 @@ inline constexpr char is_zero[] = "real eigenvalue";
 inline constexpr char is_existence[] = "balance ends";
 inline constexpr char is_fold[] = "fold";
 inline constexpr char is_pitchfork[] = "pitchfork";
+inline constexpr char is_cycle_fold[] = "fold of cycles";
+inline constexpr char is_cycle_flip[] = "period doubling";
+inline constexpr char is_cycle_torus[] = "torus";
 inline constexpr char how_softly[] = "softly";
 inline constexpr char how_abruptly[] = "abruptly";
 inline constexpr char how_both[] = "softly, abruptly";
@@ -74,6 +77,9 @@ inline constexpr char how_ends[] = "it ends";
 inline constexpr char how_unknown[] = "not known how";
 inline constexpr char how_stable_state[] = "a stable state";
 inline constexpr char how_unstable_states[] = "unstable states";
+inline constexpr char how_stable_cycle[] = "a stable cycle";
+inline constexpr char how_unstable_cycles[] = "unstable cycles";
+inline constexpr char how_both_cycles[] = "a cycle, stable on a part";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
 inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
@@ -82,6 +88,15 @@ inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real e
 inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
 inline constexpr char is_cusp[] = "cusp: two folds meet";
 inline constexpr char is_fold_hopf[] = "fold-Hopf: a swing begins where two states merge";
+inline constexpr char is_cycle_cusp[] = "cusp: two folds of cycles meet";
+inline constexpr char is_resonance_1_1[] = "1:1 resonance: a second multiplier is 1";
+inline constexpr char is_resonance_1_2[] = "1:2 resonance: a second multiplier is -1";
+inline constexpr char is_resonance_1_3[] = "1:3 resonance: the torus closes after three turns";
+inline constexpr char is_resonance_1_4[] = "1:4 resonance: the torus closes after four turns";
+inline constexpr char is_fold_flip[] = "fold-flip: cycles merge where their period doubles";
+inline constexpr char is_fold_torus[] = "fold-torus: cycles merge where a torus is born";
+inline constexpr char is_flip_torus[] = "flip-torus: a period doubles where a torus is born";
+inline constexpr char is_double_torus[] = "double torus: two swings begin about a cycle";
 
 // Locked states, by where the balls are. Numbers of balls, or their numbers.
 inline constexpr char one_ball[] = "ball on the line";
@@ -111,6 +126,9 @@ inline constexpr char regions_are[] =
 // Why.
 inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}.\n";
 
+// Why.
+inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
+
 // Notes.
 inline constexpr char no_curve[] = "No curve was found.\n";
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
@@ -131,6 +149,9 @@ inline constexpr char legend_proved[] = "proved: {}";
 inline constexpr char legend_fold[] = "two locked states merge";
 inline constexpr char legend_pitchfork[] = "balls of a locked state part";
 inline constexpr char legend_locked_hopf[] = "a locked state begins to swing";
+inline constexpr char legend_cycle_fold[] = "two cycles merge";
+inline constexpr char legend_cycle_flip[] = "a cycle's period doubles";
+inline constexpr char legend_cycle_torus[] = "a cycle becomes a torus";
 inline constexpr char legend_regions[] = "at rest and stable:";
 inline constexpr char legend_no_region[] = "nothing";
 inline constexpr char legend_open[] = "not decided";
