@@ -39,7 +39,6 @@ class CycleSearch {
       const BalancePlane own(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
       branches[k] = cycle_branch([&](const VectorXd& at) { return own.system(at); }, origins[k].start, stop_);
     });
-    if (getenv("PODBG")) fprintf(stderr, "scans done\n");
     for (std::size_t k = 0; k < branches.size(); ++k)
       for (const CycleCrossing& crossing : branches[k].crossings) {
         if (is_set(stop_)) return;
@@ -104,18 +103,12 @@ class CycleSearch {
       return is_known(plane_, chart_, kind, of, at, frequency);
     };
     if (known(crossing.near.at, two_pi / crossing.near.shape.period)) return;
-    if (getenv("PODBG"))
-      fprintf(stderr, "crossing %s %g %g T %g\n", curve_kind_names[(int)kind], plane_.x(crossing.near.at),
-              plane_.y(crossing.near.at), crossing.near.shape.period);
     CycleCurve curve(plane_, *system, crossing);
     if (!curve.follow_from(crossing, stop_,
                            [&](const CurvePlace& p) { return known(p.at.head(2), p.point.frequency); }))
       return;
     add_curve(plane_, kind, of, curve, chart_);
     ChartCurve& found = chart_.curves.back();
-    if (getenv("PODBG"))
-      fprintf(stderr, "  points %zu %s %s\n", found.points.size(), curve_end_names[(int)found.ends[0]],
-              curve_end_names[(int)found.ends[1]]);
     if (found.ends[0] == CurveEnd::vanishes)
       if (const auto end = birth(kind, found.points.front())) found.points.insert(found.points.begin(), *end);
     if (found.ends[1] == CurveEnd::vanishes)
