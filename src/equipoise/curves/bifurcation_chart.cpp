@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "equipoise/curves/curve_starts.hpp"
-#include "equipoise/curves/cycle_search.hpp"
 #include "equipoise/curves/locked_grid.hpp"
 #include "equipoise/curves/proof_boxes.hpp"
 #include "equipoise/kernels/cpu_target.hpp"

@@ -6,6 +6,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/curves/followed_curve.hpp"
 #include "equipoise/planes/bifurcation_chart.hpp"
+#include "equipoise/stability/plane_studies.hpp"
 
 namespace equipoise {
 
@@ -20,5 +21,10 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
 
 /// All curves of balance in the chart's plane, with their special points.
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+
+/// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
+/// curve begins, unless it is known. For a chart that has all other curves.
+void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
+                BifurcationChart& chart);
 
 }  // namespace equipoise

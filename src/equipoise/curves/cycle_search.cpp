@@ -1,5 +1,5 @@
-// Starts along Hopf curves, branches in parallel, then one curve after the other.
-#include "equipoise/curves/cycle_search.hpp"
+// Cycles: starts along Hopf curves, branches in parallel, then one curve after the other.
+#include "equipoise/curves/curve_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/curves/curve_starts.hpp"
 #include "equipoise/curves/cycle_curve.hpp"
 #include "equipoise/cycles/cycle_branch.hpp"
 #include "equipoise/running/parallel.hpp"
