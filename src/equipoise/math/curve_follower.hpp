@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -23,7 +24,8 @@ class CurveFollower {
   using Slopes = std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd&)>;
 
   /// `slopes`: derivatives of the equations; differences() if there are none.
-  explicit CurveFollower(Equations equations, Slopes slopes = {}) : CurveFollower(equations, slopes, Limits()) {}
+  explicit CurveFollower(Equations equations, Slopes slopes = {})
+      : equations_(std::move(equations)), slopes_(std::move(slopes)) {}
   CurveFollower(Equations equations, Slopes slopes, const Limits& limits)
       : equations_(std::move(equations)), slopes_(std::move(slopes)), limits_(limits) {}
 
