@@ -40,7 +40,7 @@ set(equipoise_public_headers
     continuation/continuation.hpp continuation/parameter_line.hpp
     basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
     planes/bifurcation_chart.hpp planes/chart_file.hpp planes/stability_file.hpp planes/stability_plane.hpp
-      stability/over_plane.hpp curves/bifurcation_chart.hpp charts/chart_plot.hpp charts/chart_report.hpp
+      stability/over_plane.hpp curves/bifurcation_chart.hpp charts/chart_julia.hpp charts/chart_plot.hpp charts/chart_report.hpp
       charts/stability_plot.hpp charts/stability_report.hpp
     sweeps/capacity.hpp sweeps/merge.hpp sweeps/survey.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp
       sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp

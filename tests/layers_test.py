@@ -74,9 +74,10 @@ ROOMS = {
     "stability":
         "running math model types mechanics study kernels periodic_orbits attractors results planes spin_up "
         "attractor_search start_runs continuation basin_slices",
+    "cycles": "math model types mechanics periodic_orbits",
     "curves":
         "running math model types mechanics study kernels periodic_orbits attractors proof results planes spin_up "
-        "attractor_search start_runs continuation basin_slices stability",
+        "attractor_search start_runs continuation basin_slices stability cycles",
     "sweeps":
         "running types units study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",

@@ -35,6 +35,7 @@ TABLES = {
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
     "src/equipoise/drawing/chart.cpp": "a gnuplot script",
     "src/equipoise/drawing/plot_parts.cpp": "a gnuplot script",
+    "src/equipoise/charts/chart_julia.cpp": "a Julia script",
     "src/equipoise/charts/chart_plot.cpp": "a gnuplot script",
     "src/equipoise/charts/stability_plot.cpp": "a gnuplot script",
     "src/equipoise/planes/chart_file.cpp": "a row a column",

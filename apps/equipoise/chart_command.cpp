@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "equipoise/charts/chart_julia.hpp"
 #include "equipoise/charts/chart_plot.hpp"
 #include "equipoise/charts/chart_report.hpp"
 #include "equipoise/curves/bifurcation_chart.hpp"
@@ -13,9 +14,10 @@ namespace equipoise::app {
 namespace {
 
 struct ChartArguments : PlaneArguments {
-  std::string x, y;
+  std::string x, y, julia;
   std::uint64_t boxes = ChartSettings().boxes;
   double undecided = 1.0;
+  bool cycles = false;
 };
 
 SliceAxis chart_axis(const Study& study, const std::string& text, int points, const std::string& option) {
@@ -35,13 +37,19 @@ int run_chart(const ChartArguments& a) {
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
         settings.boxes = a.boxes;
+        require_ending("--julia", a.julia, ".jl");
+        require_writable("--julia", a.julia);
+        if (!a.julia.empty() && !study.system().prescribed())
+          throw InputError("--julia", "", a.julia, equipoise::words::chart::julia_prescribed);
+        settings.cycles = a.cycles;
       },
       [](const Study& study, const ChartSettings& settings) { return bifurcation_chart(study, settings); },
-      [](const BifurcationChart& chart, const std::string& title) {
-        return FormMakers{[&] { return chart_text(chart, text_style()); },
-                          [&] { return chart_json(chart); },
-                          [&] { return chart_csv(chart); },
-                          [&](const std::string& file) { return chart_plot_script(chart, title, file); },
+      [&](const BifurcationChart& chart, const std::string& title) {
+        if (!a.julia.empty()) write_file(a.julia, chart_julia(chart));
+        return FormMakers{[&chart] { return chart_text(chart, text_style()); },
+                          [&chart] { return chart_json(chart); },
+                          [&chart] { return chart_csv(chart); },
+                          [&chart, &title](const std::string& file) { return chart_plot_script(chart, title, file); },
                           {}};
       });
 }
@@ -57,6 +65,8 @@ Command add_chart(CLI::App& app) {
   app.add_option("--size", a->size, help::chart::size)->type_name("WIDTHxHEIGHT");
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
+  app.add_flag("--cycles", a->cycles, help::chart::cycles);
+  app.add_option("--julia", a->julia, help::chart::julia)->type_name("FILE.jl");
   add_plane_forms(app, *a, {help::chart::output, help::chart::csv, help::chart::plot});
   return [a] { return run_chart(*a); };
 }

@@ -161,10 +161,11 @@ py::dict summary_of_plane(const Stability& kept) {
 using Chart = Kept<BifurcationChart>;
 
 Chart draw_chart(const PyStudy& s, const py::tuple& x, const py::tuple& y, std::uint64_t boxes, double undecided,
-                 const std::string& output, const py::dict& settings) {
+                 bool cycles, const std::string& output, const py::dict& settings) {
   const Study study = with_medians(s.study);
   Call call(settings);
   ChartSettings how;
+  how.cycles = cycles;
   call.set(how);
   set_axes(study, x, y, how);
   how.boxes = boxes;
@@ -255,7 +256,7 @@ void bind_planes(py::module_& module) {
       .def("csv", [](const Chart& c) { return chart_csv(c.result); })
       .def("save", [](const Chart& c, const std::string& path) { write_chart_file(path, c.result); });
   module.def("chart", &draw_chart, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("boxes"), py::arg("undecided"),
-             py::arg("output"), py::arg("settings"));
+             py::arg("cycles"), py::arg("output"), py::arg("settings"));
   bind_kept<SweepResult>(module, "Sweep", &sweep_text, &sweep_json)
       .def("csv", [](const Sweep& s) { return sweep_csv(s.result); })
       .def("page", [](const Sweep& s) { return sweep_html(s.result, machine_of(s)); })

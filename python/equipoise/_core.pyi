@@ -221,6 +221,7 @@ def chart(
     y: tuple[str, str, int],
     boxes: int,
     undecided: float,
+    cycles: bool,
     output: str,
     settings: dict[str, Any],
 ) -> Chart: ...

@@ -30,19 +30,22 @@ class Curve:
     ----------
     kind : str
         "hopf": a pair of eigenvalues crosses; "zero": a real one does; "existence": the balanced state ends; "fold": two
-        locked states merge; "pitchfork": alike balls of one part.
+        locked states merge; "pitchfork": alike balls of one part; "cycle-fold": two cycles merge; "cycle-flip": a cycle's
+        period doubles; "cycle-torus": a second swing begins about it.
     of : str
-        "balance", or the locked state by where its balls are: "balls together".
+        "balance", or the locked state by where its balls are: "balls together". Of cycles: what they were born of.
     ends : tuple[str, str]
-        Why it ends: "plane", "closed", "no-balance", "no-pair", "lost".
+        Why it ends: "plane", "closed", "no-balance", "no-pair", "lost", "vanishes", "long-period", "resonance".
     x, y : ndarray
         Its points, in order.
     frequency : ndarray
-        Of the pair, in omega_c; nan without a pair.
+        Of the pair or the cycle, in omega_c; nan without either.
     lyapunov : ndarray
         First Lyapunov coefficient: growth rate per square of the largest swing, omega_c/rad^2. Negative: balance is lost softly.
     others : ndarray of int
-        Unstable eigenvalues besides those that cross: 0 where the state itself loses stability.
+        Unstable eigenvalues, of cycles multipliers, besides those that cross: 0 where the motion itself loses stability.
+    swing : ndarray
+        Half of what the ball of a cycle covers that swings most, in rad; nan on other curves.
     """
 
     kind: str
@@ -53,14 +56,16 @@ class Curve:
     frequency: Array
     lyapunov: Array
     others: npt.NDArray[np.int64]
+    swing: Array
 
 
 @dataclass(frozen=True)
 class SpecialPoint:
     """A point where a curve changes its kind.
 
-    `kind` is "generalised-hopf", "double-hopf", "zero-hopf", "bogdanov-takens", "cusp" or "fold-hopf"; `curve` the number of its curve; `x`, `y`
-    its place; `frequency` that of the curve's pair; `second` that of a double Hopf point's other pair.
+    `kind` is "generalised-hopf", "double-hopf", "zero-hopf", "bogdanov-takens", "cusp" or "fold-hopf", of cycles
+    "cycle-cusp", "resonance-1-1" to "resonance-1-4", "fold-flip", "fold-torus", "flip-torus" or "double-torus"; `curve` the
+    number of its curve; `x`, `y` its place; `frequency` that of the curve's pair or cycle; `second` that of a double Hopf point's other pair.
     """
 
     kind: str
@@ -104,7 +109,7 @@ class ChartResult(Result):
         self.curves: list[Curve] = [
             Curve(
                 c["kind"], c["of"], (c["ends"][0], c["ends"][1]), _numbers(c["x"]), _numbers(c["y"]), _numbers(c["frequency"]),
-                _numbers(c["lyapunov"]), np.array(c["others"], dtype=np.int64),
+                _numbers(c["lyapunov"]), np.array(c["others"], dtype=np.int64), _numbers(c.get("swing", [None] * len(c["x"]))),
             )
             for c in data["curves"]
         ]
@@ -140,6 +145,7 @@ def chart(
     y_range: Range,
     boxes: int = 200000,
     undecided: float = 1.0,
+    cycles: bool = False,
     output: Optional[str | os.PathLike[str]] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
@@ -160,6 +166,8 @@ def chart(
         At most so many boxes are tried; 0 proves nothing.
     undecided : float
         Percent of the plane at which proofs may end.
+    cycles : bool
+        Look for curves on which cycles change, too: this takes a minute.
     output : path, optional
         NetCDF file. An existing one has to hold the same chart of the same study.
     threads, progress, cpu, within
@@ -168,7 +176,7 @@ def chart(
     checked_study(study)
     axes = plane_axes(x, y, size, x_range, y_range)
     with settings(threads, progress, cpu, within) as how:
-        core = _core.chart(study._core, *axes, boxes, undecided, path_text(output), how)
+        core = _core.chart(study._core, *axes, boxes, undecided, cycles, path_text(output), how)
     return unless_interrupted(ChartResult(core, study), core.interrupted)
 
 

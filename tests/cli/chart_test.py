@@ -59,6 +59,23 @@ class Results(Case):
         low, high = next(event["between"] for event in along if event["type"] == "Hopf")
         self.assertTrue(low <= at <= high, (low, at, high))
 
+    def test_cycles_are_told_of_when_asked(self):
+        near = ["--x", "speed.final=1.9:1.95", "--y", "balancer.drag=0.014:0.024", "--size", "8x8", "--boxes", "0", "--quiet"]
+        csv = self.path("out.csv")
+        done = run("chart", ROW, *near, "--cycles", "--csv", csv)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("fold of cycles", done.stdout)
+        swings = [float(row["swing"]) for row in rows_of(csv) if row["kind"] == "cycle-fold"]
+        self.assertGreater(len(swings), 3)
+        self.assertTrue(all(0.0 < swing < 0.1 for swing in swings), swings)
+        script = self.path("out.jl")
+        self.assertEqual(run("chart", ROW, *near, "--julia", script).returncode, 0)
+        text = content(script).decode()
+        self.assertIn('keys_of_study = ("speed.speed", "balancer.drag")', text)
+        self.assertEqual(text.count('"hopf",'), len(rows_of(csv)) - len(swings))
+        self.refused("chart", ROW, *near, "--julia", self.path("out.txt"), words=("--julia", ".jl"))
+        self.assertNotIn("cycles", run("chart", ROW, *near).stdout)
+
     def test_bad_axes_are_refused_in_one_line(self):
         self.refused("chart", ROW, "--x", "speed.final", "--y", "balancer.drag=0.1:1", words=("--x", "KEY=LOW:HIGH"))
         self.refused("chart", ROW, *AXES, "--undecided", "0", words=("--undecided", "percent"))

@@ -13,7 +13,7 @@
 #include "equipoise/charts/chart_report.hpp"
 #include "equipoise/curves/balance_spectrum.hpp"
 #include "equipoise/curves/bifurcation_chart.hpp"
-#include "equipoise/curves/curve_follower.hpp"
+#include "equipoise/math/curve_follower.hpp"
 #include "equipoise/curves/hopf_form.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/higher_derivatives.hpp"

@@ -19,14 +19,26 @@ namespace equipoise {
 namespace {
 
 // How a piece of a curve is drawn.
-enum class Stroke { soft, abrupt, hopf, zero, existence, fold, pitchfork, locked_hopf };
+enum class Stroke {
+  soft,
+  abrupt,
+  hopf,
+  zero,
+  existence,
+  fold,
+  pitchfork,
+  locked_hopf,
+  cycle_fold,
+  cycle_flip,
+  cycle_torus
+};
 
 struct StrokeStyle {
   Stroke stroke;
   const char* look;
   const char* words;
 };
-constexpr std::array<StrokeStyle, 8> strokes{{
+constexpr std::array<StrokeStyle, 11> strokes{{
     {Stroke::soft, "linecolor rgb '#000000' linewidth 4", words::chart::legend_soft},
     {Stroke::abrupt, "linecolor rgb '#C00000' linewidth 4 dashtype (10,6)", words::chart::legend_abrupt},
     {Stroke::hopf, "linecolor rgb '#000000' linewidth 1.5", words::chart::legend_hopf},
@@ -35,12 +47,18 @@ constexpr std::array<StrokeStyle, 8> strokes{{
     {Stroke::fold, "linecolor rgb '#6A3D9A' linewidth 3", words::chart::legend_fold},
     {Stroke::pitchfork, "linecolor rgb '#6A3D9A' linewidth 3 dashtype (3,5)", words::chart::legend_pitchfork},
     {Stroke::locked_hopf, "linecolor rgb '#1B7837' linewidth 3 dashtype (9,4)", words::chart::legend_locked_hopf},
+    {Stroke::cycle_fold, "linecolor rgb '#E66101' linewidth 3", words::chart::legend_cycle_fold},
+    {Stroke::cycle_flip, "linecolor rgb '#E66101' linewidth 3 dashtype (3,4)", words::chart::legend_cycle_flip},
+    {Stroke::cycle_torus, "linecolor rgb '#E66101' linewidth 3 dashtype (10,4)", words::chart::legend_cycle_torus},
 }};
 
 Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
   if (curve.kind == CurveKind::zero) return Stroke::zero;
   if (curve.kind == CurveKind::fold) return Stroke::fold;
   if (curve.kind == CurveKind::pitchfork) return Stroke::pitchfork;
+  if (curve.kind == CurveKind::cycle_fold) return Stroke::cycle_fold;
+  if (curve.kind == CurveKind::cycle_flip) return Stroke::cycle_flip;
+  if (curve.kind == CurveKind::cycle_torus) return Stroke::cycle_torus;
   if (curve.of != of_balance) return Stroke::locked_hopf;
   if (curve.kind == CurveKind::existence) return Stroke::existence;
   if (p.others > 0 || std::isnan(p.lyapunov)) return Stroke::hopf;

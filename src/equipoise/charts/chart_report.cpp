@@ -23,7 +23,7 @@ namespace {
 
 BalanceLoss loss_on(const BifurcationChart& chart, const ChartCurve& curve) {
   BalanceLoss loss;
-  if (curve.of != of_balance) return loss;
+  if (curve.of != of_balance || is_of_cycles(curve.kind)) return loss;
   const double wide = chart.plane.x.high - chart.plane.x.low, high = chart.plane.y.high - chart.plane.y.low;
   for (std::size_t k = 1; k < curve.points.size(); ++k) {
     const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
@@ -83,13 +83,20 @@ std::string proof_sentence(const BifurcationChart& chart) {
 std::string place_text(double x, double y) { return fmt::format("{:.4g}, {:.4g}", x, y); }
 
 const char* curve_words(CurveKind kind) {
-  constexpr std::array words{words::chart::is_hopf, words::chart::is_zero, words::chart::is_existence,
-                             words::chart::is_fold, words::chart::is_pitchfork};
+  constexpr std::array words{words::chart::is_hopf,       words::chart::is_zero,       words::chart::is_existence,
+                             words::chart::is_fold,       words::chart::is_pitchfork,  words::chart::is_cycle_fold,
+                             words::chart::is_cycle_flip, words::chart::is_cycle_torus};
   return words[static_cast<std::size_t>(kind)];
 }
 
 const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
   if (curve.kind == CurveKind::existence) return words::chart::how_ends;
+  if (is_of_cycles(curve.kind)) {
+    const auto stable = [](const CurvePoint& p) { return p.others == 0; };
+    const auto count = static_cast<std::size_t>(std::count_if(curve.points.begin(), curve.points.end(), stable));
+    if (count == 0) return words::chart::how_unstable_cycles;
+    return count == curve.points.size() ? words::chart::how_stable_cycle : words::chart::how_both_cycles;
+  }
   if (curve.of != of_balance) {
     const auto stable = [](const CurvePoint& p) { return p.others == 0; };
     const bool some = std::any_of(curve.points.begin(), curve.points.end(), stable);
@@ -105,7 +112,7 @@ const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
 }
 
 std::string frequency_text(const ChartCurve& curve) {
-  if (curve.kind != CurveKind::hopf) return "";
+  if (curve.kind != CurveKind::hopf && !is_of_cycles(curve.kind)) return "";
   double low = INFINITY, high = -INFINITY;
   for (const CurvePoint& p : curve.points) low = std::min(low, p.frequency), high = std::max(high, p.frequency);
   const std::string least = fmt::format("{:.3g}", low), most = fmt::format("{:.3g}", high);
@@ -113,20 +120,13 @@ std::string frequency_text(const ChartCurve& curve) {
 }
 
 const char* special_words(SpecialKind kind) {
-  switch (kind) {
-    case SpecialKind::generalised_hopf:
-      return words::chart::is_generalised_hopf;
-    case SpecialKind::double_hopf:
-      return words::chart::is_double_hopf;
-    case SpecialKind::zero_hopf:
-      return words::chart::is_zero_hopf;
-    case SpecialKind::cusp:
-      return words::chart::is_cusp;
-    case SpecialKind::fold_hopf:
-      return words::chart::is_fold_hopf;
-    default:
-      return words::chart::is_bogdanov_takens;
-  }
+  namespace w = words::chart;
+  constexpr std::array words{
+      w::is_generalised_hopf, w::is_double_hopf, w::is_zero_hopf,     w::is_bogdanov_takens, w::is_cusp,
+      w::is_fold_hopf,        w::is_cycle_cusp,  w::is_resonance_1_1, w::is_resonance_1_2,   w::is_resonance_1_3,
+      w::is_resonance_1_4,    w::is_fold_flip,   w::is_fold_torus,    w::is_flip_torus,      w::is_double_torus};
+  static_assert(words.size() == special_kind_names.size());
+  return words[static_cast<std::size_t>(kind)];
 }
 
 std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
@@ -168,6 +168,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
     text += words::chart::boxes_used_up;
+  if (!chart.no_cycles.empty()) text += fmt::format(words::chart::no_cycles, chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
   if (!chart.complete && chart.plane.complete) text += words::chart::partial;
   return text;
@@ -189,6 +190,8 @@ ChartJson curve_json(const ChartCurve& c) {
     json["lyapunov"].push_back(chart_number(p.lyapunov));
     json["others"].push_back(p.others);
   }
+  if (is_of_cycles(c.kind))
+    for (const CurvePoint& p : c.points) json["swing"].push_back(chart_number(p.swing));
   return json;
 }
 
@@ -272,13 +275,13 @@ std::string chart_json(const BifurcationChart& chart) {
 
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
-      fmt::format("curve,kind,of,{},{},frequency,lyapunov,others\n", chart.plane.x.key, chart.plane.y.key);
+      fmt::format("curve,kind,of,{},{},frequency,lyapunov,others,swing\n", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {
       const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", k + 1,
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", k + 1,
                      curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)], chart.curves[k].of, p.x, p.y,
-                     number(p.frequency), number(p.lyapunov), p.others);
+                     number(p.frequency), number(p.lyapunov), p.others, number(p.swing));
     }
   return text;
 }

@@ -28,6 +28,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   chart.study = chart.plane.study = study;
   chart.plane.x = settings.x;
   chart.plane.y = settings.y;
+  chart.cycles = settings.cycles;
   if (!settings.output.empty()) check_chart_file(settings.output, chart);
   chart.plane = stability(study, grid);
   if (chart.plane.complete) {
@@ -35,6 +36,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     const BalancePlane plane(studies, settings.x, settings.y);
     add_curves(plane, settings.stop, chart);
     add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
+    if (settings.cycles) add_cycles(studies, plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
   }

@@ -14,6 +14,7 @@ struct ChartSettings : RunOptions {
   SliceAxis x, y;                ///< with the grid's points
   std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved
   double undecided = 0.01;       ///< the part of the plane at which proofs may end
+  bool cycles = false;           ///< curves of cycles are looked for too, which takes longer than all else
   std::string output;            ///< NetCDF, written at the end; an existing file must hold the same chart. Empty: none
 };
 

@@ -92,14 +92,17 @@ bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKin
   // A curve's places are nearer to each other than CurveFollower::longest_step; it turns by less than 0.1 between two.
   constexpr double beside = 1e-3;
   for (const ChartCurve& curve : chart.curves) {
-    if (curve.kind != kind || curve.of != of) continue;
+    // Cycles may be born of one state and end in another.
+    if (curve.kind != kind || (curve.of != of && !is_of_cycles(kind))) continue;
     for (std::size_t k = 1; k < curve.points.size(); ++k) {
       const CurvePoint &p = curve.points[k - 1], &q = curve.points[k];
       const VectorXd a = plane.place(p.x, p.y), chord = plane.place(q.x, q.y) - a, offset = at - a;
       const double length = std::max(chord.squaredNorm(), 1e-300);
       const double part = std::clamp(offset.dot(chord) / length, 0.0, 1.0);
       if ((offset - part * chord).norm() > beside) continue;
-      if (kind != CurveKind::hopf || std::fabs(p.frequency - frequency) < 0.05 * (1.0 + frequency)) return true;
+      if ((kind != CurveKind::hopf && !is_of_cycles(kind)) ||
+          std::fabs(p.frequency - frequency) < 0.05 * (1.0 + frequency))
+        return true;
     }
   }
   return false;

@@ -6,11 +6,12 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/curves/followed_curve.hpp"
 #include "equipoise/planes/bifurcation_chart.hpp"
+#include "equipoise/stability/plane_studies.hpp"
 
 namespace equipoise {
 
-/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross have different
-/// frequencies.
+/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two
+/// curves of cycles, have different frequencies.
 bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
               const Eigen::VectorXd& at, double frequency);
 
@@ -20,5 +21,10 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
 
 /// All curves of balance in the chart's plane, with their special points.
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+
+/// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
+/// curve begins, unless it is known. For a chart that has all other curves.
+void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
+                BifurcationChart& chart);
 
 }  // namespace equipoise

@@ -12,7 +12,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t most_places = 20000;
 constexpr double nearly_there = 1e-5;  // from an edge: ten of the differences by which slopes are taken
 
 bool is_inside(const VectorXd& at) { return at.head(2).minCoeff() >= 0.0 && at.head(2).maxCoeff() <= 1.0; }
@@ -26,12 +25,14 @@ int unstable_besides(const std::vector<std::complex<double>>& rates, const Eigen
   return count;
 }
 
-FollowedCurve::FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like)
+FollowedCurve::FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+                             const CurveFollower::Limits& limits, std::size_t most)
     : plane_(plane),
       kind_(kind),
       like_(like),
-      follower_([this](const VectorXd& at) { return equation(at); },
-                [this](const VectorXd& at) { return slopes(at); }) {}
+      follower_([this](const VectorXd& at) { return equation(at); }, [this](const VectorXd& at) { return slopes(at); },
+                limits),
+      most_(most) {}
 
 std::optional<CurvePlace> FollowedCurve::at_edge(const VectorXd& inside, const VectorXd& outside) const {
   double part = 1.0;
@@ -56,10 +57,11 @@ std::optional<CurvePlace> FollowedCurve::between(const CurvePlace& a, const Curv
   return at ? described(*at) : std::nullopt;
 }
 
-std::optional<CurvePlace> FollowedCurve::at_vanishing_pair(const CurvePlace& before, const VectorXd& after) const {
-  const auto beyond = described(after);
-  if (!beyond || beyond->pair.product > 0.0) return std::nullopt;
-  return located(before, *beyond, [](const CurvePlace& p) { return p.pair.product <= 0.0; });
+std::optional<CurveEnd> FollowedCurve::end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const {
+  if (kind_ != CurveKind::hopf || place.pair.product > 0.0) return std::nullopt;
+  const auto end = located(before, place, [](const CurvePlace& p) { return p.pair.product <= 0.0; });
+  if (end) way.places.push_back(*end);
+  return CurveEnd::no_pair;
 }
 
 void FollowedCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace&, Way& way) const {
@@ -74,7 +76,7 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
   CurveFollower::Step here{from.at, *first};
   CurvePlace last = from;
   double step = 1e-3;
-  while (way.places.size() < most_places && !is_set(stop)) {
+  while (way.places.size() < most_ && !is_set(stop)) {
     const auto next = follower_.next(here, step);
     if (!next) {
       if (!is_inside(here.point + nearly_there * here.tangent))  // nothing is defined beyond the plane's edge
@@ -90,9 +92,8 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
     }
     const auto place = described(next->point);
     if (!place) return way;
-    if (kind_ == CurveKind::hopf && place->pair.product <= 0.0) {
-      way.end = CurveEnd::no_pair;
-      if (const auto end = at_vanishing_pair(last, next->point)) way.places.push_back(*end);
+    if (const auto end = end_at(last, *place, way)) {
+      way.end = *end;
       return way;
     }
     way.places.push_back(*place);

@@ -8,7 +8,7 @@
 
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/curves/balance_plane.hpp"
-#include "equipoise/curves/curve_follower.hpp"
+#include "equipoise/math/curve_follower.hpp"
 #include "equipoise/planes/bifurcation_chart.hpp"
 
 namespace equipoise {
@@ -16,9 +16,10 @@ namespace equipoise {
 /// A place on a curve.
 struct CurvePlace {
   Eigen::VectorXd at;  ///< in the unit square, then what else is unknown on the curve
-  EigenPair pair;      ///< of a Hopf curve
+  EigenPair pair;      ///< of a Hopf curve; of a torus's multipliers
   CurvePoint point;
-  /// Of a fold: right and left eigenvector of the zero, of unit length and without jumps along the curve.
+  /// Of a fold, of states or cycles, and of a period doubling: right and left eigenvector of the zero, of unit length
+  /// and without jumps along the curve.
   Eigen::VectorXd right, left;
   double double_zero = 0.0;  ///< left . right: 0 where the zero is double
   double turn = 0.0;         ///< left . second derivative along `right` twice: 0 where the fold itself turns back
@@ -44,7 +45,8 @@ class FollowedCurve {
 
  protected:
   /// `like`: the pair that crosses, of a Hopf curve.
-  FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like);
+  FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+                const CurveFollower::Limits& limits = {}, std::size_t most = 20000);
 
   virtual std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const = 0;
   /// Its derivatives; by differences unless a curve knows them better.
@@ -59,6 +61,8 @@ class FollowedCurve {
     std::vector<CurvePlace> places;
     CurveEnd end = CurveEnd::lost;
   };
+  /// Why a way ends before this place, if it does; it may get a last place there.
+  virtual std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const;
   /// Why a way ends inside the plane, which may have a last place there.
   virtual void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const;
 
@@ -79,6 +83,7 @@ class FollowedCurve {
   static SpecialPoint special(SpecialKind kind, const CurvePlace& place, double second = 0.0) {
     return {kind, 0, place.point.x, place.point.y, place.point.frequency, second, place.point.state};
   }
+  std::optional<CurvePlace> between(const CurvePlace& a, const CurvePlace& b, double part) const;
   /// Where the number of other unstable eigenvalues changes between two places: which they are.
   void add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
 
@@ -90,10 +95,9 @@ class FollowedCurve {
   std::array<CurveEnd, 2> ends_{CurveEnd::lost, CurveEnd::lost};
 
  private:
-  std::optional<CurvePlace> between(const CurvePlace& a, const CurvePlace& b, double part) const;
   Way way(const CurvePlace& from, const Eigen::VectorXd& towards, const StopFlag* stop);
   std::optional<CurvePlace> at_edge(const Eigen::VectorXd& inside, const Eigen::VectorXd& outside) const;
-  std::optional<CurvePlace> at_vanishing_pair(const CurvePlace& before, const Eigen::VectorXd& after) const;
+  const std::size_t most_;  // places each way
 };
 
 inline void put_state(const BalanceSpectrum& at, CurvePoint& point) {

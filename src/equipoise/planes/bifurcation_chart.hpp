@@ -15,37 +15,51 @@ namespace equipoise {
 
 /// What happens on a curve. The values stand in files.
 enum class CurveKind : signed char {
-  hopf = 0,       ///< a pair of eigenvalues crosses the imaginary axis
-  zero = 1,       ///< a real eigenvalue at balance crosses zero
-  existence = 2,  ///< the balls just reach: in line they cancel the unbalance; beyond there is no balanced state
-  fold = 3,       ///< two locked states merge; beyond there is neither
-  pitchfork = 4,  ///< alike balls of a locked state part, with the rotor centred: a real eigenvalue crosses zero
+  hopf = 0,         ///< a pair of eigenvalues crosses the imaginary axis
+  zero = 1,         ///< a real eigenvalue at balance crosses zero
+  existence = 2,    ///< the balls just reach: in line they cancel the unbalance; beyond there is no balanced state
+  fold = 3,         ///< two locked states merge; beyond there is neither
+  pitchfork = 4,    ///< alike balls of a locked state part, with the rotor centred: a real eigenvalue crosses zero
+  cycle_fold = 5,   ///< two cycles merge: a multiplier is 1
+  cycle_flip = 6,   ///< a cycle's period doubles: a multiplier is -1
+  cycle_torus = 7,  ///< a second swing begins about a cycle: a pair of multipliers is on the unit circle
 };
-inline constexpr std::array<const char*, 5> curve_kind_names{"hopf", "zero", "existence", "fold", "pitchfork"};
+inline constexpr std::array<const char*, 8> curve_kind_names{"hopf",      "zero",       "existence",  "fold",
+                                                             "pitchfork", "cycle-fold", "cycle-flip", "cycle-torus"};
+/// Curves of cycles: periodic motions in the rotating frame.
+constexpr bool is_of_cycles(CurveKind kind) { return kind >= CurveKind::cycle_fold; }
 
 /// What a curve is of that is not of a locked state; locked states have their own names.
 inline constexpr char of_balance[] = "balance";
 
 struct CurvePoint {
   double x = 0.0, y = 0.0;
-  double frequency = std::numeric_limits<double>::quiet_NaN();  ///< of the pair, omega_c
+  double frequency = std::numeric_limits<double>::quiet_NaN();  ///< of the pair, or of the cycle, omega_c
   /// First Lyapunov coefficient as a change of the growth rate: omega_c per square of the largest swing of a ball, in
   /// radians. Negative: a swing that grows settles small (supercritical). Not a number of continua.
   double lyapunov = frequency;
-  int others = 0;  ///< unstable eigenvalues besides those that cross: 0 where the state itself loses stability
-  std::vector<double> state;                ///< of model::System, that of which this is a point; none of `existence`
-  std::vector<std::complex<double>> rates;  ///< its eigenvalues, those that grow most first
+  /// Unstable eigenvalues, or multipliers, besides those that cross: 0 where the motion itself loses stability.
+  int others = 0;
+  double swing = frequency;  ///< of a cycle: half of what the ball covers that swings most, radians
+  /// Of model::System, that of which this is a point, or a state of the cycle; none of `existence`.
+  std::vector<double> state;
+  /// Its eigenvalues, those that grow most first; of a cycle its multipliers but that of a shift in time.
+  std::vector<std::complex<double>> rates;
 };
 
 /// Why a curve ends. The values stand in files.
 enum class CurveEnd : signed char {
-  plane = 0,       ///< at the plane's edge
-  closed = 1,      ///< at its own beginning
-  no_balance = 2,  ///< where the balanced state ends
-  no_pair = 3,     ///< the pair's frequency falls to 0 (Bogdanov-Takens)
-  lost = 4,        ///< it could not be followed further
+  plane = 0,        ///< at the plane's edge
+  closed = 1,       ///< at its own beginning
+  no_balance = 2,   ///< where the balanced state ends
+  no_pair = 3,      ///< the pair's frequency falls to 0 (Bogdanov-Takens)
+  lost = 4,         ///< it could not be followed further
+  vanishes = 5,     ///< the cycle shrinks to a state at rest
+  long_period = 6,  ///< the cycle's period has grown fourfold
+  resonance = 7,    ///< a torus's pair of multipliers meets at 1 or -1
 };
-inline constexpr std::array<const char*, 5> curve_end_names{"plane", "closed", "no-balance", "no-pair", "lost"};
+inline constexpr std::array<const char*, 8> curve_end_names{"plane", "closed",   "no-balance",  "no-pair",
+                                                            "lost",  "vanishes", "long-period", "resonance"};
 
 struct ChartCurve {
   CurveKind kind = CurveKind::hopf;
@@ -63,15 +77,26 @@ enum class SpecialKind : signed char {
   bogdanov_takens = 3,   ///< the pair's frequency is 0
   cusp = 4,              ///< two folds meet
   fold_hopf = 5,         ///< a pair lies on the imaginary axis where two locked states merge
+  cycle_cusp = 6,        ///< two folds of cycles meet
+  resonance_1_1 = 7,     ///< a second multiplier of a cycle is 1
+  resonance_1_2 = 8,     ///< or -1
+  resonance_1_3 = 9,     ///< a torus's pair of multipliers is at a third of a turn
+  resonance_1_4 = 10,    ///< or at a quarter
+  fold_flip = 11,        ///< multipliers 1 and -1
+  fold_torus = 12,       ///< a multiplier 1 and a pair on the unit circle
+  flip_torus = 13,       ///< a multiplier -1 and a pair
+  double_torus = 14,     ///< two pairs
 };
-inline constexpr std::array<const char*, 6> special_kind_names{"generalised-hopf", "double-hopf", "zero-hopf",
-                                                               "bogdanov-takens",  "cusp",        "fold-hopf"};
+inline constexpr std::array<const char*, 15> special_kind_names{
+    "generalised-hopf", "double-hopf", "zero-hopf",     "bogdanov-takens", "cusp",
+    "fold-hopf",        "cycle-cusp",  "resonance-1-1", "resonance-1-2",   "resonance-1-3",
+    "resonance-1-4",    "fold-flip",   "fold-torus",    "flip-torus",      "double-torus"};
 
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::generalised_hopf;
   std::size_t curve = 0;  ///< on which it was found
   double x = 0.0, y = 0.0;
-  double frequency = 0.0;  ///< of the curve's pair
+  double frequency = 0.0;  ///< of the curve's pair, or of the cycle
   double second = 0.0;     ///< of a double Hopf point's other pair
   std::vector<double> state;
 };
@@ -109,6 +134,8 @@ struct BifurcationChart {
   std::vector<SpecialPoint> specials;
   std::vector<std::string> locked;   ///< names of the kinds of locked state
   std::string no_locked;             ///< why they are not known of this rotor; empty: they are
+  bool cycles = false;               ///< curves of cycles were looked for
+  std::string no_cycles;             ///< why they are not known of this rotor; empty: they are, or were not asked for
   std::vector<ChartRegion> regions;  ///< the largest first; none if the chart was stopped
   std::vector<int> region_of;        ///< by point of the grid
   std::vector<ProofBox> boxes;       ///< cover the plane; none if nothing was to be proved

@@ -2,6 +2,7 @@
 #include "equipoise/planes/chart_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -22,8 +23,16 @@ std::string chart_identity(const BifurcationChart& chart) {
   const auto axis = [](const SliceAxis& a) {
     return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
   };
-  return fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n", to_toml(chart.study), version_string,
-                     axis(chart.plane.x), axis(chart.plane.y));
+  return fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n{}", to_toml(chart.study), version_string,
+                     axis(chart.plane.x), axis(chart.plane.y), chart.cycles ? "cycles = yes\n" : "");
+}
+
+// "0 hopf, 1 zero, ..."
+template <std::size_t count>
+std::string numbered(const std::array<const char*, count>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) text += fmt::format("{}{} {}", k ? ", " : "", k, names[k]);
+  return text;
 }
 
 // Columns of numbers over one dimension, which is absent if it is empty.
@@ -33,9 +42,9 @@ class ChartColumns {
     if (length > 0) dimension_ = file.dimension(dimension, length);
   }
   template <class Value>
-  void add(const char* name, const char* long_name, Value&& value) {
+  void add(const char* name, const std::string& long_name, Value&& value) {
     if (length_ == 0) return;
-    variables_.push_back(file_.variable(name, NC_DOUBLE, {dimension_}, "1", long_name));
+    variables_.push_back(file_.variable(name, NC_DOUBLE, {dimension_}, "1", long_name.c_str()));
     values_.emplace_back();
     for (std::size_t k = 0; k < length_; ++k) values_.back().push_back(static_cast<double>(value(k)));
   }
@@ -80,11 +89,13 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     at.add("point_curve", "number of the curve, from 0", [&](std::size_t k) { return points[k].curve; });
     at.add("point_x", "parameter x of the point", [&](std::size_t k) { return points[k].point.x; });
     at.add("point_y", "parameter y of the point", [&](std::size_t k) { return points[k].point.y; });
-    at.add("frequency", "of the pair, omega_c", [&](std::size_t k) { return points[k].point.frequency; });
+    at.add("frequency", "of the pair or the cycle, omega_c", [&](std::size_t k) { return points[k].point.frequency; });
     at.add("lyapunov", "growth rate per square of the swing, omega_c/rad^2",
            [&](std::size_t k) { return points[k].point.lyapunov; });
     at.add("others", "other unstable eigenvalues", [&](std::size_t k) { return points[k].point.others; });
-    curve.add("curve_kind", "0 hopf, 1 zero, 2 existence, 3 fold, 4 pitchfork",
+    at.add("swing", "half of what the ball of a cycle covers that swings most, rad",
+           [&](std::size_t k) { return points[k].point.swing; });
+    curve.add("curve_kind", numbered(curve_kind_names),
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].kind); });
     curve.add("curve_of", "0 balance, else the kind of locked state, from 1, as in the attribute locked_states",
               [&](std::size_t k) {
@@ -92,17 +103,16 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
                 const auto name = std::find(names.begin(), names.end(), chart.curves[k].of);
                 return name == names.end() ? std::ptrdiff_t{0} : name - names.begin() + 1;
               });
-    curve.add("curve_first_end", "0 plane, 1 closed, 2 no balance, 3 no pair, 4 lost",
+    curve.add("curve_first_end", numbered(curve_end_names),
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[0]); });
     curve.add("curve_last_end", "the same of the last point",
               [&](std::size_t k) { return static_cast<int>(chart.curves[k].ends[1]); });
-    special.add("special_kind",
-                "0 generalised Hopf, 1 double Hopf, 2 zero-Hopf, 3 Bogdanov-Takens, 4 cusp, 5 fold-Hopf",
+    special.add("special_kind", numbered(special_kind_names),
                 [&](std::size_t k) { return static_cast<int>(chart.specials[k].kind); });
     special.add("special_curve", "number of the curve, from 0", [&](std::size_t k) { return chart.specials[k].curve; });
     special.add("special_x", "parameter x", [&](std::size_t k) { return chart.specials[k].x; });
     special.add("special_y", "parameter y", [&](std::size_t k) { return chart.specials[k].y; });
-    special.add("special_frequency", "of the pair, omega_c",
+    special.add("special_frequency", "of the pair or the cycle, omega_c",
                 [&](std::size_t k) { return chart.specials[k].frequency; });
     region.add("region_part", "part of the grid's points", [&](std::size_t k) { return chart.regions[k].part; });
     region.add("region_balance", "0 no balanced state, 1 stable, 2 unstable, 3 marginal, 4 not found",

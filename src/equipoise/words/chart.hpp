@@ -7,6 +7,8 @@ namespace equipoise::words::chart {
 inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6";
 inline constexpr char undecided_range[] = "must be a part of the plane in percent, more than 0 and less than 100";
 
+inline constexpr char julia_prescribed[] = "is for rotors at a prescribed speed";
+
 // Files.
 inline constexpr char file[] = "must be a new file, or one that \"chart -o\" wrote";
 inline constexpr char no_such_file[] = "holds no chart; {}";
@@ -65,6 +67,9 @@ inline constexpr char is_zero[] = "real eigenvalue";
 inline constexpr char is_existence[] = "balance ends";
 inline constexpr char is_fold[] = "fold";
 inline constexpr char is_pitchfork[] = "pitchfork";
+inline constexpr char is_cycle_fold[] = "fold of cycles";
+inline constexpr char is_cycle_flip[] = "period doubling";
+inline constexpr char is_cycle_torus[] = "torus";
 inline constexpr char how_softly[] = "softly";
 inline constexpr char how_abruptly[] = "abruptly";
 inline constexpr char how_both[] = "softly, abruptly";
@@ -74,6 +79,9 @@ inline constexpr char how_ends[] = "it ends";
 inline constexpr char how_unknown[] = "not known how";
 inline constexpr char how_stable_state[] = "a stable state";
 inline constexpr char how_unstable_states[] = "unstable states";
+inline constexpr char how_stable_cycle[] = "a stable cycle";
+inline constexpr char how_unstable_cycles[] = "unstable cycles";
+inline constexpr char how_both_cycles[] = "a cycle, stable on a part";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
 inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
@@ -82,6 +90,15 @@ inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real e
 inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
 inline constexpr char is_cusp[] = "cusp: two folds meet";
 inline constexpr char is_fold_hopf[] = "fold-Hopf: a swing begins where two states merge";
+inline constexpr char is_cycle_cusp[] = "cusp: two folds of cycles meet";
+inline constexpr char is_resonance_1_1[] = "1:1 resonance: a second multiplier is 1";
+inline constexpr char is_resonance_1_2[] = "1:2 resonance: a second multiplier is -1";
+inline constexpr char is_resonance_1_3[] = "1:3 resonance: the torus closes after three turns";
+inline constexpr char is_resonance_1_4[] = "1:4 resonance: the torus closes after four turns";
+inline constexpr char is_fold_flip[] = "fold-flip: cycles merge where their period doubles";
+inline constexpr char is_fold_torus[] = "fold-torus: cycles merge where a torus is born";
+inline constexpr char is_flip_torus[] = "flip-torus: a period doubles where a torus is born";
+inline constexpr char is_double_torus[] = "double torus: two swings begin about a cycle";
 
 // Locked states, by where the balls are. Numbers of balls, or their numbers.
 inline constexpr char one_ball[] = "ball on the line";
@@ -96,6 +113,9 @@ inline constexpr char locked_without_events[] = "balls that touch or stick may r
 inline constexpr char locked_under_drive[] = "without a drive that lasts no speed is kept";
 inline constexpr char too_many_kinds[] = "unlike balls can be divided in too many ways";
 
+// Why cycles are not known.
+inline constexpr char cycles_without_events[] = "balls that touch or stick make them break off";
+
 // Regions: what is there, a place.
 inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
 // What balance is; of other states how many, if more than one.
@@ -107,6 +127,9 @@ inline constexpr char regions_are[] =
     "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
 // Why.
 inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}.\n";
+
+// Why.
+inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
 
 // Notes.
 inline constexpr char no_curve[] = "No curve was found.\n";
@@ -128,6 +151,9 @@ inline constexpr char legend_proved[] = "proved: {}";
 inline constexpr char legend_fold[] = "two locked states merge";
 inline constexpr char legend_pitchfork[] = "balls of a locked state part";
 inline constexpr char legend_locked_hopf[] = "a locked state begins to swing";
+inline constexpr char legend_cycle_fold[] = "two cycles merge";
+inline constexpr char legend_cycle_flip[] = "a cycle's period doubles";
+inline constexpr char legend_cycle_torus[] = "a cycle becomes a torus";
 inline constexpr char legend_regions[] = "at rest and stable:";
 inline constexpr char legend_no_region[] = "nothing";
 inline constexpr char legend_open[] = "not decided";

@@ -1,5 +1,5 @@
 // Predictor along the tangent, Newton's method across it, step control by the angle between tangents.
-#include "equipoise/curves/curve_follower.hpp"
+#include "equipoise/math/curve_follower.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ std::optional<VectorXd> CurveFollower::at_plane(const VectorXd& guess, const Vec
     if (!std::isfinite(size) || size > 0.1 || (round > 3 && size > 2.0 * last)) return std::nullopt;
     point += change;
     last = size;
-    if (size < precision) {
+    if (size < limits_.precise) {
       error_ = std::max(error_, size);
       return equations_(point) ? std::optional(point) : std::nullopt;
     }
@@ -83,7 +83,7 @@ std::optional<CurveFollower::Step> CurveFollower::next(const Step& from, double&
     if (!along) continue;
     const double turn = std::acos(std::clamp(along->dot(from.tangent), -1.0, 1.0));
     if (turn > sharpest && step > 1e-5) continue;
-    if (turn < flat) step = std::min(longest_step, 1.5 * step);
+    if (turn < flat) step = std::min(limits_.longest, 1.5 * step);
     return Step{*point, *along};
   }
 }

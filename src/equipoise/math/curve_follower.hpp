@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -15,14 +16,21 @@ class CurveFollower {
   using Equations = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd&)>;
 
   static constexpr double longest_step = 0.01, shortest_step = 1e-7, precision = 1e-11;
+  struct Limits {
+    double longest = longest_step;
+    double precise = precision;  ///< a correction this short is the last
+  };
 
   using Slopes = std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd&)>;
 
   /// `slopes`: derivatives of the equations; differences() if there are none.
   explicit CurveFollower(Equations equations, Slopes slopes = {})
       : equations_(std::move(equations)), slopes_(std::move(slopes)) {}
+  CurveFollower(Equations equations, Slopes slopes, const Limits& limits)
+      : equations_(std::move(equations)), slopes_(std::move(slopes)), limits_(limits) {}
 
-  /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to `precision`.
+  /// The point of the curve with normal . X = normal . guess. Empty if Newton's method does not find it to the
+  /// precision.
   std::optional<Eigen::VectorXd> at_plane(const Eigen::VectorXd& guess, const Eigen::VectorXd& normal) const;
   /// A point of the curve near `guess`: across the equations' gradients.
   std::optional<Eigen::VectorXd> nearby(const Eigen::VectorXd& guess) const;
@@ -49,6 +57,7 @@ class CurveFollower {
 
   Equations equations_;
   Slopes slopes_;
+  Limits limits_;
   mutable double error_ = 0.0;
 };
 

@@ -1,0 +1,53 @@
+// One curve on which cycles change: two merge, a period doubles, a torus is born.
+#pragma once
+
+#include "equipoise/curves/followed_curve.hpp"
+#include "equipoise/cycles/cycle_branch.hpp"
+#include "equipoise/cycles/cycle_shooting.hpp"
+#include "equipoise/cycles/cycle_test.hpp"
+
+namespace equipoise {
+
+/// Unknown are the two parameters, the period and states of the cycle. Equations: multiple shooting with a fixed phase,
+/// and a test function of the monodromy matrix (CycleTest).
+class CycleCurve : public FollowedCurve {
+ public:
+  CycleCurve(const BalancePlane& plane, const model::System& system, const CycleCrossing& crossing);
+
+  bool follow_from(const CycleCrossing& crossing, const StopFlag* stop, const Known& known);
+  std::vector<SpecialPoint> specials() const override;
+
+ private:
+  std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
+  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const override;
+  std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
+  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd&) const override { return std::nullopt; }
+  SpecialKind kind_at_zero(const CurvePlace&) const override { return SpecialKind::resonance_1_1; }
+  void stay_near(const CurvePlace& place) const override;
+  std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const override;
+
+  CycleShape shape(const Eigen::VectorXd& at) const { return shooting_.shape(at.tail(shooting_.unknowns())); }
+  /// What is known of the place that was asked for last. False where nothing is.
+  bool look_at(const Eigen::VectorXd& at) const;
+  bool look_closer() const;
+  /// Where a value changes its sign.
+  template <class Value>
+  std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const;
+  void add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
+
+  CycleChange change_;
+  double first_period_;
+  mutable CycleShooting shooting_;
+  mutable CycleTest test_;
+  struct Seen {
+    Eigen::VectorXd at;
+    std::optional<model::System> system;
+    CycleShape shape;
+    std::optional<CycleArcs> arcs;
+    std::optional<CycleTest::Value> value;
+    std::optional<Eigen::RowVectorXd> test_slopes;
+  };
+  mutable Seen seen_;
+};
+
+}  // namespace equipoise
