@@ -54,7 +54,8 @@ tolerance = 1e-10
                     with =
                         basin(parse_study(plane, "tilting",
                                           {"rotor.tilt={ transverse_inertia = 3.25, polar_inertia = 0.5, stiffness = "
-                                           "[0, 9], damping = [0, 1.8], bearings_at = [2, -3] }"}),
+                                           "[0, 9], damping = [0, 1.8], bearings_at = [2, -3] }",
+                                           "balancer.plane=0"}),
                               options);
   ASSERT_TRUE(without.transients && with.transients);
   const TransientGroup &a = without.transients->groups.front(), &b = with.transients->groups.front();
@@ -64,9 +65,10 @@ tolerance = 1e-10
     if (transient_figures[k].value == &TransientRow::energy) continue;  // the plane rotor states no inertia
     const SampleSummary &one = a.figures[k], &two = b.figures[k];
     EXPECT_EQ(one.open, two.open) << transient_figures[k].name;
-    // Held balls of the plane rotor are looked at 64 times a turn, those of the other at every step.
-    EXPECT_NEAR(one.mean, two.mean, 3e-4 * one.mean) << transient_figures[k].name;
-    EXPECT_NEAR(one.largest, two.largest, 3e-4 * one.largest) << transient_figures[k].name;
+    // Held balls of the plane rotor are looked at 64 times a turn, those of the other at every step. What is left of
+    // the way to balance has errors of 1e-10 a step.
+    EXPECT_NEAR(one.mean, two.mean, 3e-4 * one.mean + 1e-8) << transient_figures[k].name;
+    EXPECT_NEAR(one.largest, two.largest, 3e-4 * one.largest + 1e-8) << transient_figures[k].name;
   }
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     ASSERT_EQ(a.exceeded[k].has_value(), b.exceeded[k].has_value());
@@ -126,28 +128,27 @@ TEST(TiltBasinTransients, OfRotorsThatDifferAreThoseOfEach) {
   EXPECT_GE(checked, 3);
 }
 
-// The verdict both ways: limits that every start keeps, and that none does; and where figures are told.
+// The verdict each way: limits that every start keeps, that the bare rotor keeps too, and that few starts keep; and
+// where figures are told.
 TEST(TiltBasinTransients, AreJudgedAtTheBearings) {
   BasinOptions options;
   options.transients = true;
   const auto text = [&](double displacement, double velocity, const char* bearings) {
-    return basin_text(basin(limited(displacement, velocity, bearings), options), {});
+    std::string told = basin_text(basin(limited(displacement, velocity, bearings), options), {});
+    std::replace(told.begin(), told.end(), '\n', ' ');
+    return told;
   };
+  const auto says = [](const std::string& told, const char* what) { return told.find(what) != std::string::npos; };
   const char* far = "rotor.tilt.bearings_at=[2, -2]";
-  const std::string loose = text(0.2, 0.1, far), tight = text(0.012, 0.1, far),
-                    centre = text(0.012, 0.1, "rotor.eccentricity_angle=1");
-  EXPECT_NE(loose.find("those of the outermost bearing that has more of them"), std::string::npos) << loose;
-  EXPECT_EQ(loose.find("No bearings are stated"), std::string::npos);
-  EXPECT_NE(centre.find("No bearings are stated"), std::string::npos) << centre;
-  EXPECT_EQ(centre.find("outermost bearing"), std::string::npos);
-  EXPECT_NE(loose.find("100 %"), std::string::npos) << loose;
-  EXPECT_NE(tight, loose);
-  const auto kept = [&](double displacement, const char* bearings) {
-    const BasinResult r = basin(limited(displacement, 1.0, bearings), options);
-    return r.transients->groups.front().within[static_cast<std::size_t>(Within::on_the_way)]->share;
-  };
-  EXPECT_EQ(kept(0.2, far), 1.0);
-  EXPECT_EQ(kept(0.012, far), 0.0);
+  const std::string fit = text(0.2, 0.03, far), loose = text(0.2, 0.1, far), tight = text(0.012, 0.1, far),
+                    centre = text(0.012, 0.03, "rotor.eccentricity_angle=1");
+  EXPECT_TRUE(says(fit, "Fit it: ")) << fit;
+  EXPECT_TRUE(says(loose, "Not needed: ")) << loose;
+  EXPECT_FALSE(says(tight, "Fit it: ") || says(tight, "Not needed: ")) << tight;
+  EXPECT_TRUE(says(loose, "Displacements and velocities are those of the outermost bearing that has more of them"));
+  EXPECT_FALSE(says(loose, "No bearings are stated"));
+  EXPECT_TRUE(says(centre, "No bearings are stated")) << centre;
+  EXPECT_FALSE(says(centre, "outermost bearing"));
 }
 
 // A design's figures are those of its study, and its balls can cancel the share of their plane; lighter ones cannot.
@@ -155,10 +156,10 @@ TEST(TiltDesign, FindsBallsThatBalanceEachPlane) {
   const std::string toml = std::string(long_rotor) + R"(
 [design]
 objective = ["peak_radial.0.9"]
-require = { balanced = 0.9 }
+require = { balanced = { above = 0.9 } }
 method = "latin"
-starts = 60
-trajectories = 4000
+starts = 30
+trajectories = 600
 [design.vary]
 "balancer.mass" = [0.001, 0.012]
 "balancer.drag" = [0.05, 0.5]

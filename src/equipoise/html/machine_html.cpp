@@ -300,8 +300,6 @@ class MachineDocument {
     if (page_.explanation.sag > 0.0)
       table.caption +=
           fmt::format(words::pages::measured_from_rest, shown_.text(page_.explanation.sag, Dimension::length));
-    if (const std::string places = places_words(study_); !places.empty())
-      table.caption += (table.caption.empty() || table.caption.ends_with(' ') ? "" : " ") + places;
     return table;
   }
 

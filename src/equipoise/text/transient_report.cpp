@@ -185,6 +185,12 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   return json;
 }
 
+// Of a rotor that tilts: where along its shaft figures are told.
+std::string places_words(const Study& study) {
+  if (!study.parameters.tilts()) return "";
+  return study.bearings.empty() ? words::text::told_at_centre_of_mass : words::text::told_at_bearings;
+}
+
 }  // namespace
 
 bool tells_without_balls(const BasinResult& r) {
@@ -254,6 +260,7 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
     if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
     words.push_back(sentence + ".");
   };
+  say(places_words(r.study));
   if (tells_without_balls(r))
     for (const auto figure : {&TransientRow::peak_radial, &TransientRow::rms_velocity})
       say(times_words(r.transients->groups.front(), r.without_balls->bare.figures, figure));
@@ -326,11 +333,6 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
   return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
 
-std::string places_words(const Study& study) {
-  if (!study.parameters.tilts()) return "";
-  return study.bearings.empty() ? words::text::told_at_centre_of_mass : words::text::told_at_bearings;
-}
-
 namespace {
 
 // Of rotor and balls.
@@ -356,7 +358,6 @@ std::string transient_text(const TransientResult& r, const Study& study) {
       words::text::at_the_end_means,
       undecided ? fmt::format(words::text::window_of_undecided, r.settings.window * time.size, time.name) : "");
   text += words::text::rms_velocity_means;
-  if (const std::string places = places_words(study); !places.empty()) text += places + "\n";
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
     text += fmt::format(words::text::measured_from_rest, sag * length.size, length.name,

@@ -16,9 +16,6 @@ namespace equipoise {
 /// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
 std::string transient_text(const TransientResult& result, const Study& study);
 
-/// Of a rotor that tilts: where along its shaft figures are told, a sentence; else empty.
-std::string places_words(const Study& study);
-
 /// e omega in mm/s of the mean residual unbalance at the end, at the speed that the starts of `group` came to. Empty
 /// for a dimensionless study, and if a driven rotor's speed was never measured.
 std::optional<double> left_grade(const TransientGroup& group, const Study& study);

@@ -180,8 +180,8 @@ inline constexpr char rms_velocity_means[] =
     "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
 // Of rotors that tilt.
 inline constexpr char told_at_bearings[] =
-    "Displacements and velocities are those of the outermost bearing that has more of them; forces are those of all "
-    "supports together.";
+    "displacements and velocities are those of the outermost bearing that has more of them; forces are those of all "
+    "supports together";
 inline constexpr char told_at_centre_of_mass[] =
     "No bearings are stated: displacements and velocities are those of the shaft at the centre of mass; forces are "
     "those "
