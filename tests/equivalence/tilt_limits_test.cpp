@@ -216,11 +216,13 @@ TEST(TiltPages, SayWhereTheShaftIs) {
   }
   EXPECT_EQ(locked, 1);
   const std::string told = machine_html(far, {}), plain = machine_html(centre, {});
-  EXPECT_NE(told.find("along it the shaft is"), std::string::npos);
+  EXPECT_NE(told.find(" the shaft is "), std::string::npos);
   EXPECT_NE(told.find("at the outermost bearing that moves more"), std::string::npos);
   EXPECT_NE(told.find("at the bearing where it is largest"), std::string::npos);
   EXPECT_NE(told.find("forward whirl: "), std::string::npos);
   EXPECT_NE(told.find("static unbalance "), std::string::npos);
+  EXPECT_NE(told.find("The model: a rigid rotor that tilts"), std::string::npos);
+  EXPECT_EQ(told.find("a rotor in a plane"), std::string::npos);
   EXPECT_EQ(told.find("The centre is "), std::string::npos);
   EXPECT_NE(plain.find("The centre is "), std::string::npos);
   EXPECT_NE(plain.find("the path of the shaft at the centre of mass"), std::string::npos);

@@ -201,7 +201,9 @@ std::string model_words(const Study& study, const RunWords& run) {
   std::string text;
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
     text = fmt::format(words::pages::speed_law, name_of(study.speed.law));
-  text += fmt::format(words::pages::intervals_and_model, version_string, run.cpu_target);
+  text += fmt::format(words::pages::intervals_and_model,
+                      study.parameters.tilts() ? words::pages::rotor_that_tilts : words::pages::rotor_in_a_plane,
+                      version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)
     text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,

@@ -36,10 +36,11 @@ inline constexpr char and_in_the_box[] = " and in the box of initial states";
 inline constexpr char with_drawn_anew[] = ", with {} drawn anew for each";
 inline constexpr char not_from_study[] = " (not from {} of the study)";
 inline constexpr char speed_law[] = " Speed law: {}.";
-// Version, target.
+// Which model, version, target.
 inline constexpr char intervals_and_model[] =
-    " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/explanation/equations.md. equipoise {}, "
-    "{}";
+    " Intervals hold with 95 % confidence. The model: {}, docs/explanation/equations.md. equipoise {}, {}";
+inline constexpr char rotor_in_a_plane[] = "a rotor in a plane";
+inline constexpr char rotor_that_tilts[] = "a rigid rotor that tilts";
 
 // Used on several pages.
 inline constexpr char how_computed[] = "How it was computed";
@@ -142,8 +143,8 @@ inline constexpr char grade_to_compare[] =
 inline constexpr char centre_on_axis[] = "The centre rests on the axis";
 inline constexpr char centre_is[] = "The centre is ";
 // Place of a bearing.
-inline constexpr char shaft_on_axis[] = "At {} along it the shaft rests on the axis";
-inline constexpr char shaft_is[] = "At {} along it the shaft is ";
+inline constexpr char shaft_on_axis[] = "At {} the shaft rests on the axis";
+inline constexpr char shaft_is[] = "At {} the shaft is ";
 inline constexpr char off_the_axis[] = " off the axis";
 inline constexpr char drawn_from_one[] = " Drawn from the end of one start.";
 inline constexpr char one_of_continuum[] = " One of a continuum of such motions.";
