@@ -159,10 +159,9 @@ objective = ["peak_radial.0.9"]
 require = { balanced = { above = 0.9 } }
 method = "latin"
 starts = 30
-trajectories = 600
+trajectories = 1000
 [design.vary]
 "balancer.mass" = [0.001, 0.012]
-"balancer.drag" = [0.05, 0.5]
 )";
   const DesignResult result = design(
       DesignProblem(StudySource{toml, "study.toml", damped({"rotor.tilt.bearings_at=[2, -2]", "speed.speed=3.0"})}));
