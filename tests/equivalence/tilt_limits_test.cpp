@@ -158,7 +158,7 @@ TEST(TiltDesign, FindsBallsThatBalanceEachPlane) {
 objective = ["peak_radial.0.9"]
 require = { balanced = { above = 0.9 } }
 method = "latin"
-starts = 30
+starts = 50
 trajectories = 1000
 [design.vary]
 "balancer.mass" = [0.001, 0.012]
