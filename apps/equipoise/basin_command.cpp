@@ -12,7 +12,6 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/changes/try_changes.hpp"
 #include "equipoise/ensembles/basin.hpp"
-#include "equipoise/mechanics/capability.hpp"
 #include "equipoise/analyses/sensitivity.hpp"
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
@@ -95,15 +94,6 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
   return done;
 }
 
-// Of a machine, if its system offers them and nothing asks for them in vain.
-void take_transients(const Study& study, BasinOptions& options) {
-  const auto lack = model::lacking(study.system(), model::ResultKind::transients);
-  if (!lack)
-    options.transients = true;
-  else if (!gathers_transients(study, options))
-    say(words::shares_alone, lack->reason);
-}
-
 int run_basin(const BasinArguments& a) {
   begin_computing(a);
   require_ending("--report", a.report, ".html");
@@ -121,10 +111,8 @@ int run_basin(const BasinArguments& a) {
   options.limit_given = a.starts.has_value();
   if (a.no_transients)
     options.transients = false;
-  else if (a.transients)
+  else if (a.transients || StudySource{text, name, overrides}.physical())
     options.transients = true;
-  else if (StudySource{text, name, overrides}.physical())
-    take_transients(study, options);
   options.output = a.output;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);

@@ -109,8 +109,6 @@ inline constexpr char mpi_not_built_in[] = "not built in";
 
 // Notes.
 
-// Why there is no more.
-inline constexpr char shares_alone[] = "shares alone: {}";
 inline constexpr char at_medians[] = "samples nothing; uncertain values are at their medians: {}";
 inline constexpr char nothing_proved[] = "nothing is proved, so {} is not written";
 inline constexpr char map_read[] = "read from {}";

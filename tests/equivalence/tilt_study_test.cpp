@@ -99,18 +99,39 @@ speed = 2.0
 TEST(TiltStudy, WhatDoesNotTakeItSaysSo) {
   using model::ResultKind;
   const Study s = study();
-  for (const ResultKind kind : {ResultKind::proofs, ResultKind::displacements, ResultKind::torus_regions,
-                                ResultKind::transients, ResultKind::pages, ResultKind::designs}) {
+  for (const ResultKind kind : {ResultKind::proofs, ResultKind::displacements, ResultKind::torus_regions}) {
     const auto lack = model::lacking(s.system(), kind);
     ASSERT_TRUE(lack) << model::capability(kind).name;
     EXPECT_EQ(lack->need, model::Need::no_tilt);
     EXPECT_NE(lack->reason.find("(simulate, basin, attractors, map and chart take any)"), std::string::npos)
         << lack->reason;
   }
-  for (const ResultKind kind : {ResultKind::trajectory, ResultKind::shares, ResultKind::attractors,
-                                ResultKind::branches, ResultKind::maps, ResultKind::curves})
+  for (const ResultKind kind :
+       {ResultKind::trajectory, ResultKind::shares, ResultKind::attractors, ResultKind::branches, ResultKind::maps,
+        ResultKind::curves, ResultKind::transients, ResultKind::pages, ResultKind::designs})
     EXPECT_FALSE(model::lacking(s.system(), kind));
-  EXPECT_NE(refusal_text([&] { FollowedRun{s}; }).find("a rotor that does not tilt"), std::string::npos);
+}
+
+TEST(TiltStudy, IsFollowedAsItIsSimulated) {
+  const Study s = study({"rotor.tilt.bearings_at=[2, -2]"});
+  const std::vector<double> times{0.0, 3.0, 8.0};
+  const Trajectory expected = simulate(s, times);
+  FollowedRun run(s);
+  Trajectory out;
+  out.phi.resize(4);
+  out.phi_dot.resize(4);
+  for (const double t : times) {
+    EXPECT_EQ(run.advance(t), IntegrationStatus::done);
+    run.record(out);
+  }
+  EXPECT_FALSE(run.held());
+  ASSERT_EQ(out.t, times);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(out.x[k], expected.x[k], 1e-10);
+    EXPECT_NEAR(out.tilt_y[k], expected.tilt_y[k], 1e-10);
+    EXPECT_NEAR(out.phi[3][k], expected.phi[3][k], 1e-8);
+    EXPECT_NEAR(out.bearing_radial[1][k], expected.bearing_radial[1][k], 1e-10);
+  }
 }
 
 // Rodrigues and others (2008), (19): the conical one; and with unequal springs on either side.

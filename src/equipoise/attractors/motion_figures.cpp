@@ -38,15 +38,24 @@ TransientSettings one_window() {
   return settings;
 }
 
-// The rotor's angle is 0 at the motion's state, unless the state contains it.
-TransientSample sample_of(const model::System& system, double t, const double* z) {
-  const double psi = system.layout().psi < 0 ? system.speed() * t : z[system.layout().psi];
-  return transient_sample(system.parameters(), psi, t, z);
-}
+// A system, and where its shaft is watched if it tilts.
+struct Watched {
+  const model::System& system;
+  const std::array<double, 2>& places;
+
+  // The rotor's angle is 0 at the motion's state, unless the state contains it.
+  TransientSample sample(double t, const double* z) const {
+    const model::StateLayout& at = system.layout();
+    const double psi = at.psi < 0 ? system.speed() * t : z[at.psi];
+    if (!system.tilts()) return transient_sample(system.parameters(), psi, t, z);
+    return transient_sample(system.parameters(), places, psi, t, z, z + at.tilt);
+  }
+};
 
 template <class Flow>
-MotionFigures followed(const model::System& system, const Flow& flow, const Motion& motion, double duration) {
-  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+MotionFigures followed(const Watched& watched, const Flow& flow, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
+  const model::System& system = watched.system;
   TransientWatch watch(one_window());
   std::array<double, Flow::dimension> z;
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
@@ -68,8 +77,9 @@ MotionFigures followed(const model::System& system, const Flow& flow, const Moti
 }
 
 // Rates may jump at events.
-MotionFigures followed_with_events(const model::System& system, const Motion& motion, double duration) {
-  const auto sample = [&](double t, const double* z) { return sample_of(system, t, z); };
+MotionFigures followed_with_events(const Watched& watched, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
+  const model::System& system = watched.system;
   kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, figure_tolerance));
   TransientWatch watch(one_window());
   long events = -1;
@@ -87,15 +97,16 @@ MotionFigures followed_with_events(const model::System& system, const Motion& mo
   return figures_of(watch.sums());
 }
 
-MotionFigures followed(const model::System& system, const Motion& motion, double duration) {
-  if (motion.eventful && duration > 0.0) return followed_with_events(system, motion, duration);
+MotionFigures followed(const Watched& watched, const Motion& motion, double duration) {
+  if (motion.eventful && duration > 0.0) return followed_with_events(watched, motion, duration);
   using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
   using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
-  if (system.tilts()) return followed(system, TiltFlow(system, 0.0), motion, duration);
-  if (!system.plain()) return followed(system, GeneralFlow(system, 0.0), motion, duration);
+  const model::System& system = watched.system;
+  if (system.tilts()) return followed(watched, TiltFlow(system, 0.0), motion, duration);
+  if (!system.plain()) return followed(watched, GeneralFlow(system, 0.0), motion, duration);
   const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
-  return followed(system, PlainFlow(system.parameters(), segment), motion, duration);
+  return followed(watched, PlainFlow(system.parameters(), segment), motion, duration);
 }
 
 double stretch(const model::Parameters& p, const Motion& motion) {
@@ -118,14 +129,16 @@ bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
 }
 }  // namespace
 
-MotionFigures motion_figures(const model::Parameters& p, const Motion& motion) {
+MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, const std::array<double, 2>& places) {
   if (balanced_exactly(p, motion)) return {};
-  MotionFigures figures = followed(system_of(p, motion), motion, stretch(p, motion));
-  figures.radial = std::max(figures.radial, motion.r_max);
+  const model::System system = system_of(p, motion);
+  MotionFigures figures = followed({system, places}, motion, stretch(p, motion));
+  const bool at_centre = places[0] == 0.0 && places[1] == 0.0;  // of which the motion tells
+  if (at_centre || !p.tilts()) figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
 }
 
-KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
+KnownEnd known_end(const model::Parameters& p, const Attractor& attractor, const std::array<double, 2>& places) {
   const Motion& motion = attractor.motion;
   if (motion.set_valued) {  // each start comes to its own
     constexpr double time_constants = 5.0;
@@ -134,10 +147,11 @@ KnownEnd known_end(const model::Parameters& p, const Attractor& attractor) {
   }
   if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
   if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
-  // Members of a continuum around an off-centre race whirl alike.
-  const bool unique = attractor.id != balanced_id || p.balls == 1 || (p.balls == 2 && p.equal_balls()) ||
-                      (p.gravity == 0.0 && p.isotropic());
-  if (unique) return {motion_figures(p, motion), 0.0};
+  // Members of a continuum around an off-centre race whirl alike. Where a rotor tilts, balls that balance in one plane
+  // may be part of a continuum while others do not.
+  const bool unique = (attractor.id != balanced_id && !p.tilts()) || p.balls == 1 ||
+                      (p.balls == 2 && p.equal_balls()) || (p.gravity == 0.0 && p.isotropic());
+  if (unique) return {motion_figures(p, motion, places), 0.0};
   constexpr double time_constants = 5.0;  // less than 1 % is left
   double rate = 0.0;
   for (const double exponent : motion.exponents)

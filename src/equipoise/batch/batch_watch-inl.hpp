@@ -31,7 +31,7 @@ struct TriedStep {
 inline constexpr int first_sampled_stage = 5, second_sampled_stage = 9;
 
 // Size of the largest state of any system (model/system.hpp).
-inline constexpr int watched_state = model::dimension(model::max_balls) + 3;
+inline constexpr int watched_state = max_dimension;
 
 // A watch has room for this many groups.
 inline constexpr int most_batch_groups = 3;

@@ -93,6 +93,7 @@ class Changes {
     const double last = std::fabs(study_.speed_profile().final_speed());
     const bool constant = study_.speed.profile == Profile::constant;
     if (study_.release.speed || constant || last < 1.1 * std::sqrt(2.0)) return;
+    if (p_.tilts() && study_.speed.driven()) return;  // whose held balls are not followed
     Study s = study_;
     // To two digits, as it is shown: nobody sets a latch to 750.99 rpm.
     const double unit = study::shown_unit(study::Dimension::speed, study_.scales).size;

@@ -52,7 +52,7 @@ std::string hours_text(double acceleration, double value) {
                          : fmt::format(words::decision::minutes, 60.0 * hours);
 }
 
-DocumentTable hand_arm_table(const HandArm& a) {
+DocumentTable hand_arm_table(const HandArm& a, const Study& study) {
   DocumentTable table{
       {words::decision::hand_arm_vibration, "median", words::decision::ninety_below, words::decision::no_balls},
       {},
@@ -66,7 +66,10 @@ DocumentTable hand_arm_table(const HandArm& a) {
   for (const auto& [value, name] : {std::pair{standards::exposure_action_value, words::decision::action_value},
                                     std::pair{standards::exposure_limit_value, words::decision::limit_value}})
     row(fmt::format(words::decision::work_until, value, name), [&, of = value](double v) { return hours_text(v, of); });
-  table.caption = words::decision::hand_arm_caption;
+  table.caption =
+      fmt::format(words::decision::hand_arm_caption, !study.parameters.tilts() ? words::decision::centre_of_race
+                                                     : study.bearings.empty()  ? words::decision::centre_of_mass
+                                                                               : words::decision::faster_bearing);
   return table;
 }
 
@@ -127,7 +130,7 @@ std::vector<Block> standards_blocks(const BasinResult& r) {
   if (with && without)
     blocks.push_back(Paragraph{fmt::format(words::decision::balance_quality, grade_text(*with), grade_text(*without))});
   if (r.study.standards.severity_class) blocks.push_back(severity(r));
-  if (const auto arms = hand_arm(r)) blocks.push_back(hand_arm_table(*arms));
+  if (const auto arms = hand_arm(r)) blocks.push_back(hand_arm_table(*arms, r.study));
   if (all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r)});
   return blocks;
 }

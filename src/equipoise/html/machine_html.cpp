@@ -138,7 +138,10 @@ class MachineDocument {
           {capital(d.limited->figure().title) + words::pages::all_starts, distribution_svg(page_, d), "", ""});
     if (!page_.runs.empty() && !run_up_tells_speed(page_))
       row.drawings.push_back({words::pages::speed_over_time, speed_svg(page_), "", ""});
-    row.caption = words::pages::ends_caption;
+    row.caption = study_.parameters.tilts() ? fmt::format(words::pages::ends_caption_of_tilt,
+                                                          study_.bearings.empty() ? words::pages::at_centre_of_mass
+                                                                                  : words::pages::at_a_bearing)
+                                            : words::pages::ends_caption;
     row.caption += study_.limits.displacement ? words::pages::limit_dashed : ".";
     if (page_.motions_left_out > 0) row.caption += fmt::format(words::pages::rarer_not_drawn, page_.motions_left_out);
     if (page_.starts_drawn < basin_.starts)
@@ -150,9 +153,12 @@ class MachineDocument {
   }
 
   std::string motion_words(const DrawnMotion& m) const {
-    std::string text = m.r_max < 1e-9 ? words::pages::centre_on_axis
-                                      : words::pages::centre_is + shown_.range(m.r_min, m.r_max, Dimension::length) +
-                                            words::pages::off_the_axis;
+    const bool rests = m.r_max < 1e-9;
+    std::string text = rests ? words::pages::centre_on_axis : words::pages::centre_is;
+    if (m.bearing)
+      text = fmt::format(fmt::runtime(rests ? words::pages::shaft_on_axis : words::pages::shaft_is),
+                         shown_.text(*m.bearing, Dimension::length));
+    if (!rests) text += shown_.range(m.r_min, m.r_max, Dimension::length) + words::pages::off_the_axis;
     if (study_.speed.driven()) text += fmt::format(" at {}", shown_.text(m.speed, Dimension::speed));
     text += "; " + ball_words(m);
     text += ".";
@@ -237,7 +243,7 @@ class MachineDocument {
   }
 
   std::string runs_caption() const {
-    std::string text = words::pages::runs_caption;
+    std::string text = study_.bearings.empty() ? words::pages::runs_caption : words::pages::runs_caption_at_bearings;
     std::string numbers;
     for (const ShownRun& run : page_.runs) {
       if (run.of == RunOf::bare) {

@@ -20,6 +20,7 @@
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
+#include "equipoise/words/reports.hpp"
 #include "equipoise/words/text.hpp"
 
 namespace equipoise {
@@ -80,7 +81,11 @@ class Derived {
     if (e_.bare)
       rows.push_back({words::text::without_balls,
                       fmt::format(words::pages::shakes_by, by_direction(e_.bare->displacement, Dimension::length),
-                                  by_direction(e_.bare->force, Dimension::force))});
+                                  by_direction(e_.bare->force, Dimension::force)) +
+                          (e_.tilt && !e_.tilt->at_bearings.empty()
+                               ? "; " + fmt::format(words::reports::farthest_at_bearings,
+                                                    list(e_.tilt->at_bearings, Dimension::length))
+                               : "")});
     if (e_.motion)
       rows.push_back({words::text::approach_to_balance,
                       (e_.motion->stable ? fmt::format(words::pages::stable_time_constant,
@@ -95,7 +100,44 @@ class Derived {
     return v[0] == v[1] ? shown_.text(v[0], d) : fmt::format("x {}, y {}", shown_.text(v[0], d), shown_.text(v[1], d));
   }
 
+  std::string list(const std::vector<double>& values, Dimension d) const {
+    std::string text;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      text += (k == 0 ? "" : k + 1 < values.size() ? ", " : " and ") + shown_.text(values[k], d);
+    return text;
+  }
+
+  std::string speeds_of_tilt(const TiltExplanation& t) const {
+    const auto line = [&](const char* words, const std::vector<double>& alone, const std::vector<double>& with) {
+      const std::string held = study_.parameters.balls > 0
+                                   ? fmt::format(words::reports::with_balls_held, list(with, Dimension::speed))
+                                   : std::string();
+      return fmt::format(fmt::runtime(words), list(alone, Dimension::speed), held);
+    };
+    std::string text = t.alone.of_both.empty()
+                           ? line(words::reports::forward_whirl, t.alone.forward, t.with_balls.forward)
+                           : line(words::reports::whirl_of_both, t.alone.of_both, t.with_balls.of_both);
+    if (t.alone.of_both.empty() && t.alone.forward.size() == 1)
+      text += std::string("; ") + words::reports::one_forward_whirl;
+    if (e_.speed)
+      text += fmt::format(words::pages::final_speed_over_highest, shown_.text(*e_.speed, Dimension::speed),
+                          std::fabs(*e_.speed) / e_.critical_with_balls[1]);
+    return text;
+  }
+
+  std::string unbalance_of_tilt(const TiltExplanation& t) const {
+    std::string text = fmt::format(words::reports::static_and_couple, shown_.text(e_.unbalance, Dimension::unbalance),
+                                   shown_.text(t.couple, Dimension::inertia));
+    for (const ExplainedPlane& plane : t.planes)
+      text += "; " + fmt::format(words::reports::plane_cancels, shown_.text(plane.at, Dimension::length),
+                                 shown_.text(plane.unbalance, Dimension::unbalance),
+                                 shown_.text(plane.least, Dimension::unbalance),
+                                 shown_.text(plane.most, Dimension::unbalance));
+    return text;
+  }
+
   std::string speeds() const {
+    if (e_.tilt) return speeds_of_tilt(*e_.tilt);
     std::string text = by_direction(e_.critical_alone, Dimension::speed);
     if (study_.parameters.balls > 0)
       text += words::text::without_balls_comma + by_direction(e_.critical_with_balls, Dimension::speed) +
@@ -107,6 +149,7 @@ class Derived {
   }
 
   std::string unbalance() const {
+    if (e_.tilt) return unbalance_of_tilt(*e_.tilt);
     std::string text = shown_.text(e_.unbalance, Dimension::unbalance);
     if (study_.parameters.balls > 0)
       text += fmt::format(words::pages::balls_can_cancel,
@@ -158,7 +201,9 @@ std::string model_words(const Study& study, const RunWords& run) {
   std::string text;
   if (!study.speed.driven() && study.speed.profile != Profile::constant)
     text = fmt::format(words::pages::speed_law, name_of(study.speed.law));
-  text += fmt::format(words::pages::intervals_and_model, version_string, run.cpu_target);
+  text += fmt::format(words::pages::intervals_and_model,
+                      study.parameters.tilts() ? words::pages::rotor_that_tilts : words::pages::rotor_in_a_plane,
+                      version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)
     text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,

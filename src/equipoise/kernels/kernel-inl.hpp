@@ -45,8 +45,9 @@ class WatchForLoss : public NoObserver {
 };
 
 // The watch that a task asks for; null if none.
-inline std::unique_ptr<BatchWatch> watch_of(const BatchTask& task) {
-  if (task.transients) return std::make_unique<WatchTransients>(task, *task.transients);
+template <bool tilt>
+std::unique_ptr<BatchWatch> watch_of(const BatchTask& task) {
+  if (task.transients) return std::make_unique<WatchTransients<tilt>>(task, *task.transients);
   if (task.radius) return std::make_unique<WatchRadius>(*task.radius);
   return nullptr;
 }
@@ -57,9 +58,9 @@ bool run_block(const BatchTask& task, const Flow& flow, Observer& observer, cons
   return block->run();
 }
 
-template <class Flow, int groups, class Fates, class Rotors>
+template <class Flow, int groups, bool tilt, class Fates, class Rotors>
 bool run_watched(const BatchTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
-  const auto watch = watch_of(task);
+  const auto watch = watch_of<tilt>(task);
   const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
   return run_block<Flow, groups>(task, flow, *observer, rotors);
 }
@@ -100,7 +101,8 @@ bool classify_balls(const BatchJob& job) {
   const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
   const auto flow = flow_of<room, kind, false>(job.task);
   const auto run = [&](const auto& rotors) {
-    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *fates, rotors);
+    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>, kind == BatchKind::tilting>(
+        job.task, flow, *fates, rotors);
   };
   if constexpr (kind < BatchKind::smooth)
     if (!job.task.own) return run(OneRotor{});
@@ -117,7 +119,7 @@ bool advance_balls(const BatchJob& job) {
     const auto flow = flow_of<room, kind, acceleration>(job.task);
     using Flow = std::remove_const_t<decltype(flow)>;
     if constexpr (watched)
-      return run_watched<Flow, groups>(job.task, flow, fates, rotors);
+      return run_watched<Flow, groups, kind == BatchKind::tilting>(job.task, flow, fates, rotors);
     else
       return run_block<Flow, groups>(job.task, flow, fates, rotors);
   };

@@ -32,45 +32,22 @@ double energy(const Parameters& p, double inertia, const Segment& segment, doubl
 
 namespace {
 
-double square(const std::array<double, 2>& v) { return v[0] * v[0] + v[1] * v[1]; }
-
-// docs/explanation/equations.md, "A rotor that tilts". Velocities along the turning axes, springs in fixed axes.
-double tilting_energy(const Parameters& p, const double* z) {
-  const StateLayout at = machine_layout(p);
-  const double *tilt = z + at.tilt, w = z[at.speed], psi = z[at.psi], c = std::cos(psi), s = std::sin(psi);
-  const double lambda_x = p.eccentricity * std::cos(p.eccentricity_angle),
-               lambda_y = p.eccentricity * std::sin(p.eccentricity_angle);
-  const auto centre = in_fixed_axes(c, s, z[index::x], z[index::y]), slope = in_fixed_axes(c, s, tilt[0], tilt[1]);
-  double e = 0.5 * (square({z[index::u] - w * lambda_y, z[index::v] + w * lambda_x}) + p.inertia * w * w +
-                    p.tilt.transverse_inertia * square({tilt[2], tilt[3]})) +
-             w * p.tilt.couple() * tilt[3] + p.gravity * (centre[1] + lambda_x * s + lambda_y * c);
-  for (const std::size_t d : {0, 1})
-    e += 0.5 * (p.stiffness[d] * centre[d] * centre[d] + p.tilt.stiffness[d][1] * slope[d] * slope[d]) +
-         p.tilt.stiffness[d][0] * centre[d] * slope[d];
-  for (int i = 0; i < p.balls; ++i) {
-    const double place = p.tilt.plane[i], phi = z[index::phi(i)], rate = w + z[index::q(i, p.balls)];
-    const std::array<double, 2> velocity{z[index::u] + place * tilt[2] - rate * std::sin(phi),
-                                         z[index::v] + place * tilt[3] + rate * std::cos(phi)};
-    e += p.mass[i] * (0.5 * square(velocity) + p.gravity * (centre[1] + place * slope[1] + std::sin(psi + phi)));
-  }
-  return e;
+kernels::RotorMotion<double> motion_of(const StateLayout& at, const double* z) {
+  return {z[at.speed], 0.0, std::sin(z[at.psi]), std::cos(z[at.psi])};
 }
 
 }  // namespace
 
 Powers tilting_powers(const Parameters& p, double torque, bool held, const double* z) {
   const StateLayout at = machine_layout(p);
-  const auto v = in_fixed_axes(std::cos(z[at.psi]), std::sin(z[at.psi]), z[index::u], z[index::v]);
-  const double of_centre = p.damping[0] * v[0] * v[0] + p.damping[1] * v[1] * v[1];
-  return {torque * z[at.speed], of_centre + power_taken_from_tilt(p, z[at.psi], z, z + at.tilt),
+  return {torque * z[at.speed], kernels::TiltEnergy<double>(p, at.tilt).taken_by_supports(motion_of(at, z), z),
           held ? 0.0 : kernels::RotorEnergy<double>(p).taken_by_drag(z)};
 }
 
 double full_energy(const Parameters& p, const double* z) {
-  if (p.tilts()) return tilting_energy(p, z);
-  const double psi = z[machine_layout(p.balls).psi];
-  return kernels::RotorEnergy<double>(p).stored({z[machine_layout(p.balls).speed], 0.0, std::sin(psi), std::cos(psi)},
-                                                z);
+  const StateLayout at = machine_layout(p);
+  if (p.tilts()) return kernels::TiltEnergy<double>(p, at.tilt).stored(motion_of(at, z), z);
+  return kernels::RotorEnergy<double>(p).stored(motion_of(at, z), z);
 }
 
 Powers powers(const Parameters& p, double inertia, const Segment& segment, double t, const double* z) {

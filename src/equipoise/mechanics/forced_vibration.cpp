@@ -11,6 +11,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/whirl.hpp"
 
 namespace equipoise::model {
 
@@ -113,6 +114,19 @@ ForcedVibration forced_vibration(const Parameters& p, double unbalance, double s
   }
   return {longest(centre), longest(force, -weight), std::sqrt(0.5 * squares(force) + weight * weight),
           std::fabs(speed) * std::sqrt(0.5 * squares(centre))};
+}
+
+ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
+                                 double speed) {
+  const ShaftVibration v = shaft_vibration(p, speed, phi);
+  const double weight = (1.0 + p.total_mass()) * p.gravity;
+  ForcedVibration result{0.0, longest(v.force, -weight), std::sqrt(0.5 * squares(v.force) + weight * weight), 0.0};
+  for (const double place : places) {
+    const Vector section = v.at(place);
+    result.radial = std::max(result.radial, longest(section));
+    result.rms_velocity = std::max(result.rms_velocity, std::fabs(speed) * std::sqrt(0.5 * squares(section)));
+  }
+  return result;
 }
 
 }  // namespace equipoise::model

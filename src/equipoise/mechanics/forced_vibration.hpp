@@ -37,4 +37,9 @@ struct ForcedVibration {
 /// Of one body with this unbalance at constant `speed`. With damping in both directions it comes to no other motion.
 ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed);
 
+/// The same of a rotor that tilts with its balls held at `phi`, at the worse of these places along its shaft. The force
+/// is that of all supports together.
+ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
+                                 double speed);
+
 }  // namespace equipoise::model

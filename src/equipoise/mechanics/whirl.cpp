@@ -84,16 +84,44 @@ double ShaftVibration::farthest(double place) const {
   return std::sqrt(0.5 * (std::norm(v[0]) + std::norm(v[1]) + std::abs(v[0] * v[0] + v[1] * v[1])));
 }
 
-ShaftVibration shaft_vibration(const Parameters& p, double speed) {
+double slowest_decay(const Parameters& p, double speed) {
+  const std::array<double, 3> m = inertias(p, true);
+  Eigen::MatrixXd inertia = Matrix4::Zero(), dampers = support(p.damping, p.tilt.damping);
+  for (int d = 0; d < 2; ++d) {
+    inertia(d, d) = m[0];
+    inertia(d, 2 + d) = inertia(2 + d, d) = m[1];
+    inertia(2 + d, 2 + d) = m[2];
+  }
+  dampers(2, 3) += speed * p.tilt.polar_inertia;  // gyroscopic
+  dampers(3, 2) -= speed * p.tilt.polar_inertia;
+  const Eigen::MatrixXd inverse = dense::inverse(inertia);
+  Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(8, 8);
+  rates.topRightCorner(4, 4).setIdentity();
+  rates.bottomLeftCorner(4, 4) = -inverse * support(p.stiffness, p.tilt.stiffness);
+  rates.bottomRightCorner(4, 4) = -inverse * dampers;
+  return -dense::eigenvalues(rates).real().maxCoeff();
+}
+
+ShaftVibration shaft_vibration(const Parameters& p, double speed, const double* held) {
   using Amplitude = ShaftVibration::Amplitude;
-  const double w2 = speed * speed, jt = p.tilt.transverse_inertia, jp = p.tilt.polar_inertia;
+  const double w2 = speed * speed, jp = p.tilt.polar_inertia;
+  const std::array<double, 3> m = inertias(p, held != nullptr);
   const Eigen::MatrixXcd supports = support(p.stiffness, p.tilt.stiffness).cast<Amplitude>() +
                                     Amplitude(0.0, speed) * support(p.damping, p.tilt.damping).cast<Amplitude>();
   Eigen::MatrixXcd a = supports;
-  a.diagonal() -= Amplitude(w2) * Eigen::Vector4cd(1.0, 1.0, jt, jt);
+  a.diagonal() -= Amplitude(w2) * Eigen::Vector4cd(m[0], m[0], m[2], m[2]);
+  for (int d = 0; d < 2; ++d) {
+    a(d, 2 + d) -= w2 * m[1];
+    a(2 + d, d) -= w2 * m[1];
+  }
   a(2, 3) += Amplitude(0.0, w2 * jp);  // gyroscopic
   a(3, 2) -= Amplitude(0.0, w2 * jp);
-  const Amplitude centre = std::polar(p.eccentricity, p.eccentricity_angle), couple = p.tilt.couple();
+  Amplitude centre = std::polar(p.eccentricity, p.eccentricity_angle), couple = p.tilt.couple();
+  for (std::size_t i = 0; held && i < static_cast<std::size_t>(p.balls); ++i) {
+    const Amplitude one = std::polar(p.mass[i], held[i]);
+    centre += one;
+    couple += p.tilt.plane[i] * one;
+  }
   const Amplitude behind(0.0, -1.0);
   const Eigen::Vector4cd unbalance(centre, behind * centre, couple, behind * couple);
   const Eigen::VectorXcd v = dense::inverse(a) * (w2 * unbalance), f = supports * v;

@@ -27,7 +27,10 @@ WhirlSpeeds whirl_speeds(const Parameters& p, bool with_balls);
 /// Every speed of whirl, of equal supports once for X and once for Y.
 std::vector<double> all_whirl_speeds(const Parameters& p, bool with_balls);
 
-/// The steady vibration of the rotor without balls, as amplitudes: the real part of these times e^{i speed t}.
+/// The slowest rate at which a vibration of the rotor with held balls dies out at this speed; 0 or less: one does not.
+double slowest_decay(const Parameters& p, double speed);
+
+/// The steady vibration of the rotor, as amplitudes: the real part of these times e^{i speed t}.
 struct ShaftVibration {
   using Amplitude = std::complex<double>;
   std::array<Amplitude, 2> centre, slope, force;  // in X and Y; force: on the supports
@@ -38,6 +41,7 @@ struct ShaftVibration {
   /// The largest distance of the section at `place` from the axis.
   double farthest(double place) const;
 };
-ShaftVibration shaft_vibration(const Parameters& p, double speed);
+/// Without balls, or with balls held at these angles.
+ShaftVibration shaft_vibration(const Parameters& p, double speed, const double* held = nullptr);
 
 }  // namespace equipoise::model

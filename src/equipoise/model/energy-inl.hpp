@@ -7,6 +7,10 @@
 #define EQUIPOISE_MODEL_ENERGY_INL
 #endif
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 
@@ -101,6 +105,92 @@ class RotorEnergy {
   Vector2<T> stiffness_, damping_;
   T gravity_;
   T mass_[model::max_balls], drag_force_[model::max_balls], radius_[model::max_balls];
+};
+
+// Of a rotor that tilts (docs/explanation/equations.md, "A rotor that tilts"), whose slopes sx, sy and their rates
+// stand from `place` on in the state.
+template <class T>
+class TiltEnergy {
+ public:
+  TiltEnergy(const model::Parameters& p, int place)
+      : balls_(p.balls),
+        place_(place),
+        turning_(model::depends_on_rotor_angle(p)),
+        lambda_{T(p.eccentricity * std::cos(p.eccentricity_angle)), T(p.eccentricity * std::sin(p.eccentricity_angle))},
+        inertia_(p.inertia),
+        transverse_(p.tilt.transverse_inertia),
+        couple_(p.tilt.couple()),
+        gravity_(p.gravity),
+        stiffness_{support(p.stiffness, p.tilt.stiffness, 0), support(p.stiffness, p.tilt.stiffness, 1)},
+        damping_{support(p.damping, p.tilt.damping, 0), support(p.damping, p.tilt.damping, 1)} {
+    for (int i = 0; i < model::max_balls; ++i) {
+      mass_[i] = T(p.mass[i]);
+      plane_[i] = T(p.tilt.plane[i]);
+    }
+  }
+
+  // Copies the rotor of `from` into lane `lane`.
+  void take_lane(const TiltEnergy& from, int lane) {
+    using E = TiltEnergy;
+    take_lane_of(*this, from, lane, &E::lambda_, &E::inertia_, &E::transverse_, &E::couple_, &E::gravity_,
+                 &E::stiffness_, &E::damping_, &E::mass_, &E::plane_);
+  }
+
+  // Velocities along the turning axes, springs in fixed axes.
+  HWY_INLINE T stored(const RotorMotion<T>& rotor, const T* z) const {
+    using namespace model::index;
+    const T w = rotor.speed, half(0.5);
+    const T* tilt = z + place_;
+    const Vector2<T> centre = in_fixed_axes(rotor, z[x], z[y]), slope = in_fixed_axes(rotor, tilt[0], tilt[1]);
+    const T along = z[u] - w * lambda_.y, across = z[v] + w * lambda_.x;
+    T e = half * (along * along + across * across + inertia_ * w * w +
+                  transverse_ * (tilt[2] * tilt[2] + tilt[3] * tilt[3])) +
+          w * couple_ * tilt[3] + gravity_ * (centre.y + lambda_.x * rotor.sin_psi + lambda_.y * rotor.cos_psi) +
+          half * (quadratic(stiffness_.x, centre.x, slope.x) + quadratic(stiffness_.y, centre.y, slope.y));
+    for (int i = 0; i < balls_; ++i) {
+      const T rate = w + z[q(i, balls_)];
+      T s, c;
+      sin_cos(z[phi(i)], s, c);
+      const T vx = z[u] + plane_[i] * tilt[2] - rate * s, vy = z[v] + plane_[i] * tilt[3] + rate * c;
+      const T height = centre.y + plane_[i] * slope.y + rotor.sin_psi * c + rotor.cos_psi * s;
+      e = e + mass_[i] * (half * (vx * vx + vy * vy) + gravity_ * height);
+    }
+    return e;
+  }
+
+  // Power dissipated in the supports' dampers.
+  HWY_INLINE T taken_by_supports(const RotorMotion<T>& rotor, const T* z) const {
+    const Vector2<T> centre = in_fixed_axes(rotor, z[model::index::u], z[model::index::v]),
+                     slope = in_fixed_axes(rotor, z[place_ + 2], z[place_ + 3]);
+    return quadratic(damping_.x, centre.x, slope.x) + quadratic(damping_.y, centre.y, slope.y);
+  }
+
+ private:
+  struct Support {
+    T centre, across, tilt;
+  };
+  struct Supports {
+    Support x, y;
+  };
+  static Support support(const std::array<double, 2>& of_centre, const std::array<std::array<double, 2>, 2>& of_tilt,
+                         std::size_t d) {
+    return {T(of_centre[d]), T(of_tilt[d][0]), T(of_tilt[d][1])};
+  }
+  static HWY_INLINE T quadratic(const Support& m, const T& a, const T& b) {
+    return m.centre * a * a + T(2.0) * m.across * a * b + m.tilt * b * b;
+  }
+  // As in RotorEnergy.
+  HWY_INLINE Vector2<T> in_fixed_axes(const RotorMotion<T>& rotor, const T& x, const T& y) const {
+    if (!turning_) return {x, y};
+    return {x * rotor.cos_psi - y * rotor.sin_psi, x * rotor.sin_psi + y * rotor.cos_psi};
+  }
+
+  int balls_, place_;
+  bool turning_;
+  Vector2<T> lambda_;
+  T inertia_, transverse_, couple_, gravity_;
+  Supports stiffness_, damping_;
+  T mass_[model::max_balls], plane_[model::max_balls];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -167,6 +167,8 @@ class BasinWriter {
     say("transients_window", asked.window);
     say("limits_displacement", asked.displacement);
     say("limits_settled", asked.settled);
+    if (asked.places != std::array<double, 2>{})
+      file_.attribute(NC_GLOBAL, "displacements_at", fmt::format("{}, {}", asked.places[0], asked.places[1]));
     if (!c_.header.scales) return;
     say("unit_of_length_m", c_.header.scales->length);
     say("unit_of_force_N", c_.header.scales->force());

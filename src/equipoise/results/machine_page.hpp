@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ struct GivenMachine {
 
 /// A stretch of a motion at equally spaced times, dimensionless.
 struct MotionPath {
-  std::vector<double> psi;               ///< rotor angle
-  std::vector<double> x, y;              ///< centre of the race in fixed axes, from the rotor's rest position
+  std::vector<double> psi;  ///< rotor angle
+  /// Centre of the race, or of a section of a shaft that tilts, in fixed axes, from where it rests.
+  std::vector<double> x, y;
   std::vector<std::vector<double>> phi;  ///< by ball: angle from the heavy side, in the rotating frame; unwrapped
 };
 
@@ -50,6 +52,9 @@ struct DrawnMotion : OutcomeShare {
   double speed = 0.0;      ///< of the rotor, mean
   bool continuum = false;  ///< one member of a continuum
   bool one_start = false;  ///< the end of one start's run, because the motion itself is not known
+  /// Of a rotor that tilts, with bearings: along the shaft the outermost one that moves more, whose path and distances
+  /// these are.
+  std::optional<double> bearing{};
 };
 
 /// Distribution of a figure of transients: starts (weighted on a grid) by equal bins and by outcome.

@@ -36,17 +36,49 @@ std::vector<BallOnMotion> balls_on(const MotionPath& path, const double* drift, 
   return balls;
 }
 
-// Balls are followed along their whole way, the centre only for as many turns as keep the drawing clear.
-void draw_path(const model::System& system, const Motion& motion, DrawnMotion& drawn) {
+// Distances from the axis along a path.
+std::vector<double> reach_of(const MotionPath& path) {
+  std::vector<double> reach;
+  for (std::size_t k = 0; k < path.x.size(); ++k) reach.push_back(std::hypot(path.x[k], path.y[k]));
+  return reach;
+}
+
+// The path of the centre; of a rotor that tilts, of the outermost of its bearings that moves more.
+template <class PathAt>
+void draw_shaft(DrawnMotion& drawn, const std::vector<double>& bearings, PathAt&& path_at) {
+  if (bearings.empty()) {
+    MotionPath path = path_at(0.0);
+    drawn.x = std::move(path.x);
+    drawn.y = std::move(path.y);
+    return;
+  }
+  const auto [least, most] = std::minmax_element(bearings.begin(), bearings.end());
+  drawn.r_max = -1.0;
+  for (const double place : {*least, *most}) {
+    MotionPath path = path_at(place);
+    const std::vector<double> reach = reach_of(path);
+    const auto [low, high] = std::minmax_element(reach.begin(), reach.end());
+    if (reach.empty() || !(*high > drawn.r_max)) continue;
+    drawn.bearing = place;
+    drawn.x = std::move(path.x);
+    drawn.y = std::move(path.y);
+    drawn.r_min = *low;
+    drawn.r_max = *high;
+    drawn.r_mean = 0.5 * (*low + *high);
+  }
+}
+
+// Balls are followed along their whole way, the shaft only for as many turns as keep the drawing clear.
+void draw_path(const model::System& system, const Motion& motion, const std::vector<double>& bearings,
+               DrawnMotion& drawn) {
   constexpr double most_turns = 24.0;
   constexpr int looks = 2000, looks_a_turn = 48;
   const double turn = turn_time(motion.speed), duration = whole_way(motion);
   drawn.balls = balls_on(motion_path(system, motion, duration, looks), motion.drift.data(), duration);
   const double turns = std::min(duration / turn, most_turns);
-  const MotionPath path =
-      motion_path(system, motion, turns * turn, std::max(looks_a_turn, static_cast<int>(turns * looks_a_turn)));
-  drawn.x = path.x;
-  drawn.y = path.y;
+  const int count = std::max(looks_a_turn, static_cast<int>(turns * looks_a_turn));
+  draw_shaft(drawn, bearings,
+             [&](double place) { return motion_path(system, motion, turns * turn, count, {}, place); });
 }
 
 void draw_end(const Study& study, const StartArrays& starts, std::uint64_t index, const StopFlag* stop,
@@ -60,16 +92,14 @@ void draw_end(const Study& study, const StartArrays& starts, std::uint64_t index
   if (run.stopped || run.t.size() < 2) return;
   std::size_t first = run.t.size() - 1;
   while (first > 0 && std::fabs(run.psi.back() - run.psi[first]) < turns * two_pi) --first;
-  const MotionPath path = motion_path(study.parameters, run, first);
   const double duration = run.t.back() - run.t[first];
-  drawn.balls = balls_on(path, nullptr, duration);
-  drawn.x = path.x;
-  drawn.y = path.y;
+  drawn.balls = balls_on(motion_path(study.parameters, run, first), nullptr, duration);
   const auto begin = run.radial.begin() + static_cast<std::ptrdiff_t>(first);
   const auto [low, high] = std::minmax_element(begin, run.radial.end());
   drawn.r_min = *low;
   drawn.r_max = *high;
   drawn.r_mean = 0.5 * (*low + *high);
+  draw_shaft(drawn, study.bearings, [&](double place) { return motion_path(study.parameters, run, first, place); });
   drawn.speed = (run.psi.back() - run.psi[first]) / duration;
   drawn.one_start = true;
 }
@@ -81,7 +111,7 @@ void draw_motion(const Attractor& a, const Study& study, DrawnMotion& drawn) {
   drawn.r_max = m.r_max;
   drawn.speed = m.speed;
   drawn.continuum = a.continuum.has_value() || m.set_valued;
-  draw_path(system_of(study.parameters, m), m, drawn);
+  draw_path(system_of(study.parameters, m), m, study.bearings, drawn);
 }
 
 class PageMaker {

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/event_run-inl.hpp"
+#include "equipoise/periodic_orbits/tangent_flow-inl.hpp"
 #include "equipoise/running/reporting.hpp"
 
 namespace equipoise {
@@ -21,13 +25,15 @@ constexpr double path_tolerance = 1e-9;  // far below what a drawing shows
 
 class PathWriter {
  public:
-  PathWriter(const model::Parameters& p, MotionPath& path) : p_(p), path_(path) {
+  PathWriter(const model::Parameters& p, MotionPath& path, double place)
+      : rest_(model::static_sag(p) + place * model::static_slope(p)), place_(place), path_(path) {
     path_.phi.resize(static_cast<std::size_t>(p.balls));
   }
 
-  void add(double psi, double x, double y) {
-    const std::array<double, 2> rest = model::rest_position(p_, psi);
-    const auto fixed = model::in_fixed_axes(std::cos(psi), std::sin(psi), x - rest[0], y - rest[1]);
+  // `tilt`: the slopes of a rotor that tilts.
+  void add(double psi, double x, double y, const std::array<double, 2>& tilt) {
+    const double c = std::cos(psi), s = std::sin(psi);
+    const auto fixed = model::in_fixed_axes(c, s, x + place_ * tilt[0] - rest_ * s, y + place_ * tilt[1] - rest_ * c);
     path_.psi.push_back(psi);
     path_.x.push_back(fixed[0]);
     path_.y.push_back(fixed[1]);
@@ -35,49 +41,93 @@ class PathWriter {
   void add_ball(std::size_t i, double phi) { path_.phi[i].push_back(phi); }
 
  private:
-  const model::Parameters& p_;
+  const double rest_, place_;
   MotionPath& path_;
 };
 
-MotionPath followed_path(const model::System& system, const Motion& motion, double duration, int count,
+// Takes states of the system, step apart, as they come.
+class PathTaker {
+ public:
+  PathTaker(const model::System& system, double step, int count, double place)
+      : system_(system), step_(step), count_(count), writer_(system.parameters(), path_, place) {}
+
+  bool done() const { return next_ > count_; }
+  double next() const { return next_ * step_; }
+  void take(const double* y) {
+    turn_on(y);
+    const int tilt = system_.layout().tilt;
+    writer_.add(psi_, y[model::index::x], y[model::index::y],
+                tilt < 0 ? std::array<double, 2>{} : std::array<double, 2>{y[tilt], y[tilt + 1]});
+    for (int i = 0; i < system_.balls(); ++i) writer_.add_ball(static_cast<std::size_t>(i), y[model::index::phi(i)]);
+    ++next_;
+  }
+  MotionPath path() { return std::move(path_); }
+
+ private:
+  // With a motor and isotropic supports the rotor's angle is not part of the state: integrate it here.
+  void turn_on(const double* y) {
+    const double now = system_.prescribed() ? system_.speed() : y[system_.layout().speed];
+    if (system_.layout().psi >= 0)
+      psi_ = y[system_.layout().psi];
+    else if (next_ > 0)
+      psi_ += 0.5 * step_ * (speed_ + now);
+    speed_ = now;
+  }
+
+  const model::System& system_;
+  const double step_;
+  const int count_;
+  MotionPath path_;
+  PathWriter writer_;
+  double psi_ = 0.0, speed_ = 0.0;
+  int next_ = 0;
+};
+
+template <std::size_t size, class StateAt>
+void take_until(double to, StateAt& state_at, PathTaker& taker) {
+  std::array<double, size> y{};
+  while (!taker.done() && taker.next() <= to) {
+    state_at(taker.next(), y.data());
+    taker.take(y.data());
+  }
+}
+
+// Of a rotor that tilts, whose balls meet no event.
+void follow_tilting(const model::System& system, const Motion& motion, double duration, PathTaker& taker,
+                    const StopFlag* stop) {
+  using Flow = kernels::SmoothFlow<double, model::any_count, true>;
+  const Flow flow(system, 0.0);
+  kernels::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = path_tolerance;
+  kernels::set_system_scale(system, 1, scale);
+  std::array<double, Flow::dimension> y{};
+  std::copy_n(motion.state.data(), motion.state.size(), y.begin());
+  taker.take(y.data());
+  kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
+  integrator.advance(
+      0.0, duration, y.data(),
+      [&](double, double to, auto&& state_at) { take_until<Flow::dimension>(to, state_at, taker); }, stop);
+}
+
+MotionPath followed_path(const model::System& system, const Motion& motion, double duration, int count, double place,
                          const StopFlag* stop) {
-  MotionPath path;
-  const model::Parameters& p = system.parameters();
-  PathWriter writer(p, path);
+  PathTaker taker(system, duration / count, count, place);
+  if (system.tilts()) {
+    follow_tilting(system, motion, duration, taker, stop);
+    return taker.path();
+  }
   kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, path_tolerance));
   std::array<double, kernels::EventRun::dimension> y{};
-  const double step = duration / count;
-  double psi = 0.0, speed = 0.0;
-  int next = 0;
-  // With a motor and isotropic supports the rotor's angle is not part of the state: integrate it here.
-  const auto turn_on = [&] {
-    const double now = system.prescribed() ? system.speed() : y[static_cast<std::size_t>(system.layout().speed)];
-    if (system.layout().psi >= 0)
-      psi = y[static_cast<std::size_t>(system.layout().psi)];
-    else if (next > 0)
-      psi += 0.5 * step * (speed + now);
-    speed = now;
-  };
-  const auto take = [&] {
-    turn_on();
-    writer.add(psi, y[model::index::x], y[model::index::y]);
-    for (int i = 0; i < p.balls; ++i)
-      writer.add_ball(static_cast<std::size_t>(i), y[static_cast<std::size_t>(model::index::phi(i))]);
-    ++next;
-  };
   run.state(y.data());
-  take();
+  taker.take(y.data());
   run.advance(
       duration,
       [&](double, double to, auto& state_at) {
-        while (next <= count && next * step <= to) {
-          state_at(next * step, y.data());
-          take();
-        }
-        return next > count;
+        take_until<kernels::EventRun::dimension>(to, state_at, taker);
+        return taker.done();
       },
       stop);
-  return path;
+  return taker.path();
 }
 
 }  // namespace
@@ -93,15 +143,18 @@ double whole_way(const Motion& motion) {
 }
 
 MotionPath motion_path(const model::System& system, const Motion& motion, double duration, int count,
-                       const RunOptions& options) {
-  return reported(options, [&](const RunOptions& o) { return followed_path(system, motion, duration, count, o.stop); });
+                       const RunOptions& options, double place) {
+  return reported(options,
+                  [&](const RunOptions& o) { return followed_path(system, motion, duration, count, place, o.stop); });
 }
 
-MotionPath motion_path(const model::Parameters& p, const Trajectory& trajectory, std::size_t first) {
+MotionPath motion_path(const model::Parameters& p, const Trajectory& trajectory, std::size_t first, double place) {
   MotionPath path;
-  PathWriter writer(p, path);
+  PathWriter writer(p, path, place);
   for (std::size_t k = first; k < trajectory.t.size(); ++k) {
-    writer.add(trajectory.psi[k], trajectory.x[k], trajectory.y[k]);
+    writer.add(
+        trajectory.psi[k], trajectory.x[k], trajectory.y[k],
+        trajectory.tilts ? std::array<double, 2>{trajectory.tilt_x[k], trajectory.tilt_y[k]} : std::array<double, 2>{});
     for (std::size_t i = 0; i < trajectory.phi.size(); ++i) writer.add_ball(i, trajectory.phi[i][k]);
   }
   return path;

@@ -94,7 +94,12 @@ Trajectory followed(Study study, double until, double step, const StopFlag* stop
   for (std::size_t k = 0; k <= count; ++k) times.push_back(static_cast<double>(k) * step);
   RunOptions options;
   options.stop = stop;
-  return simulate(study, times, options);
+  Trajectory run = simulate(study, times, options);
+  // Of a rotor that tilts, displacements are those at its bearings.
+  if (!run.bearing_radial.empty()) run.radial = run.bearing_radial.front();
+  for (const std::vector<double>& radial : run.bearing_radial)
+    for (std::size_t k = 0; k < run.radial.size(); ++k) run.radial[k] = std::max(run.radial[k], radial[k]);
+  return run;
 }
 
 }  // namespace

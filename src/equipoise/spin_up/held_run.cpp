@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
@@ -12,7 +13,9 @@
 #include "equipoise/integrate/first_time.hpp"
 #include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/mechanics/frames.hpp"
+#include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/model/held_state.hpp"
+#include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
@@ -23,7 +26,10 @@ namespace equipoise {
 
 namespace {
 
-using OneBody = HWY_NAMESPACE::HeldFlow<double>;
+// One body; of a rotor that tilts all balls, held, laid out as model::machine_layout().
+template <bool tilt>
+using OneBody = std::conditional_t<tilt, HWY_NAMESPACE::HybridFlow<double, model::any_count, true>,
+                                   HWY_NAMESPACE::HeldFlow<double>>;
 
 // What is left of the way of a number that comes to rest: differences that shrink from d1 to d2 leave d2^2/(d1 - d2).
 class Approach {
@@ -46,7 +52,10 @@ class Approach {
   int count_ = 0;
 };
 
+template <bool tilt>
 class HeldFollower {
+  using Body = OneBody<tilt>;
+
  public:
   HeldFollower(const Study& study, const InitialState& start, const TransientSettings& settings, const StopFlag* stop)
       : study_(study),
@@ -57,16 +66,25 @@ class HeldFollower {
         watched_(by_hand(settings)),
         fixed_axes_(model::depends_on_rotor_angle(p_)),
         sag_(model::static_sag(p_)),
+        modes_(p_),
         watch_(watched_) {
     for (const model::DrivePiece& piece : drive_.pieces) systems_.emplace_back(p_, piece);
     const model::System& first = systems_.front();
     initial_state(start, p_.balls, drive_.speed, full_.data());
     std::fill_n(&full_[model::index::q(0, p_.balls)], p_.balls, 0.0);
-    std::array<double, max_dimension> state = full_;
-    if (first.layout().psi >= 0) state[first.layout().psi] = start.psi;
-    if (first.layout().speed >= 0) state[first.layout().speed] = drive_.speed;
-    if (first.layout().error >= 0) state[first.layout().error] = 0.0;
-    model::hold_balls(first, state.data(), y_.data());
+    if constexpr (tilt) {
+      hold_all();
+      std::copy_n(full_.begin(), model::dimension(p_.balls), y_.begin());
+      y_[layout().psi] = drive_.pieces.front().prescribed ? drive_.pieces.front().psi : start.psi;
+      y_[layout().speed] = drive_.speed;
+      initial_tilt(start, drive_.speed, &y_[layout().tilt]);
+    } else {
+      std::array<double, max_dimension> state = full_;
+      if (first.layout().psi >= 0) state[first.layout().psi] = start.psi;
+      if (first.layout().speed >= 0) state[first.layout().speed] = drive_.speed;
+      if (first.layout().error >= 0) state[first.layout().error] = 0.0;
+      model::hold_balls(first, state.data(), y_.data());
+    }
     unbalance_ = std::abs(model::unbalance(p_, &full_[model::index::phi(0)]));
     size_ = std::max({p_.all_unbalances(), std::fabs(sag_), std::hypot(start.x, start.y)});
     if (size_ == 0.0) size_ = 1.0;
@@ -96,7 +114,23 @@ class HeldFollower {
   bool going() const { return !run_.lost && !is_set(stop_); }
   const model::DrivePiece& piece() const { return drive_.pieces[piece_]; }
   const model::System& system() const { return systems_[piece_]; }
-  model::StateLayout layout() const { return model::held_layout(system()); }
+  model::StateLayout layout() const {
+    if constexpr (tilt)
+      return model::machine_layout(p_);
+    else
+      return model::held_layout(system());
+  }
+  Body body() const {
+    if constexpr (tilt)
+      return {p_, piece(), &modes_};
+    else
+      return Body(system());
+  }
+  void hold_all() {
+    model::BallMode mode;
+    mode.held.fill(true);
+    modes_.set(mode);
+  }
   model::Segment segment() const { return piece().motion(true); }
   double speed(double t, const double* y) const {
     return piece().prescribed ? segment().speed_at(t) : y[layout().speed];
@@ -108,6 +142,11 @@ class HeldFollower {
 
   // In fixed axes, where supports are simple; nothing sampled depends on the axes.
   TransientSample sample(double t, const double* y) const {
+    if constexpr (tilt) {
+      TransientSample here = transient_sample(p_, watched_.places, psi(t, y), t, y, y + layout().tilt);
+      here.unbalance = unbalance_;
+      return here;
+    }
     using namespace model::index;
     const double angle = fixed_axes_ ? psi(t, y) : 0.0, c = std::cos(angle), s = std::sin(angle);
     const std::array<double, 2> centre = model::in_fixed_axes(c, s, y[x], y[model::index::y]),
@@ -156,18 +195,19 @@ class HeldFollower {
 
   // To `to`, or to where a motor reaches the release speed.
   void integrate(double to) {
-    const OneBody flow(system());
-    HWY_NAMESPACE::ErrorScale<OneBody::dimension> scale;
+    const Body flow = body();
+    HWY_NAMESPACE::ErrorScale<Body::dimension> scale;
     scale.tolerance = held_tolerance;
     scale.floor.fill(1.0);
     for (int i = 0; i < 4; ++i) scale.floor[i] = size_;
+    if (tilt) std::fill_n(&scale.floor[layout().tilt], 4, size_);
     scale.angle.fill(true);
     scale.absolute.fill(true);
-    HWY_NAMESPACE::AdaptiveIntegrator<OneBody, OneBody::dimension> integrator(flow, scale, flow.size());
+    HWY_NAMESPACE::AdaptiveIntegrator<Body, Body::dimension> integrator(flow, scale, flow.size());
     bool released = false;
     double v = speed(t_, y_.data());
     const auto watch = [&](double from, double t_new, auto&& state_at) {
-      double until = t_new, y[OneBody::dimension];
+      double until = t_new, y[Body::dimension];
       const auto speed_then = [&](double t) {
         state_at(t, y);
         return speed(t, y);
@@ -194,21 +234,30 @@ class HeldFollower {
 
   // Into the next piece: psi' may jump, and with it u and v.
   void cross() {
+    const model::DrivePiece& next = drive_.pieces[piece_ + 1];
     if (!piece().prescribed) return;
-    model::apply_speed_jump(drive_.pieces[piece_ + 1].speed - segment().speed_at(piece().end), y_.data());
+    const double jump = next.speed - segment().speed_at(piece().end);
+    model::apply_speed_jump(jump, y_.data());
+    if constexpr (tilt) {
+      model::apply_speed_jump(jump, &y_[layout().tilt]);
+      y_[layout().speed] = next.speed;
+      y_[layout().psi] = next.psi;
+    }
   }
 
   void end() {
     begin();
-    const bool damped = p_.damping[0] > 0.0 && p_.damping[1] > 0.0;
+    const double slowest = slowest_decay();
+    const bool damped = slowest > 0.0;
     const double horizon = piece().begin + *study_.numerics.horizon;
     if (!piece().prescribed || !damped) return come_to_rest(horizon);
-    const model::ForcedVibration f = model::forced_vibration(p_, unbalance_, piece().speed);
+    const model::ForcedVibration f =
+        tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.places, piece().speed)
+             : model::forced_vibration(p_, unbalance_, piece().speed);
     run_.end = MotionFigures{f.radial, f.peak_force, f.rms_force, f.rms_velocity, unbalance_};
     run_.speed = piece().speed;
     run_.steady = true;
-    // A deviation dies out like e^(-zeta t / 2 (1 + N)), whatever the horizon was chosen for.
-    const double slowest = 0.5 * std::min(p_.damping[0], p_.damping[1]) / (1.0 + p_.total_mass());
+    // Whatever the horizon was chosen for.
     const double last = std::max(horizon, piece().begin + 20.0 / slowest);
     for (int windows = 1; going() && t_ < last; ++windows) {
       open_window();
@@ -216,6 +265,14 @@ class HeldFollower {
       const TransientSums sums = watch_.sums();
       if (seen_enough(watched_, {run_.end, 0.0}, {}, sums.window, windows, sums.free_peak)) return;
     }
+  }
+
+  // The rate at which the slowest deviation from forced vibration dies out.
+  double slowest_decay() const {
+    if (!tilt) return 0.5 * std::min(p_.damping[0], p_.damping[1]) / (1.0 + p_.total_mass());
+    constexpr double rounding = 1e-9;
+    const double rate = piece().prescribed ? model::slowest_decay(p_, piece().speed) : 0.0;
+    return rate > rounding ? rate : 0.0;
   }
 
   // Until what is left of the way to steady speed and displacement, as the differences of windows tell it, is small.
@@ -262,9 +319,10 @@ class HeldFollower {
   const TransientSettings watched_;
   std::vector<model::System> systems_;        // one a piece
   std::array<double, max_dimension> full_{};  // the balls' angles, in a state of the system
-  std::array<double, OneBody::dimension> y_{};
+  std::array<double, Body::dimension> y_{};
   const bool fixed_axes_;
   const double sag_;
+  HWY_NAMESPACE::ModeTable<double, model::any_count> modes_;  // of a rotor that tilts
   double unbalance_ = 0.0, size_ = 1.0;
   TransientWatch watch_;
   std::size_t piece_ = 0;
@@ -277,7 +335,8 @@ class HeldFollower {
 
 HeldRun follow_held(const Study& study, const InitialState& start, const TransientSettings& settings,
                     const StopFlag* stop) {
-  return HeldFollower(study, start, settings, stop).run();
+  if (study.parameters.tilts()) return HeldFollower<true>(study, start, settings, stop).run();
+  return HeldFollower<false>(study, start, settings, stop).run();
 }
 
 void take_balls_off(Study& study, InitialState& start) {
@@ -292,6 +351,12 @@ void take_balls_off(Study& study, InitialState& start) {
   // The velocity in fixed axes stays.
   start.x_dot += speed * y;
   start.y_dot -= speed * x;
+  const double slope = model::static_slope(study.parameters) - model::static_slope(with);
+  const double tilt_x = slope * std::sin(psi), tilt_y = slope * std::cos(psi);
+  start.tilt_x += tilt_x;
+  start.tilt_y += tilt_y;
+  start.tilt_x_dot += speed * tilt_y;
+  start.tilt_y_dot -= speed * tilt_x;
 }
 
 }  // namespace equipoise

@@ -7,10 +7,12 @@
 
 #include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 #include "equipoise/spin_up/machine_scale.hpp"
+#include "equipoise/transients/transient_watch.hpp"
 #include "equipoise/words/runs.hpp"
 
 namespace equipoise {
@@ -46,12 +48,64 @@ std::size_t StartSource::size() const {
 }
 
 void StartSource::watch(const TransientSettings& settings) {
-  if (first_free_ == 0) return;
+  watched_ = settings;
+  if (first_free_ == 0 || study_.parameters.tilts()) return;
   clamped_ = ClampedTransients(study_.parameters, segments_, origin(), default_simulate_tolerance, settings, stop_);
 }
 
+namespace {
+
+// Watches a rotor that tilts through the segments that hold its balls.
+class TiltingWatch {
+ public:
+  TiltingWatch(const model::Parameters& p, const std::vector<model::Segment>& segments,
+               const TransientSettings& settings)
+      : p_(p), layout_(model::machine_layout(p)), segments_(segments), settings_(settings), watch_(settings) {}
+
+  template <class StateAt>
+  void step(double from, double to, StateAt&& state_at) {
+    double z[model::largest_state + 1];
+    const auto sample = [&](double t) {
+      state_at(t, z);
+      return at(t, z);
+    };
+    enter(from, sample);
+    watch_.step_to(to, sample);
+  }
+  TransientSums sums() const { return watch_.sums(); }
+
+ private:
+  TransientSample at(double t, const double* z) const {
+    TransientSample here = transient_sample(p_, settings_.places, z[layout_.psi], t, z, z + layout_.tilt);
+    if (settings_.work == WorkSource::none) return here;
+    here.power = model::tilting_powers(p_, 0.0, true, z).supports;
+    here.stored = model::full_energy(p_, z);
+    return here;
+  }
+  // Where a segment begins psi' may jump, and with it u and v.
+  template <class Sampled>
+  void enter(double from, Sampled&& sample) {
+    const bool over = begun_ && from >= segments_[k_].end;
+    if (begun_ && !over) return;
+    if (over && segments_[k_].acceleration != segments_[k_ + 1].acceleration) watch_.end_piece();
+    k_ += over ? 1 : 0;
+    watch_.begin(sample(from), false);
+    begun_ = true;
+  }
+
+  const model::Parameters& p_;
+  const model::StateLayout layout_;
+  const std::vector<model::Segment>& segments_;
+  const TransientSettings& settings_;
+  TransientWatch watch_;
+  std::size_t k_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace
+
 // Held balls load a rotor that tilts by a couple too, so that each start is followed by itself.
-void StartSource::place_tilting(const InitialState& start, double* state) const {
+void StartSource::place_tilting(const InitialState& start, double* state, TransientSums* sums) const {
   using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
   const model::Parameters& p = study_.parameters;
   const int centre = model::dimension(p.balls);
@@ -61,17 +115,23 @@ void StartSource::place_tilting(const InitialState& start, double* state) const 
   const auto scale = HWY_NAMESPACE::machine_scale<Machine::dimension>(p, default_simulate_tolerance);
   const model::Drive drive = model::prescribed_drive(segments_);
   Machine machine(p, drive, scale, state);
-  const auto nothing = [](double, double, auto&&) { return false; };
-  if (machine.advance(drive.release_time, nothing, stop_) != IntegrationStatus::done)
+  TiltingWatch watch(p, segments_, watched_);
+  const auto observe = [&](double from, double to, auto&& state_at) {
+    if (sums) watch.step(from, to, state_at);
+    return false;
+  };
+  if (machine.advance(drive.release_time, observe, stop_) != IntegrationStatus::done)
     throw RunError(words::runs::clamped_not_integrated);
+  if (sums) *sums = watch.sums();
   machine.enter();
   model::copy_state(model::machine_layout(p), machine.state(), systems_.front().layout(), state);
 }
 
-void StartSource::place(const InitialState& start, double* state) const {
-  if (study_.parameters.tilts()) return place_tilting(start, state);
+void StartSource::place(const InitialState& start, double* state, TransientSums* sums) const {
+  if (study_.parameters.tilts()) return place_tilting(start, state, sums);
   initial_state(start, study_.parameters.balls, segments_.front().speed, state);
   if (first_free_ > 0) basis_.centre(study_.parameters, start.phi.data(), state);
+  if (sums) *sums = clamped_.sums(study_.parameters, start.phi.data());
 }
 
 bool StartSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
@@ -88,8 +148,7 @@ bool StartSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
     if (is_set(stop_)) return false;  // a start may take a million sums
     const double* phi = given[i].phi.data();
     starts.phi.insert(starts.phi.end(), phi, phi + study_.parameters.balls);
-    place(given[i], &starts.states[i * size]);
-    if (transients) transients->rows.push_back(clamped_.sums(study_.parameters, phi));
+    place(given[i], &starts.states[i * size], transients ? &transients->rows.emplace_back() : nullptr);
   }
   if (transients && first_free_ > 0) end_piece(first_free_ - 1, *transients);
   starts.fates.resize(given.size());

@@ -51,8 +51,8 @@ class StartSource : public SpinUp {
 
  private:
   std::size_t size() const;  // of a state
-  void place(const InitialState& start, double* state) const;
-  void place_tilting(const InitialState& start, double* state) const;
+  void place(const InitialState& start, double* state, TransientSums* sums = nullptr) const;
+  void place_tilting(const InitialState& start, double* state, TransientSums* sums) const;
   std::array<double, 4> origin() const;
   void end_piece(std::size_t k, TransientTable& transients) const;
 
@@ -64,6 +64,7 @@ class StartSource : public SpinUp {
   std::size_t first_free_ = 0;
   ClampedBasis basis_;
   ClampedTransients clamped_;
+  TransientSettings watched_;  // of a rotor that tilts, whose held starts are watched one by one
   double tolerance_;
 };
 

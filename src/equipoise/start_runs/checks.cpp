@@ -173,7 +173,7 @@ void check_runnable(const Study& study, bool transients) {
   if (!study.uncertain.empty()) return check_drawable(study, transients);
   check_decidable(study);
   if (transients) reject_if_lacking(study, model::ResultKind::transients);
-  if (transients && !study.speed.driven()) check_watchable(study);
+  if (transients && !study.speed.driven() && !study.parameters.tilts()) check_watchable(study);
 }
 
 }  // namespace equipoise

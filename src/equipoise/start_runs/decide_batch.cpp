@@ -121,7 +121,8 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
       const auto& motion = decided.unlisted.back().motion;
       if (motion && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
       if (motion && motion->set_valued) fate.unbalance = unbalance_of(system, motion->state.data());
-      if (batch.watched && motion && motion->stable) end = motion_figures(system.parameters(), *motion);
+      if (batch.watched && motion && motion->stable)
+        end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).places);
     } else if (attracted) {
       if (system_.coasts()) fate.by = DecidedBy::followed;
       fate.mean_speed = static_cast<float>(mean_speed(batch, i, fate));

@@ -14,6 +14,10 @@ TransientSettings transient_settings(const Study& study) {
   if (study.limits.displacement) settings.displacement = *study.limits.displacement;
   if (study.limits.settled) settings.settled = *study.limits.settled;
   settings.release = study.release_time();
+  if (!study.bearings.empty()) {
+    const auto [least, most] = std::minmax_element(study.bearings.begin(), study.bearings.end());
+    settings.places = {*least, *most};
+  }
   if (knows_energy(study)) settings.work = study.speed.driven() ? WorkSource::motor : WorkSource::balance;
   return settings;
 }

@@ -185,6 +185,12 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   return json;
 }
 
+// Of a rotor that tilts: where along its shaft figures are told.
+std::string places_words(const Study& study) {
+  if (!study.parameters.tilts()) return "";
+  return study.bearings.empty() ? words::text::told_at_centre_of_mass : words::text::told_at_bearings;
+}
+
 }  // namespace
 
 bool tells_without_balls(const BasinResult& r) {
@@ -254,6 +260,7 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
     if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
     words.push_back(sentence + ".");
   };
+  say(places_words(r.study));
   if (tells_without_balls(r))
     for (const auto figure : {&TransientRow::peak_radial, &TransientRow::rms_velocity})
       say(times_words(r.transients->groups.front(), r.without_balls->bare.figures, figure));
@@ -326,6 +333,15 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
   return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
 
+namespace {
+
+// Of rotor and balls.
+double weight_of(const model::Parameters& p) {
+  return p.tilts() ? (1.0 + p.total_mass()) * p.gravity : -model::static_sag(p) * p.stiffness[1];
+}
+
+}  // namespace
+
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time),
              force = unit_of(study, Dimension::force);
@@ -345,7 +361,7 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
     text += fmt::format(words::text::measured_from_rest, sag * length.size, length.name,
-                        sag * study.parameters.stiffness[1] * force.size, force.name);
+                        weight_of(study.parameters) * force.size, force.name);
   if (r.lost > 0) text += fmt::format(words::text::lost_left_out, r.lost);
   return text + "\n";
 }
@@ -359,7 +375,9 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["window"] = r.settings.window * time.size;
   const double sag = 0.0 - model::static_sag(study.parameters);
   json["static_sag"] = sag * length.size;
-  json["weight"] = sag * study.parameters.stiffness[1] * unit_of(study, Dimension::force).size;
+  json["weight"] = (0.0 + weight_of(study.parameters)) * unit_of(study, Dimension::force).size;
+  if (study.parameters.tilts())
+    json["places"] = {r.settings.places[0] * length.size, r.settings.places[1] * length.size};
   json["limits"] = Json::object();
   for (const TransientLimit& l : transient_limits)
     if (const auto& limit = study.limits.*l.limit) json["limits"][l.name] = *limit * unit_of(study, l).size;

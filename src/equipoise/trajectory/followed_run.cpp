@@ -4,13 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <variant>
 
-#include <fmt/format.h>
-
-#include "equipoise/base/error.hpp"
-#include "equipoise/mechanics/capability.hpp"
 #include "equipoise/model/state_layout.hpp"
-#include "equipoise/model/system.hpp"
 #include "equipoise/trajectory/machine_run.hpp"
 #include "equipoise/trajectory/record.hpp"
 
@@ -19,9 +15,22 @@ namespace equipoise {
 namespace kernels = HWY_NAMESPACE;
 
 struct FollowedRun::State {
-  explicit State(Study given) : study(std::move(given)), run(study) {}
+  explicit State(Study given) : study(std::move(given)) {
+    if (study.parameters.tilts())
+      run.emplace<kernels::MachineRunOf<true>>(study);
+    else
+      run.emplace<kernels::MachineRun>(study);
+  }
+
+  // Calls f with the machine.
+  template <class F>
+  decltype(auto) machine(F&& f) {
+    if (auto* plane = std::get_if<kernels::MachineRun>(&run)) return f(plane->machine());
+    return f(std::get<kernels::MachineRunOf<true>>(run).machine());
+  }
+
   const Study study;
-  kernels::MachineRun run;
+  std::variant<std::monostate, kernels::MachineRun, kernels::MachineRunOf<true>> run;
 };
 
 FollowedRun::FollowedRun(const Study& study) : FollowedRun(study, study.initial) {}
@@ -30,31 +39,37 @@ FollowedRun::FollowedRun(const Study& study, const InitialState& start) {
   Study own = study;
   own.initial = start;
   check(own);
-  if (const auto lack = model::lacking(own.system(), model::ResultKind::pages))
-    throw InputError(own.name, "rotor.tilt.transverse_inertia",
-                     fmt::format("{}", own.parameters.tilt.transverse_inertia), lack->reason);
   kernels::check_overlap(own);
   state_ = std::make_unique<State>(std::move(own));
 }
 
 FollowedRun::~FollowedRun() = default;
 
-double FollowedRun::time() const { return state_->run.machine().time(); }
+double FollowedRun::time() const {
+  return state_->machine([](const auto& machine) { return machine.time(); });
+}
 
 IntegrationStatus FollowedRun::advance(double until) {
   if (!(until > time())) return IntegrationStatus::done;
-  const IntegrationStatus status = state_->run.machine().advance(until, [](double, double, auto&&) { return false; });
-  if (status == IntegrationStatus::done) state_->run.machine().enter();
-  return status;
+  return state_->machine([&](auto& machine) {
+    const IntegrationStatus status = machine.advance(until, [](double, double, auto&&) { return false; });
+    if (status == IntegrationStatus::done) machine.enter();
+    return status;
+  });
 }
 
 void FollowedRun::record(Trajectory& out) const {
-  const model::StateLayout layout = model::machine_layout(state_->study.parameters.balls);
-  const double* at = state_->run.machine().state();
-  equipoise::record(out, state_->study.parameters, at[layout.psi], at[layout.speed], time(), at);
+  const model::Parameters& p = state_->study.parameters;
+  const model::StateLayout layout = model::machine_layout(p);
+  const double* at = state_->machine([](const auto& machine) { return machine.state(); });
+  const double* tilt = p.tilts() ? at + layout.tilt : nullptr;
+  equipoise::record(out, p, at[layout.psi], at[layout.speed], time(), at, tilt);
+  if (tilt) record_bearings(out, p, state_->study.bearings, at[layout.psi], at, tilt);
 }
 
-bool FollowedRun::held() const { return state_->run.machine().clamped(); }
+bool FollowedRun::held() const {
+  return state_->machine([](const auto& machine) { return machine.clamped(); });
+}
 
 const Study& FollowedRun::study() const { return state_->study; }
 

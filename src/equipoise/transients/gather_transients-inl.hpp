@@ -72,6 +72,19 @@ struct Limits {
   T displacement2, settled2, window;
 };
 
+// What limits are asked of: r at the place watched, or what `beside` it is farther out.
+struct Alone {
+  template <class Curve>
+  HWY_INLINE const Curve& operator()(const Curve& r2) const {
+    return r2;
+  }
+};
+template <class T>
+struct Beside {
+  const SquaredRadiusOfStep<T>& other;
+  HWY_INLINE LargerOfStep<T> operator()(const SquaredRadiusOfStep<T>& r2) const { return {r2, other}; }
+};
+
 // As many trajectories as T has lanes, each at its own time.
 template <class T>
 class GatherTransients {
@@ -127,9 +140,10 @@ class GatherTransients {
   void end_work(int lane) { known_work_[lane] = work_of(lane); }
 
   // Adds an accepted step of length h from `begin` to t, sampled `at` its two nodes and its end; `unbalance`: at its
-  // end. Returns the bits of the `active` lanes whose window it ends.
+  // end. Returns the bits of the `active` lanes whose window it ends. Not `asked`: limits and work are asked elsewhere.
+  template <bool asked = true, class Limited = Alone>
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
-                          const Sample<T> (&at)[3], T unbalance) {
+                          const Sample<T> (&at)[3], T unbalance, const Limited& limited = {}) {
     const StepSamples<T> samples = samples_of(at);
     const SquaredRadiusOfStep<T> r2(samples, h);
     const auto force2 = Cubic<T>::through(samples.force2);
@@ -138,7 +152,7 @@ class GatherTransients {
     raise(peak, window_peak, r2);
     keep(accepted, peak, peak_);
     keep(accepted, window_peak, window_peak_);
-    watch_limits(limits, accepted, r2, begin, h);
+    if constexpr (asked) watch_limits(limits, accepted, limited(r2), begin, h);
     keep(accepted, multiply_add(h, force2.integral(), window_force_), window_force_);
     const T velocity = Cubic<T>::through(samples.velocity2).integral();
     keep(accepted, multiply_add(h, velocity, window_velocity_), window_velocity_);
@@ -148,7 +162,7 @@ class GatherTransients {
     keep(accepted, at[2].slope, from_.slope);
     keep(accepted, at[2].force2, from_.force2);
     keep(accepted, at[2].velocity2, from_.velocity2);
-    if (limits.working) {
+    if (asked && limits.working) {
       keep(accepted, multiply_add(h, Cubic<T>::through(samples.power).integral(), work_), work_);
       keep(accepted, at[2].power, from_.power);
       keep(accepted, at[2].stored, from_.stored);
@@ -157,6 +171,13 @@ class GatherTransients {
     if (full) close(full, t);
     return full;
   }
+
+  // r^2 over a step from the last sample.
+  HWY_INLINE SquaredRadiusOfStep<T> curve(T h, const Sample<T> (&at)[3]) const { return {samples_of(at), h}; }
+
+  // The last three windows that have ended, the latest first, and how many have since restart().
+  const std::array<TransientWindow, 3>& windows(int lane) const { return closed_[lane]; }
+  int window_count(int lane) const { return count_[lane]; }
 
   // Whether a decided trajectory may end with the window that has just ended; `free_peak`: largest r^2 since release.
   bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
@@ -198,8 +219,8 @@ class GatherTransients {
     return s;
   }
 
-  HWY_INLINE void watch_limits(const Limits<T>& limits, Flags accepted, const SquaredRadiusOfStep<T>& r2, T begin,
-                               T h) {
+  template <class Curve>
+  HWY_INLINE void watch_limits(const Limits<T>& limits, Flags accepted, const Curve& r2, T begin, T h) {
     if (limits.timed) {
       T total = time_above_, unused(0.0);
       time_above(r2, limits.displacement2, begin, h, total, unused);
@@ -253,6 +274,69 @@ class GatherTransients {
   std::optional<DriveWork> known_work_[lanes];    // once the work has ended
   std::array<TransientWindow, 3> closed_[lanes];  // the last three, latest first
   int count_[lanes] = {};                         // since restart()
+};
+
+// The same for rotors that tilt, watched at two places, of which the worse one is told. Without lanes also for others.
+template <class T>
+class GatherPlaces {
+ public:
+  using One = GatherTransients<T>;
+  using Flags = typename One::Flags;
+  static constexpr int lanes = One::lanes;
+
+  void load(int lane, const TransientSums& row, bool free = true) {
+    first_.load(lane, row, free);
+    second_.load(lane, row, free);
+  }
+  void resume(int lane, const TransientSums& row, double t, const Sample<double>& here) {
+    first_.resume(lane, row, t, here);
+  }
+  // Without `there` only one place is watched, always.
+  void stand(int lane, const Sample<double>& here, const Sample<double>* there, double unbalance) {
+    first_.stand(lane, here, unbalance);
+    if (there) second_.stand(lane, *there, unbalance);
+    two_ = there;
+  }
+  void restart(int lane, double t) {
+    first_.restart(lane, t);
+    second_.restart(lane, t);
+  }
+  void end_piece(int lane) { first_.end_piece(lane); }
+  void end_work(int lane) { first_.end_work(lane); }
+
+  HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
+                          const Sample<T> (&at)[3], T unbalance) {
+    return first_.add(limits, active, accepted, begin, t, h, at, unbalance);
+  }
+  HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
+                          const Sample<T> (&at)[3], const Sample<T> (&there)[3], T unbalance) {
+    const SquaredRadiusOfStep<T> other = second_.curve(h, there);
+    const unsigned full = first_.add(limits, active, accepted, begin, t, h, at, unbalance, Beside<T>{other});
+    second_.template add<false>(limits, active, accepted, begin, t, h, there, unbalance);
+    return full;
+  }
+
+  bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
+    if (!two_) return first_.seen_enough(lane, settings, end, free_peak);
+    const auto &a = first_.windows(lane), &b = second_.windows(lane);
+    return equipoise::seen_enough(settings, end, {worse_of(a[1], b[1]), worse_of(a[2], b[2])}, worse_of(a[0], b[0]),
+                                  first_.window_count(lane), free_peak);
+  }
+  double peak(int lane) const { return two_ ? std::fmax(first_.peak(lane), second_.peak(lane)) : first_.peak(lane); }
+
+  void store(int lane, double t, TransientSums& row, bool free = true) const {
+    first_.store(lane, t, row, free);
+    if (!two_) return;
+    TransientSums other;
+    second_.store(lane, t, other, free);
+    row.free_peak = std::fmax(row.free_peak, other.free_peak);
+    row.clamped_peak = std::fmax(row.clamped_peak, other.clamped_peak);
+    row.window = worse_of(row.window, other.window);
+  }
+
+ private:
+  One first_, second_;
+  bool two_ = false;
 };
 
 }  // namespace transient

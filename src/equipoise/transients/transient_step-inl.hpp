@@ -105,32 +105,52 @@ class SquaredRadiusOfStep {
     return maximum(maximum(piece_[0].largest(), piece_[1].largest()), piece_[2].largest());
   }
 
-  // The fraction of the step with r^2 > limit, and the last place where it held (0: nowhere), with r^2 linear between
-  // the ends and the middles of the pieces.
-  HWY_INLINE void above(T limit, T& fraction, T& last) const {
-    fraction = last = T(0.0);
-    T from = piece_[0].c0 - limit;
-    double place = 0.0;
-    for (int k = 0; k < 3; ++k) {
-      const Cubic<T>& p = piece_[k];
-      const T middle = p.c0 + T(0.5) * (p.c1 + T(0.5) * (p.c2 + T(0.5) * p.c3));
-      const double half = 0.5 * piece_length[k];
-      for (const T value : {middle, p.to}) {
-        const T to = value - limit;
-        const T share = share_above(from, to);
-        fraction = fraction + T(half) * share;
-        last = choose(T(0.0) < from, T(place) + T(half) * share, last);
-        place += half;
-        last = choose(T(0.0) < to, T(place), last);
-        from = to;
-      }
-    }
+  // At the step's beginning, and at the middle and the end of piece k.
+  HWY_INLINE T begin() const { return piece_[0].c0; }
+  HWY_INLINE T middle(int k) const {
+    const Cubic<T>& p = piece_[k];
+    return p.c0 + T(0.5) * (p.c1 + T(0.5) * (p.c2 + T(0.5) * p.c3));
   }
+  HWY_INLINE T to(int k) const { return piece_[k].to; }
 
  private:
   Cubic<T> piece_[3];
   T upper_, lower_;
 };
+
+// The larger of the squares at two places, for times above a limit.
+template <class T>
+struct LargerOfStep {
+  const SquaredRadiusOfStep<T>&one, &other;
+
+  HWY_INLINE T upper() const { return maximum(one.upper(), other.upper()); }
+  HWY_INLINE T lower() const { return maximum(one.lower(), other.lower()); }
+  HWY_INLINE T begin() const { return maximum(one.begin(), other.begin()); }
+  HWY_INLINE T middle(int k) const { return maximum(one.middle(k), other.middle(k)); }
+  HWY_INLINE T to(int k) const { return maximum(one.to(k), other.to(k)); }
+};
+
+// The fraction of the step with r^2 > limit, and the last place where it held (0: nowhere), with r^2 linear between the
+// ends and the middles of the pieces.
+template <class T, class Curve>
+HWY_INLINE void find_above(const Curve& r2, T limit, T& fraction, T& last) {
+  fraction = last = T(0.0);
+  T from = r2.begin() - limit;
+  double place = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const T middle = r2.middle(k);
+    const double half = 0.5 * piece_length[k];
+    for (const T value : {middle, r2.to(k)}) {
+      const T to = value - limit;
+      const T share = share_above(from, to);
+      fraction = fraction + T(half) * share;
+      last = choose(T(0.0) < from, T(place) + T(half) * share, last);
+      place += half;
+      last = choose(T(0.0) < to, T(place), last);
+      from = to;
+    }
+  }
+}
 
 // The larger of `peak` and the largest value of `curve`. Lanes whose upper bound is not above `peak` keep it, so that
 // no lane depends on whether another one needed the work.
@@ -152,14 +172,14 @@ HWY_INLINE void raise(T& peak, T& other, const Curve& curve) {
 }
 
 // Adds the time of a step with r^2 > limit, and moves `last` to the last time when that held, if it did.
-template <class T>
-HWY_INLINE void time_above(const SquaredRadiusOfStep<T>& r2, T limit, T t, T h, T& total, T& last) {
+template <class T, class Curve>
+HWY_INLINE void time_above(const Curve& r2, T limit, T t, T h, T& total, T& last) {
   const auto some = limit < r2.upper(), mixed = both(some, r2.lower() <= limit);
   if (!any_of(some)) return;
   T fraction(1.0), until(1.0);
   if (any_of(mixed)) {
     T mixed_fraction, mixed_until;
-    r2.above(limit, mixed_fraction, mixed_until);
+    find_above(r2, limit, mixed_fraction, mixed_until);
     fraction = choose(mixed, mixed_fraction, fraction);
     until = choose(mixed, mixed_until, until);
   }

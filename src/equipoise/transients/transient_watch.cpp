@@ -1,6 +1,7 @@
 // Transients of one trajectory without lanes.
 #include "equipoise/transients/transient_watch.hpp"
 
+#include <cmath>
 #include <complex>
 
 #include "equipoise/mechanics/energy.hpp"
@@ -19,6 +20,19 @@ TransientSample transient_sample(const model::Parameters& p, double psi, double 
   return {s, t, std::abs(model::unbalance(p, z + model::index::phi(0)))};
 }
 
+TransientSample transient_sample(const model::Parameters& p, const std::array<double, 2>& places, double psi, double t,
+                                 const double* z, const double* tilt) {
+  const std::array<double, 2> force = model::bearing_force(p, psi, z, tilt);
+  const double sine = std::sin(psi), cosine = std::cos(psi), sag = model::static_sag(p), slope = model::static_slope(p);
+  const auto at = [&](double place) {
+    std::array<double, 4> section{};
+    for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * tilt[k];
+    const double rest = sag + place * slope;
+    return kernels::sample_of<double>({rest * sine, rest * cosine}, {force[0], force[1]}, section.data());
+  };
+  return {at(places[0]), t, std::abs(model::unbalance(p, z + model::index::phi(0))), at(places[1])};
+}
+
 TransientWatch::TransientWatch(const TransientSettings& settings, const TransientSums& sums)
     : settings_(settings), limits_(settings), sums_(sums), t_(sums.end) {
   gathered_.load(0, sums_, free_);
@@ -32,7 +46,7 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
   }
   limits_.settling = free && settings_.watches_settling();
   if (!begun_) gathered_.resume(0, sums_, first.t, first);
-  gathered_.stand(0, first, first.unbalance);
+  gathered_.stand(0, first, first.second ? &*first.second : nullptr, first.unbalance);
   t_ = first.t;
   if (!begun_) gathered_.restart(0, t_);
   begun_ = true;
@@ -42,7 +56,13 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   const double begin = t_;
   t_ = samples[2].t;
   const kernels::Sample<double> at[3] = {samples[0], samples[1], samples[2]};
-  const bool full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, samples[2].unbalance);
+  unsigned full = 0;
+  if (samples[0].second) {
+    const kernels::Sample<double> there[3] = {*samples[0].second, *samples[1].second, *samples[2].second};
+    full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, there, samples[2].unbalance);
+  } else {
+    full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, samples[2].unbalance);
+  }
   if (full && decided_)
     may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak);
 }

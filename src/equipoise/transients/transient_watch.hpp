@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
@@ -15,10 +16,15 @@ namespace equipoise {
 struct TransientSample : HWY_NAMESPACE::transient::Sample<double> {
   double t = 0.0;          ///< study time
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
+  /// Of a rotor that tilts: the motion at the second place that is watched. Its power and energy are not read.
+  std::optional<HWY_NAMESPACE::transient::Sample<double>> second{};
 };
 
 /// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
+/// The same of a rotor that tilts, at these places along its shaft. `tilt`: its four variables.
+TransientSample transient_sample(const model::Parameters& p, const std::array<double, 2>& places, double psi, double t,
+                                 const double* z, const double* tilt);
 
 class TransientWatch {
  public:
@@ -52,7 +58,7 @@ class TransientWatch {
  private:
   TransientSettings settings_;
   HWY_NAMESPACE::transient::Limits<double> limits_;
-  HWY_NAMESPACE::transient::GatherTransients<double> gathered_;
+  HWY_NAMESPACE::transient::GatherPlaces<double> gathered_;
   TransientSums sums_;  // without the present side of the release
   KnownEnd end_;
   double t_;

@@ -6,8 +6,10 @@
 #define EQUIPOISE_TRANSIENTS_WATCH_TRANSIENTS_INL
 #endif
 
+#include <complex>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "equipoise/batch/batch_watch-inl.hpp"
 #include "equipoise/model/drive-inl.hpp"
@@ -22,8 +24,59 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 
+// What a rotor that tilts has beside: where its sections are that are watched, and how it loads its supports.
+template <bool tilt>
+class WatchedTilt {
+ public:
+  WatchedTilt(const model::Parameters&, int, const TransientSettings&) {}
+  void take_lane(const WatchedTilt&, int) {}
+};
+template <>
+class WatchedTilt<true> {
+ public:
+  // `place`: of the slope in the state.
+  WatchedTilt(const model::Parameters& p, int place, const TransientSettings& settings)
+      : place_(place),
+        supports_(p, place),
+        energy_(p, place),
+        slope_(model::static_slope(p)),
+        at_{Pack(settings.places[0]), Pack(settings.places[1])} {}
+
+  void take_lane(const WatchedTilt& from, int lane) {
+    supports_.take_lane(from.supports_, lane);
+    energy_.take_lane(from.energy_, lane);
+    take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_);
+  }
+
+  // Section k. `sag`: where the centre rests; `force`: on the supports, for the centre's motion alone.
+  HWY_INLINE transient::Sample<Pack> sample(int k, const RotorMotion<Pack>& rotor, const Pack& sag,
+                                            const Vector2<Pack>& force, const Pack* z) const {
+    const Pack *tilt = z + place_, &at = at_[k], rest = sag + at * slope_;
+    const Pack section[4] = {z[0] + at * tilt[0], z[1] + at * tilt[1], z[2] + at * tilt[2], z[3] + at * tilt[3]};
+    Vector2<Pack> all = force;
+    Vector2<Pack> more{Pack(0.0), Pack(0.0)};
+    supports_.add_supports(rotor, z, more);
+    all = {all.x + more.x, all.y + more.y};
+    return transient::sample_of({rest * rotor.sin_psi, rest * rotor.cos_psi}, all, section);
+  }
+  HWY_INLINE Pack taken_by_supports(const RotorMotion<Pack>& rotor, const Pack* z) const {
+    return energy_.taken_by_supports(rotor, z);
+  }
+  HWY_INLINE Pack stored(const RotorMotion<Pack>& rotor, const Pack* z) const { return energy_.stored(rotor, z); }
+
+ private:
+  int place_;
+  TiltConstants<Pack, 1> supports_;
+  TiltEnergy<Pack> energy_;
+  Pack slope_;  // where the rotor rests
+  Pack at_[2];
+};
+
+template <bool tilt>
 class WatchedRotor {
  public:
+  static constexpr int places = tilt ? 2 : 1;  // watched
+
   WatchedRotor(const model::Parameters& p, const model::Segment& segment, const BatchTask& task,
                const model::System* system, const TransientSettings& settings)
       : limits(settings),
@@ -41,7 +94,8 @@ class WatchedRotor {
         held_(task.held),
         psi_place_(task.layout().psi),
         speed_place_(task.layout().speed),
-        sag_(model::static_sag(p)) {
+        sag_(model::static_sag(p)),
+        tilt_(p, task.layout().tilt, settings) {
     for (int i = 0; i < model::max_balls; ++i) mass_[i] = Pack(p.mass[i]);
     if (settings.work == WorkSource::motor) motor_.emplace(p, system->drive(), task.layout(), segment.begin, 0.0);
   }
@@ -54,27 +108,37 @@ class WatchedRotor {
     turning_.take_lane(from.turning_, lane);
     motion_.take_lane(from.motion_, lane);
     energy_.take_lane(from.energy_, lane);
+    tilt_.take_lane(from.tilt_, lane);
     curve_.take_lane(from.curve_, lane);
     if (motor_) motor_->take_lane(*from.motor_, lane);
     take_lane_of(*this, from, lane, &W::speed_, &W::acceleration_, &W::begin_, &W::rotor_, &W::mass_, &W::sag_);
   }
 
-  HWY_INLINE transient::Sample<Pack> sample(Pack t, const Pack* z) const {
+  // At each place that is watched.
+  HWY_INLINE void sample(Pack t, const Pack* z, transient::Sample<Pack> (&here)[places]) const {
     const RotorMotion<Pack> rotor = rotor_at(t, z);
-    transient::Sample<Pack> here =
-        turns_ ? transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi}, turning_.bearing_force(rotor, z), z)
-               : transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(rotor, z), z);
+    if constexpr (tilt) {
+      const Vector2<Pack> force = turning_.bearing_force(rotor, z);
+      for (int k = 0; k < places; ++k) here[k] = tilt_.sample(k, rotor, sag_, force, z);
+    } else {
+      here[0] = turns_ ? transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi},
+                                              turning_.bearing_force(rotor, z), z)
+                       : transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(rotor, z), z);
+    }
     if (motor_) {
       const MotorState<Pack> motor = motor_->motor(t, rotor, z);
-      here.power = (motor.torque + motor.taken) * rotor.speed;
+      here[0].power = (motor.torque + motor.taken) * rotor.speed;
     } else if (limits.working) {
-      here.power = energy_.taken_by_supports(rotor, z) + energy_.taken_by_drag(z);
+      here[0].power = taken_by_supports(rotor, z) + energy_.taken_by_drag(z);
     }
-    return here;
   }
 
   HWY_INLINE Pack stored(Pack t, const Pack* z) const {
-    return limits.working && !motor_ ? energy_.stored(rotor_at(t, z), z) : Pack(0.0);
+    if (!limits.working || motor_) return Pack(0.0);
+    if constexpr (tilt)
+      return tilt_.stored(rotor_at(t, z), z);
+    else
+      return energy_.stored(rotor_at(t, z), z);
   }
 
   HWY_INLINE Pack unbalance(const Pack* z) const {
@@ -86,8 +150,19 @@ class WatchedRotor {
   transient::Limits<Pack> limits;
 
  private:
+  HWY_INLINE Pack taken_by_supports(const RotorMotion<Pack>& rotor, const Pack* z) const {
+    if constexpr (tilt)
+      return tilt_.taken_by_supports(rotor, z);
+    else
+      return energy_.taken_by_supports(rotor, z);
+  }
+
   // Includes the unbalance of the balls' masses at the race's centre.
   static Vector2<Pack> of_rotor(const model::Parameters& p) {
+    if (tilt) {
+      const std::complex<double> own = std::polar(p.eccentricity, p.eccentricity_angle);
+      return {Pack(own.real()), Pack(own.imag())};
+    }
     const double balls = p.total_mass();
     return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
   }
@@ -116,11 +191,18 @@ class WatchedRotor {
   bool turns_, held_;
   int psi_place_, speed_place_;
   Pack sag_;
+  [[no_unique_address]] WatchedTilt<tilt> tilt_;
 };
 
 // Rows keep growing from one task to the next. One code serves every rotor and number of balls: it runs once a step,
 // the equations twelve times.
+template <bool tilt>
 class WatchTransients final : public BatchWatch {
+  using Rotor = WatchedRotor<tilt>;
+  static constexpr int places = Rotor::places;
+  using Group = std::conditional_t<tilt, transient::GatherPlaces<Pack>, transient::GatherTransients<Pack>>;
+  static constexpr int lanes = Group::lanes;
+
  public:
   WatchTransients(const BatchTask& task, TransientTable& table)
       : task_(task),
@@ -139,7 +221,9 @@ class WatchTransients final : public BatchWatch {
     }
     Group& group = groups_[slot / lanes];
     group.load(slot % lanes, table_.rows[start], !task_.held);
-    group.resume(slot % lanes, table_.rows[start], t, corner_sample(slot, t, state));
+    transient::Sample<double> here[places];
+    corner_sample(slot, t, state, here);
+    group.resume(slot % lanes, table_.rows[start], t, here[0]);
     corner(slot, t, state);
     group.restart(slot % lanes, t);
   }
@@ -147,18 +231,31 @@ class WatchTransients final : public BatchWatch {
   void corner(int slot, double t, const double* state) override {
     Pack z[watched_state];
     spread(state, z);
-    groups_[slot / lanes].stand(slot % lanes, corner_sample(slot, t, state),
-                                transient::element(rotor(slot).unbalance(z), slot % lanes));
+    transient::Sample<double> here[places];
+    corner_sample(slot, t, state, here);
+    const double unbalance = transient::element(rotor(slot).unbalance(z), slot % lanes);
+    if constexpr (tilt)
+      groups_[slot / lanes].stand(slot % lanes, here[0], &here[1], unbalance);
+    else
+      groups_[slot / lanes].stand(slot % lanes, here[0], unbalance);
   }
 
   unsigned step(const TriedStep& s) override {
-    const WatchedRotor& rotor = rotors_[s.group];
+    const Rotor& rotor = rotors_[s.group];
     const Pack begin = s.t - s.h;
-    transient::Sample<Pack> at[3] = {rotor.sample(multiply_add(Pack(transient::node1), s.h, begin), s.first),
-                                     rotor.sample(multiply_add(Pack(transient::node2), s.h, begin), s.second),
-                                     rotor.sample(s.t, s.z)};
-    at[2].stored = rotor.stored(s.t, s.z);
-    return groups_[s.group].add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, rotor.unbalance(s.z));
+    transient::Sample<Pack> one[places], two[places], three[places];
+    rotor.sample(multiply_add(Pack(transient::node1), s.h, begin), s.first, one);
+    rotor.sample(multiply_add(Pack(transient::node2), s.h, begin), s.second, two);
+    rotor.sample(s.t, s.z, three);
+    const transient::Sample<Pack> at[3] = {one[0], two[0], with_stored(three[0], rotor.stored(s.t, s.z))};
+    Group& group = groups_[s.group];
+    const Pack unbalance = rotor.unbalance(s.z);
+    if constexpr (tilt) {
+      const transient::Sample<Pack> there[3] = {one[1], two[1], three[1]};
+      return group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, there, unbalance);
+    } else {
+      return group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, unbalance);
+    }
   }
 
   void end(int slot, std::size_t start, BatchEnd, double t) override {
@@ -177,31 +274,36 @@ class WatchTransients final : public BatchWatch {
   }
 
  private:
-  using Group = transient::GatherTransients<Pack>;
-  static constexpr int lanes = Group::lanes;
-
-  static WatchedRotor rotor_of(const BatchTask& task, const TransientTable& table) {
+  static Rotor rotor_of(const BatchTask& task, const TransientTable& table) {
     return {*task.parameters, task.segment, task, task.system, table.settings};
   }
-  const WatchedRotor& rotor(int slot) const { return rotors_[slot / lanes]; }
+  const Rotor& rotor(int slot) const { return rotors_[slot / lanes]; }
 
   void spread(const double* state, Pack* z) const {
     for (int i = 0; i < size_; ++i) z[i] = Pack(state[i]);
   }
 
-  transient::Sample<double> corner_sample(int slot, double t, const double* state) const {
+  static HWY_INLINE transient::Sample<Pack> with_stored(transient::Sample<Pack> here, const Pack& stored) {
+    here.stored = stored;
+    return here;
+  }
+
+  void corner_sample(int slot, double t, const double* state, transient::Sample<double> (&here)[places]) const {
     Pack z[watched_state];
     spread(state, z);
-    const transient::Sample<Pack> here = rotor(slot).sample(Pack(t), z);
+    transient::Sample<Pack> all[places];
+    rotor(slot).sample(Pack(t), z, all);
+    all[0].stored = rotor(slot).stored(Pack(t), z);
     const auto own = [&](const Pack& p) { return transient::element(p, slot % lanes); };
-    return {own(here.r2),        own(here.slope), own(here.force2),
-            own(here.velocity2), own(here.power), own(rotor(slot).stored(Pack(t), z))};
+    for (int k = 0; k < places; ++k)
+      here[k] = {own(all[k].r2),        own(all[k].slope), own(all[k].force2),
+                 own(all[k].velocity2), own(all[k].power), own(all[k].stored)};
   }
 
   const BatchTask& task_;
   TransientTable& table_;
   const int size_;
-  WatchedRotor rotors_[most_batch_groups];  // a group of lanes each
+  Rotor rotors_[most_batch_groups];  // a group of lanes each
   Group groups_[most_batch_groups];
   std::size_t start_[most_batch_groups * lanes] = {};
 };

@@ -23,6 +23,10 @@ struct TransientSettings {
   /// Length of time windows once the outcome is known: many turns of the rotor, several slow turns of balls about it.
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
+  /// Of a rotor that tilts: the outermost of its bearings along the shaft, 0 without bearings. Of a straight shaft's
+  /// places between two, none moves farther or faster than both. What is told is of the worse one; forces are those of
+  /// all supports together.
+  std::array<double, 2> places{};
 
   bool watches_settling() const { return settled > 0.0; }
 };
@@ -40,6 +44,12 @@ struct TransientWindow {
 inline TransientWindow last_windows(const TransientWindow& before, const TransientWindow& last) {
   return {before.length + last.length, before.peak > last.peak ? before.peak : last.peak, before.force + last.force,
           before.velocity + last.velocity, before.unbalance + last.unbalance};
+}
+
+/// Of two places over the same time, what the worse one has.
+inline TransientWindow worse_of(const TransientWindow& a, const TransientWindow& b) {
+  return {a.length, a.peak > b.peak ? a.peak : b.peak, a.force > b.force ? a.force : b.force,
+          a.velocity > b.velocity ? a.velocity : b.velocity, a.unbalance};
 }
 
 /// A steady motion's own figures. All zero: exact balance.

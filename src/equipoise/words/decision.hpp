@@ -111,9 +111,13 @@ inline constexpr char action_value[] = "action value";
 inline constexpr char limit_value[] = "limit value";
 // A(8), "action value" or "limit value".
 inline constexpr char work_until[] = "work until A(8) is {} m/s2, the {}";
+// As what handles move.
 inline constexpr char hand_arm_caption[] =
     "a_hv by ISO 5349-1, a day's exposure A(8) and its values by 2002/44/EC. An estimate, not a declared value: the "
-    "handles move as the race's centre, at the speed of rotation only.";
+    "handles move as {}, at the speed of rotation only.";
+inline constexpr char centre_of_race[] = "the race's centre";
+inline constexpr char faster_bearing[] = "the outermost bearing that moves faster";
+inline constexpr char centre_of_mass[] = "the shaft at the centre of mass";
 inline constexpr char hand_arm_source[] = "ISO 5349-1:2001, Directive 2002/44/EC";
 
 // Severity of vibration. Caption: zone, class, its machines, which directions.

@@ -20,6 +20,7 @@ inline constexpr char not_stable[] = "not stable by linear theory";
 inline constexpr char and_with_them[] = " with them";
 // Speed, times the critical one.
 inline constexpr char final_speed[] = "; final speed {}, {:.3g} times that";
+inline constexpr char final_speed_over_highest[] = "; final speed {}, {:.3g} times the highest";
 // Least to most, "side by side".
 inline constexpr char balls_can_cancel[] = "; the balls can cancel {}{}";
 inline constexpr char grade_without_balls[] = "; {} without balls";
@@ -35,10 +36,11 @@ inline constexpr char and_in_the_box[] = " and in the box of initial states";
 inline constexpr char with_drawn_anew[] = ", with {} drawn anew for each";
 inline constexpr char not_from_study[] = " (not from {} of the study)";
 inline constexpr char speed_law[] = " Speed law: {}.";
-// Version, target.
+// Which model, version, target.
 inline constexpr char intervals_and_model[] =
-    " Intervals hold with 95 % confidence. The model: a rotor in a plane, docs/explanation/equations.md. equipoise {}, "
-    "{}";
+    " Intervals hold with 95 % confidence. The model: {}, docs/explanation/equations.md. equipoise {}, {}";
+inline constexpr char rotor_in_a_plane[] = "a rotor in a plane";
+inline constexpr char rotor_that_tilts[] = "a rigid rotor that tilts";
 
 // Used on several pages.
 inline constexpr char how_computed[] = "How it was computed";
@@ -121,6 +123,14 @@ inline constexpr char ends_caption[] =
     "Bars: shares of starts with 95 % intervals. Circles: left, the balls in the race as seen from the turning rotor, "
     "with a wedge at its heavy side and arrows where balls move; right, the path of the rotor's centre as seen from "
     "beside the machine, all to one scale";
+// The same of a rotor that tilts. Where: at_a_bearing, at_centre_of_mass.
+inline constexpr char ends_caption_of_tilt[] =
+    "Bars: shares of starts with 95 % intervals. Circles: left, the balls in their races as seen from the turning "
+    "rotor, "
+    "that with the largest place along the shaft outermost, with arrows where balls move; right, the path of the shaft "
+    "{}, as seen from beside the machine, all to one scale";
+inline constexpr char at_a_bearing[] = "at the outermost bearing that moves more";
+inline constexpr char at_centre_of_mass[] = "at the centre of mass";
 inline constexpr char limit_dashed[] = ", the limit dashed if it lies within the drawing.";
 inline constexpr char rarer_not_drawn[] = " {} rarer not drawn.";
 inline constexpr char first_starts_only[] = " Peaks and runs are of the first {} starts.";
@@ -132,6 +142,9 @@ inline constexpr char grade_to_compare[] =
 // One machine: a motion.
 inline constexpr char centre_on_axis[] = "The centre rests on the axis";
 inline constexpr char centre_is[] = "The centre is ";
+// Place of a bearing.
+inline constexpr char shaft_on_axis[] = "At {} the shaft rests on the axis";
+inline constexpr char shaft_is[] = "At {} the shaft is ";
 inline constexpr char off_the_axis[] = " off the axis";
 inline constexpr char drawn_from_one[] = " Drawn from the end of one start.";
 inline constexpr char one_of_continuum[] = " One of a continuum of such motions.";
@@ -145,6 +158,9 @@ inline constexpr char the_balls[] = "the balls ";
 // One machine: runs and figures on the way.
 inline constexpr char runs_caption[] =
     "Distance of the rotor's centre from its place at rest; shaded: swings too fast to be drawn.";
+inline constexpr char runs_caption_at_bearings[] =
+    "Distance of the shaft from its place at rest, at the bearing where it is largest; shaded: swings too fast to be "
+    "drawn.";
 inline constexpr char bare_rotor_is_typical[] = " Without balls: the rotor of the typical start.";
 // Separator, number, typical or worst.
 inline constexpr char start_is[] = "{}start {} is the {}";

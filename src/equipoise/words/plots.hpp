@@ -61,6 +61,7 @@ inline constexpr char distribution_of[] = "Distribution of the {}";
 inline constexpr char displacement_over_time[] = "Displacement of the rotor over time, with and without balls";
 inline constexpr char speed_over_time[] = "Speed of the rotor over time";
 inline constexpr char balls_and_centre[] = ": balls in the race and the way of the rotor's centre";
+inline constexpr char balls_and_shaft[] = ": balls in their races and the way of the shaft";
 inline constexpr char outcome_at_points[] = "Outcome of the start at every point of the plane";
 inline constexpr char shares_along[] = "Shares of starts by outcome along the parameter";
 inline constexpr char share_over_two[] = "Balanced share of the starts over two parameters";
