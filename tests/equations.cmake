@@ -58,4 +58,5 @@ equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
 equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
                equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)
 equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp)
-equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp)
+equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp
+  LONG TiltDesign.FindsBallsThatBalanceEachPlane)
