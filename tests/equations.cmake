@@ -62,4 +62,5 @@ equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp e
   LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes)
 equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
   LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo)
-equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp)
+equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp
+  LONG TiltDesign.FindsBallsThatBalanceEachPlane)
