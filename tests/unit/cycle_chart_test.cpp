@@ -292,6 +292,42 @@ TEST(CycleChart, AtTorusPointsAPairIsOnTheUnitCircleAndCrossesIt) {
   EXPECT_LT(std::min(torus.points.front().swing, torus.points.back().swing), 0.02);
 }
 
+TEST(CycleChart, AtAPeriodDoublingAMultiplierIsMinusOne) {
+  ChartSettings settings;
+  settings.x = {"speed.final", 1.1, 1.6, 16};
+  settings.y = {"rotor.eccentricity", 0.005, 0.05, 16};
+  settings.boxes = 0;
+  const BifurcationChart chart = bifurcation_chart(cycle_rotor(), settings);
+  const PlaneStudies studies(cycle_rotor(), chart.plane.x, chart.plane.y);
+  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  int compared = 0;
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
+    const auto p = std::find_if(curve.points.begin(), curve.points.end(), [](const CurvePoint& q) {
+      return std::fabs(q.x - 1.54) < 0.01 && std::fabs(q.frequency - 0.205) < 0.01;
+    });
+    if (p == curve.points.end()) continue;
+    const CycleStart start{plane.place(p->x, p->y), Eigen::Vector2d(0.8, -0.6), state_of(*p), p->frequency};
+    const CycleBranch branch =
+        cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+    const StopFlag at_once{true};  // the first place is enough
+    for (const CycleCrossing& crossing : branch.crossings) {
+      if (crossing.change != CycleChange::flip) continue;
+      CycleCurve flip(plane, *plane.system(crossing.near.at), crossing);
+      flip.follow_from(crossing, &at_once, {});
+      ASSERT_FALSE(flip.places().empty());
+      const CurvePoint& q = flip.places()[0].point;
+      const model::System system = *plane.system(flip.places()[0].at);
+      const Eigen::VectorXcd all = multipliers_by_differences(system, state_of(q), 2.0 * M_PI / q.frequency);
+      // The square of the differences' step, times third derivatives over a long period.
+      EXPECT_LT((all.array() + 1.0).abs().minCoeff(), 1e-5) << q.x << " " << q.y;
+      ++compared;
+      break;
+    }
+  }
+  EXPECT_GE(compared, 1);
+}
+
 TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.cycles = false;

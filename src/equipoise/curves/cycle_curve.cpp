@@ -116,6 +116,7 @@ std::optional<CurvePlace> CycleCurve::described(const VectorXd& at) const {
   const VectorXd& first = seen_.shape.nodes.front();
   place.point.state.assign(first.begin(), first.end());
   const VectorXcd multipliers = shooting_.multipliers(*seen_.system, seen_.shape, *seen_.arcs);
+  if (!(multipliers.array().abs().maxCoeff() < largest_multiplier)) return std::nullopt;
   place.point.rates.assign(multipliers.begin(), multipliers.end());
   place.pair = {seen_.value->cosine, seen_.value->value + 1.0, {}};
   place.point.others = unstable_multipliers(multipliers);

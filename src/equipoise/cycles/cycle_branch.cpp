@@ -46,6 +46,7 @@ class BranchOfCycles {
       if (!next) return branch;
       const auto found = place(next->point);
       if (!found || found->at.minCoeff() < 0.0 || found->at.maxCoeff() > 1.0) return branch;
+      if (found->multipliers.array().abs().maxCoeff() > largest_multiplier) return branch;
       if (found->shape.period > longest_cycle * first_period) return branch;
       const bool shrinks = last && found->swing < last->swing && found->swing < first_swing;
       if (shrinks) return branch;

@@ -46,6 +46,9 @@ struct CycleBranch {
 /// without bound.
 inline constexpr double longest_cycle = 4.0;
 
+/// With a larger one the others are lost in errors of integration.
+inline constexpr double largest_multiplier = 1e6;
+
 /// From small cycles on, until the branch leaves the square, its cycles shrink again, or their period has grown
 /// by longest_cycle. Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
 CycleBranch cycle_branch(const CycleSystems& systems, const CycleStart& start, const StopFlag* stop);
