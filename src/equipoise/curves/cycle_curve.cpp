@@ -167,7 +167,7 @@ std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePl
   int side = 0;
   for (int k = 0; k < 16; ++k) {
     const double part = low + (high - low) * at_low / (at_low - at_high);
-    const auto place = between(a, b, part);
+    auto place = between(a, b, part);
     if (!place) return std::nullopt;
     const double here = value(*place);
     if (std::fabs(here) < 1e-8 * size) return place;
