@@ -33,7 +33,7 @@ inline constexpr char not_decided_vibration[] =
 inline constexpr char share_keeps_limits[] = "{} of starts keep every limit";
 inline constexpr char share_on_the_way_and_at_end[] = ", {} on the way and {} at the end";
 inline constexpr char share_without_balls[] = "; without balls {}";
-inline constexpr char rotor_alone_too[] = "; so does the rotor without balls";
+inline constexpr char rotor_alone_too[] = "; the rotor without balls keeps them all";
 inline constexpr char rotor_alone_not[] = "; the rotor without balls does not";
 // Most in 90 % of starts, unit, interval or nothing, value without balls.
 inline constexpr char velocity_at_end[] =
