@@ -9,12 +9,12 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/mechanics/energy.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/trajectory/simulate.hpp"
+#include "transient_lanes.hpp"
 
 namespace equipoise {
 namespace {
@@ -94,22 +94,11 @@ TEST_P(DriveWorkOfSpeeds, IsThatOfTheTorqueThatTheyNeed) {
   const TransientSettings asked = transient_settings(study);
   ASSERT_EQ(asked.work, WorkSource::balance);
   const double horizon = 20.0;
-  StartSource source(study, nullptr);
-  source.watch(asked);
-  TransientTable table{asked, {}, {}};
-  SpunUp starts;
-  ASSERT_TRUE(source.make(study.sampling.seed, 0, 4, starts, &table));
-  BatchTask task = source.task(source.segments().size() - 1, starts.states);
-  task.end = task.segment.begin + horizon;
-  task.transients = &table;
-  ClassificationRule rule;
-  rule.balls = study.parameters.balls;
-  rule.at_horizon = true;
-  ASSERT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  const std::vector<TransientRow> rows = gathered(study, asked, 4, horizon);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
-    const Work work = torque_work(study, source.settled() + horizon);
-    const double told = transient_row(asked, table.rows[i], false).energy;
+    const Work work = torque_work(study, StartSource(study, nullptr).settled() + horizon);
+    const double told = rows[i].energy;
     // Cubics through four samples per step give the losses of dampers and drag to 1e-4; lanes at tolerance 1e-6 give
     // their states more accurately.
     EXPECT_NEAR(told, work.drive, 2e-4 * work.drive) << c.name << ", start " << i;

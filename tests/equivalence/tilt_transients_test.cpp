@@ -12,14 +12,13 @@
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/attractors/motion_figures.hpp"
 #include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/spin_up/held_run.hpp"
-#include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "tilt_dense.hpp"
+#include "transient_lanes.hpp"
 
 namespace equipoise {
 namespace {
@@ -27,45 +26,6 @@ namespace {
 using namespace tilting;
 
 constexpr double no_window_ends = 1e6;
-
-// As in transients_test.cpp, for the same reasons.
-void expect_same_figures(const TransientRow& seen, const TransientRow& expected, const std::string& what) {
-  for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_after_release,
-                          &TransientRow::peak_radial_at_end, &TransientRow::peak_force})
-    EXPECT_NEAR(seen.*peak, expected.*peak, 0.001f * expected.*peak) << what;
-  for (const auto mean : {&TransientRow::rms_force, &TransientRow::rms_velocity})
-    EXPECT_NEAR(seen.*mean, expected.*mean, 0.0005f * expected.*mean) << what;
-  EXPECT_NEAR(seen.residual_unbalance, expected.residual_unbalance, 0.003f * expected.residual_unbalance) << what;
-  if (std::isinf(expected.time_above))
-    EXPECT_EQ(seen.time_above, expected.time_above) << what;
-  else
-    EXPECT_NEAR(seen.time_above, expected.time_above, 0.1f) << what;
-  if (std::isinf(expected.settling_time))
-    EXPECT_EQ(seen.settling_time, expected.settling_time) << what;
-  else
-    EXPECT_NEAR(seen.settling_time, expected.settling_time, 0.05f) << what;
-  EXPECT_FLOAT_EQ(seen.followed_until, expected.followed_until) << what;
-}
-
-// From lanes for starts 0 to count - 1, followed for `horizon` after the last piece begins.
-std::vector<TransientRow> gathered(const Study& study, const TransientSettings& asked, std::size_t count,
-                                   double horizon) {
-  StartSource source(study, nullptr);
-  source.watch(asked);
-  TransientTable table{asked, {}, {}};
-  SpunUp starts;
-  EXPECT_TRUE(source.make(study.sampling.seed, 0, count, starts, &table));
-  BatchTask task = source.task(source.segments().size() - 1, starts.states);
-  task.end = task.segment.begin + horizon;
-  task.transients = &table;
-  ClassificationRule rule;
-  rule.balls = study.parameters.balls;
-  rule.at_horizon = true;
-  EXPECT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
-  std::vector<TransientRow> rows;
-  for (const TransientSums& sums : table.rows) rows.push_back(transient_row(asked, sums, false));
-  return rows;
-}
 
 struct Case {
   const char* name;

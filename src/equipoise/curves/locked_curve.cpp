@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "equipoise/curves/hopf_form.hpp"
-#include "equipoise/math/dense.hpp"
+#include "equipoise/math/bordered.hpp"
 #include "equipoise/mechanics/higher_derivatives.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/results/explanation.hpp"
@@ -22,34 +22,14 @@ using Eigen::VectorXd;
 constexpr double difference = 1e-6;    // in the unit square, and of scaled states
 constexpr double natural_size = 10.0;  // of a state's scale; then steps are limited by the plane, not by the state
 
-// The eigenvector of the eigenvalue nearest to `value`.
-std::optional<VectorXcd> eigenvector(const MatrixXd& a, std::complex<double> value) {
-  const dense::EigenPairs pairs = dense::eigenpairs(a);
-  if (!pairs.found) return std::nullopt;
-  Index nearest = 0;
-  (pairs.values.array() - value).abs().minCoeff(&nearest);
-  return VectorXcd(pairs.vectors.col(nearest));
-}
-
 }  // namespace
 
 VectorXd LockedCurve::state(const VectorXd& at) const {
   return symmetry_.whole(natural_size * symmetry_.scale().cwiseProduct(at.tail(symmetry_.size())));
 }
 
-LockedCurve::Bordered LockedCurve::bordered(const MatrixXd& small) const {
-  const Index n = small.rows();
-  MatrixXd whole = MatrixXd::Zero(n + 1, n + 1);
-  whole.topLeftCorner(n, n) = small;
-  whole.col(n).head(n) = column_;
-  whole.row(n).head(n) = row_.transpose();
-  const VectorXd unit = VectorXd::Unit(n + 1, n), right = dense::LinearSolver(whole).solve(unit),
-                 left = dense::LinearSolver(whole.transpose()).solve(unit);
-  return {right.head(n), left.head(n), right[n]};
-}
-
 std::optional<double> LockedCurve::test(const MatrixXd& jacobian) const {
-  if (kind_ == CurveKind::fold) return bordered(symmetry_.reduced(jacobian)).value;
+  if (kind_ == CurveKind::fold) return bordered(symmetry_.reduced(jacobian), row_, column_).value;
   if (kind_ == CurveKind::pitchfork) {
     const auto& parting = symmetry_.partings().front();
     return jacobian.row(symmetry_.parting_place(parting)).dot(symmetry_.parting_direction(parting));
@@ -69,7 +49,7 @@ std::optional<LockedCurve::Weights> LockedCurve::weights(const MatrixXd& jacobia
   }
   const MatrixXd small = symmetry_.reduced(jacobian);
   if (kind_ == CurveKind::fold) {
-    const Bordered b = bordered(small);
+    const Bordered b = bordered(small, row_, column_);
     return Weights{whole_right(b.right), symmetry_.whole_left(-b.left)};
   }
   const auto rates = symmetry_.rates(jacobian);
@@ -77,7 +57,7 @@ std::optional<LockedCurve::Weights> LockedCurve::weights(const MatrixXd& jacobia
   // Where the two are real or nearly meet, their mean has a slope and each of them has none.
   if (!pair || !(pair->product - pair->mean * pair->mean > 1e-6)) return std::nullopt;
   const std::complex<double> value(pair->mean, std::sqrt(pair->product - pair->mean * pair->mean));
-  const auto right = eigenvector(small, value), left = eigenvector(small.transpose(), value);
+  const auto right = eigenvector_near(small, value), left = eigenvector_near(small.transpose(), value);
   if (!right || !left) return std::nullopt;
   return Weights{whole_right(*right), symmetry_.whole_left(*left / (left->transpose() * *right)(0))};
 }
@@ -154,7 +134,7 @@ std::optional<CurvePlace> LockedCurve::described(const VectorXd& at) const {
   }
   place.point.others = unstable_besides(here->rates, place.pair);
   if (kind_ != CurveKind::fold) return place;
-  const Bordered b = bordered(symmetry_.reduced(here->jacobian));
+  const Bordered b = bordered(symmetry_.reduced(here->jacobian), row_, column_);
   place.right = b.right / b.right.norm();
   place.left = b.left / b.left.norm();
   place.double_zero = place.left.dot(place.right);
@@ -185,7 +165,7 @@ bool LockedCurve::follow_from(const VectorXd& at, const VectorXd& z, const StopF
     const MatrixXd small = symmetry_.reduced(model::jacobian(*system, z));
     row_ = column_ = VectorXd::Ones(symmetry_.size()).normalized();
     for (int round = 0; round < 3; ++round) {
-      const Bordered b = bordered(small);
+      const Bordered b = bordered(small, row_, column_);
       row_ = b.right.normalized();
       column_ = b.left.normalized();
     }

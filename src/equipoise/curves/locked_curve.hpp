@@ -29,12 +29,6 @@ class LockedCurve : public FollowedCurve {
   void stay_near(const CurvePlace& place) const override;
 
   Eigen::VectorXd state(const Eigen::VectorXd& at) const;
-  /// Null vectors of a nearly singular matrix, and g.
-  struct Bordered {
-    Eigen::VectorXd right, left;
-    double value;
-  };
-  Bordered bordered(const Eigen::MatrixXd& small) const;
   std::optional<double> test(const Eigen::MatrixXd& jacobian) const;
   /// By which a change J' of the Jacobian changes the test function: Re(left' J' right).
   struct Weights {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "equipoise/math/bordered.hpp"
 #include "equipoise/math/dense.hpp"
 
 namespace equipoise {
@@ -11,34 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-namespace {
-
-struct BorderedCycle {
-  VectorXd right, left;
-  double value;
-};
-
-BorderedCycle bordered_cycle(const MatrixXd& a, const VectorXd& row, const VectorXd& column) {
-  const Index n = a.rows();
-  MatrixXd whole = MatrixXd::Zero(n + 1, n + 1);
-  whole.topLeftCorner(n, n) = a;
-  whole.col(n).head(n) = column;
-  whole.row(n).head(n) = row.transpose();
-  const VectorXd unit = VectorXd::Unit(n + 1, n), right = dense::LinearSolver(whole).solve(unit),
-                 left = dense::LinearSolver(MatrixXd(whole.transpose())).solve(unit);
-  return {right.head(n), left.head(n), right[n]};
-}
-
-std::optional<VectorXcd> cycle_eigenvector(const MatrixXd& a, std::complex<double> value) {
-  const dense::EigenPairs pairs = dense::eigenpairs(a);
-  if (!pairs.found) return std::nullopt;
-  Index nearest = 0;
-  (pairs.values.array() - value).abs().minCoeff(&nearest);
-  return VectorXcd(pairs.vectors.col(nearest));
-}
-
-}  // namespace
 
 MatrixXd CycleTest::matrix(const CycleArcs& arcs) const {
   const MatrixXd monodromy = arcs.monodromy();
@@ -57,7 +30,7 @@ bool CycleTest::begin(const CycleArcs& arcs, const VectorXd& phase) {
   const MatrixXd a = matrix(arcs);
   row_ = column_ = VectorXd::Ones(a.rows()).normalized();
   for (int round = 0; round < 4; ++round) {
-    const BorderedCycle b = bordered_cycle(a, row_, column_);
+    const Bordered b = bordered(a, row_, column_);
     row_ = b.right.normalized();
     column_ = b.left.normalized();
   }
@@ -84,8 +57,8 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
     }
   if (least == INFINITY) return std::nullopt;
   if (std::fabs(found.multiplier.imag()) < 1e-3) return found;
-  const auto right = cycle_eigenvector(monodromy, found.multiplier),
-             left = cycle_eigenvector(monodromy.transpose(), found.multiplier);
+  const auto right = eigenvector_near(monodromy, found.multiplier),
+             left = eigenvector_near(monodromy.transpose(), found.multiplier);
   if (!right || !left) return std::nullopt;
   const std::complex<double> product = (left->transpose() * *right)(0);
   found.weights = CycleWeights{VectorXcd(*left * (2.0 * std::conj(found.multiplier) / product)), *right};
@@ -96,7 +69,7 @@ std::optional<CycleTest::Value> CycleTest::at(const CycleArcs& arcs) const {
   if (change_ == CycleChange::torus) return torus(arcs);
   const MatrixXd a = matrix(arcs);
   const Index n = arcs.slopes.front().rows();
-  const BorderedCycle b = bordered_cycle(a, row_, column_);
+  const Bordered b = bordered(a, row_, column_);
   Value found;
   found.value = b.value;
   if (!std::isfinite(b.value)) return std::nullopt;
