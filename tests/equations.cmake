@@ -59,7 +59,7 @@ equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
 equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
                equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)
 equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp
-  LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes)
+  LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes TiltFates.AfterARampAndUnderAMotorAreThoseOfFixedAxes)
 equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
   LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo)
 equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp

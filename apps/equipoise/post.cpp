@@ -1,5 +1,4 @@
 // A question's tag is twice its number; its answer's tag is one more.
-#ifdef EQUIPOISE_MPI
 #include "post.hpp"
 
 #include <exception>
@@ -78,5 +77,3 @@ void Post::send(Bytes bytes, int to, int tag) {
 }
 
 }  // namespace equipoise::app
-
-#endif

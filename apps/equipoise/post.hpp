@@ -1,7 +1,6 @@
 // Questions between the processes of a job: any thread asks, the other process's main thread answers.
 #pragma once
 
-#ifdef EQUIPOISE_MPI
 #define OMPI_SKIP_MPICXX
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
@@ -50,5 +49,3 @@ class Post {
 };
 
 }  // namespace equipoise::app
-
-#endif

@@ -27,8 +27,6 @@
 #include "time_limit.hpp"
 #include "words.hpp"
 
-#ifdef EQUIPOISE_MPI
-
 namespace equipoise {
 
 template <class Bytes, Like<CellAtWork> T>
@@ -48,11 +46,7 @@ void members(Bytes& b, T& t) {
 
 }  // namespace equipoise
 
-#endif
-
 namespace equipoise::app {
-
-#ifdef EQUIPOISE_MPI
 
 namespace {
 
@@ -401,23 +395,5 @@ void Team::dismiss() {
   while (left_ > 0 && Clock::now() - begin < patience)
     if (!post_->step(answer)) std::this_thread::sleep_for(rest);
 }
-
-#else
-
-class Post {};
-
-std::string mpi_text() { return words::mpi_not_built_in; }
-bool has_mpi() { return false; }
-
-Team::Team() = default;
-Team::~Team() = default;
-bool Team::have_same(const std::string&) { return true; }
-bool Team::agree(bool good) { return good; }
-void Team::lead(const Survey&, SurveyWork&, int, const StopFlag*) {}
-int Team::follow(const Survey&, int, const StopFlag*) { return done; }
-void Team::dismiss() {}
-void Team::abort(int) { std::abort(); }
-
-#endif
 
 }  // namespace equipoise::app

@@ -93,7 +93,7 @@ def test_ctrl_c_ends_a_call_soon_and_keeps_what_is_done(progress):
     )
     child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
     assert child.stdout is not None and child.stdout.readline() == "go\n"
-    time.sleep(6.0)  # past the search for attractors
+    time.sleep(4.0)  # past the search for attractors
     sent = time.time()
     os.kill(child.pid, signal.SIGINT)
     at, starts, partial = child.communicate(timeout=60)[0].split()
@@ -176,7 +176,7 @@ def test_the_search_of_another_rotor_is_refused_with_the_key_that_differs(study)
 INNER_LOOPS = {
     "a path": ("motion = eq.attractors(study, starts=100)[-1]", 0.3, "motion.path(1e5, 500_000)", "len(result.t) < 500_001"),
     # Of its starts many end in motions that nothing listed explains.
-    "a capacity": ("", 6.0, "eq.capacity(study, at_least=0.6)", "True"),
+    "a capacity": ("", 4.0, "eq.capacity(study, at_least=0.6)", "True"),
 }
 
 

@@ -57,10 +57,12 @@ class Capacity(Case):
         for path, key, unit, most in ((WASHER, "rotor.unbalance", "g mm", balls),
                                       (by_length, "rotor.unbalance", "g mm", balls),
                                       (ROW, "rotor.eccentricity", "", 0.1)):
-            found = answer("capacity", path, *few)
+            file = ["-o", self.path("found.nc")]
+            found = answer("capacity", path, *few, *file)
             self.assertEqual((found["of"], found["unit"]), (key, unit))
             self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
-            text = run("capacity", path, *few, "--quiet").stdout
+            text = run("capacity", path, *few, *file, "--quiet").stdout  # read from the file
+            os.remove(file[1])
             told = re.search(rf"The largest {key} at which 30 % of starts end balanced, searched from (\S+) to (\S+?)( g mm)?\.\n", text)
             self.assertTrue(told, text)
             self.assertEqual((told[3] or "").strip(), unit)

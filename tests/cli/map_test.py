@@ -89,7 +89,7 @@ class Results(unittest.TestCase):
 
     def test_says_where_balls_start_that_no_axis_places(self):
         plane = ["--x", "rotor.eccentricity", "--x-range", "0.009:0.011", "--y", "balancer.drag", "--y-range", "0.04:0.06",
-                 "--size", "2x2", "--quiet"]  # each pixel's rotor has a search of its own
+                 "--size", "2x1", "--quiet"]  # each pixel's rotor has a search of its own
         drawn, again = (run("map", ROW, *plane, *seed) for seed in ([], ["--set", "sampling.seed=1"]))
         self.assertIn("Every pixel draws its own ball angles (seed 1)", drawn.stdout)
         self.assertEqual(drawn.stdout.split("pixels;")[0], again.stdout.split("pixels;")[0])

@@ -137,7 +137,7 @@ class Machines(Case):
     def test_interrupted_it_says_so(self):
         path = self.path("page.html")
         process = started("report", ROW, "--starts", "100000000", "-o", path, "--quiet")
-        time.sleep(6.0)  # the attractor search takes one or two seconds
+        time.sleep(4.0)  # the attractor search takes one or two seconds
         self.assertEqual(interrupted(process)[2], 130)
         self.assertIn("Stopped early", Page(path).text)
 

@@ -156,12 +156,12 @@ class Reports(Case):
                 self.assertIn("](paper-pictures/figure-transients.png)", file.read())
 
     def test_open_questions_as_pictures_and_netcdf(self):
-        done, found = answers(self.folder, "future", "--starts", "64", "--pixels", "4")
+        done, found = answers(self.folder, "future", "--starts", "64", "--pixels", "2")
         self.assertEqual(done.returncode, 0)
         names = set(os.listdir(self.path("pictures")))
         for stem in ("future-eccentricity-angle", "future-eccentricity-mass"):
             self.assertLessEqual({stem + ".png", stem + ".svg", stem + ".nc"}, names)
-        self.assertEqual([m["pixels"] for m in found["open_questions"]["maps"]], [[4, 4], [4, 4]])
+        self.assertEqual([m["pixels"] for m in found["open_questions"]["maps"]], [[2, 2], [2, 2]])
         self.assertEqual([b["box"]["starts"] for b in found["open_questions"]["boxes"]], [64] * 6)
         self.assertIn("box-speed-2.4.nc", os.listdir(self.path("ensembles")))
 

@@ -66,7 +66,7 @@ class LostOutput(Case):
         # A time limit stops the run, like Ctrl-C, after lines of progress; the search takes a second or two.
         for target in ("2>/dev/full", "2> >(head -c 1 >/dev/null)"):
             with self.subTest(target=target):
-                done = shell(f"timeout --signal=INT 5 $E basin $S --starts 1000000000 {target}")
+                done = shell(f"timeout --signal=INT 3 $E basin $S --starts 1000000000 {target}")
                 self.assertEqual(done.returncode, 124)  # timeout's code for a program that it stopped
                 self.assertIn("PARTIAL", done.stdout)
 

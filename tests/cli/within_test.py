@@ -40,14 +40,14 @@ class Within(unittest.TestCase):
     def test_every_command_ends_in_time_and_says_that_it_is_partial(self):
         for name, arguments in LONG.items():
             with self.subTest(name):
-                done, late = limited(1, *arguments)
+                done, late = limited(0.8, *arguments)
                 self.assertEqual(done.returncode, OUT_OF_TIME, done.stderr)
-                self.assertRegex(done.stderr, r"equipoise: out of time \(--within 1s\): .*(more|known yet); .*")
+                self.assertRegex(done.stderr, r"equipoise: out of time \(--within 0.8s\): .*(more|known yet); .*")
                 # 0.2 s on an idle machine; tests run beside others.
                 self.assertLess(late, 5.0)
                 if name != "simulate":
                     self.assertIn("PARTIAL", done.stdout)
-                    self.assertTrue(json.loads(limited(0.5, *arguments, "--json")[0].stdout)["partial"])
+                    self.assertTrue(json.loads(limited(0.3, *arguments, "--json")[0].stdout)["partial"])
 
     def test_what_ends_before_its_time_says_nothing_of_it(self):
         done = run("basin", ROW, "--starts", "200", "--within", "1h", "--quiet")
@@ -60,8 +60,8 @@ class Within(unittest.TestCase):
             self.assertEqual(done.returncode, 0, text + done.stderr)
 
     def test_without_a_file_it_says_which_option_keeps_what_is_done(self):
-        self.assertIn("with -o FILE.nc the same command would go on", limited(3, *LONG["basin"])[0].stderr)
-        self.assertIn("keeps nothing between runs", limited(3, *LONG["along"])[0].stderr)
+        self.assertIn("with -o FILE.nc the same command would go on", limited(2, *LONG["basin"])[0].stderr)
+        self.assertIn("keeps nothing between runs", limited(1, *LONG["along"])[0].stderr)
 
     def test_a_search_that_did_not_end_leaves_no_shares(self):
         done = limited(0.05, *LONG["basin"])[0]
@@ -108,7 +108,7 @@ class GoingOn(Case):
         self.same_file(0.3, "sweep", ROW, "--over", "rotor.eccentricity=0.01,0.012", "--starts", "2000", "--threads", "1")
 
     def test_a_sweep(self):
-        self.same_file(1, "sweep", ROW, "--over", "speed.final=2.4,3,4", "--starts", "20000")
+        self.same_file(0.7, "sweep", ROW, "--over", "speed.final=2.4,3", "--starts", "20000")
 
     def test_a_capacity(self):
         self.same_file(0.3, "capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9",
@@ -116,7 +116,7 @@ class GoingOn(Case):
 
     # An ensemble's file also states how long it took and how often it was resumed: only its results are compared.
     def test_an_ensemble(self):
-        command = ("basin", ROW, "--starts", "400000", "--json")
+        command = ("basin", ROW, "--starts", "150000", "--json")
         whole = json.loads(run(*command, "--quiet", "-o", self.whole).stdout)
         self.assertGreater(self.in_parts(1, *command), 0)
         parts = json.loads(run(*command, "--quiet", "-o", self.parts).stdout)
@@ -150,7 +150,7 @@ class Bounds(unittest.TestCase):
                    "0.08:0.14", "--precision", "0.02", "--starts", "4000")
         cell = answer(*command)["cells"][0]
         opened = 0
-        for seconds in (0.5, 1, 1.5, 2, 3, 4):
+        for seconds in (0.5, 1, 2, 3):
             part = json.loads(limited(seconds, *command, "--json")[0].stdout)
             for one in part["open"]:
                 opened += one["trials"] > 0
