@@ -104,10 +104,9 @@ TEST(TiltStudy, WhatDoesNotTakeItSaysSo) {
   EXPECT_EQ(lack->need, model::Need::no_tilt);
   EXPECT_NE(lack->reason.find("(simulate, basin, attractors, map and chart take any)"), std::string::npos)
       << lack->reason;
-  for (const ResultKind kind :
-       {ResultKind::trajectory, ResultKind::shares, ResultKind::attractors, ResultKind::branches, ResultKind::maps,
-        ResultKind::curves, ResultKind::transients, ResultKind::pages, ResultKind::designs, ResultKind::proofs,
-        ResultKind::displacements})
+  for (const ResultKind kind : {ResultKind::trajectory, ResultKind::shares, ResultKind::attractors,
+                                ResultKind::branches, ResultKind::maps, ResultKind::curves, ResultKind::transients,
+                                ResultKind::pages, ResultKind::designs, ResultKind::proofs, ResultKind::displacements})
     EXPECT_FALSE(model::lacking(s.system(), kind));
 }
 
