@@ -61,6 +61,9 @@ equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equival
 equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp
   LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes TiltFates.AfterARampAndUnderAMotorAreThoseOfFixedAxes)
 equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
-  LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo)
+  LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo TiltFamilies.SoDoStartsWhoseBallsAreHeld)
+equipoise_test(tilt_certificate_test equivalence equivalence/tilt_certificate_test.cpp)
+equipoise_test(tilt_motor_test equivalence equivalence/tilt_motor_test.cpp equivalence/tilt_bearings_test.cpp
+  equivalence/tilt_observation_test.cpp)
 equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp
   LONG TiltDesign.FindsBallsThatBalanceEachPlane)

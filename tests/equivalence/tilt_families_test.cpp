@@ -69,6 +69,13 @@ TEST(TiltFamilies, SoDoStartsUnderGravity) {
   expect_fates_of_known_rotors(drawing("[0.0045, 0.0055]", {"rotor.gravity=0.01"}), {"balanced"});
 }
 
+// Held through a ramp, each on its rotor.
+TEST(TiltFamilies, SoDoStartsWhoseBallsAreHeld) {
+  expect_fates_of_known_rotors(
+      drawing("[0.002, 0.003]", {"speed={ profile = \"ramp\", initial = 0.0, final = 3.5, duration = 20 }"}),
+      {"balanced"});
+}
+
 // So few pixels are followed one by one.
 TEST(TiltFamilies, PixelsOfASmallMapComeToWhatTheirRotorsComeTo) {
   BasinSliceSettings settings;

@@ -32,6 +32,7 @@ struct Case {
   std::vector<std::string> overrides;
   std::vector<double> places;  // of bearings, or the centre of mass
   double displacement, settled;
+  std::vector<Held> bearings{};  // if forces are told of each
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -39,10 +40,13 @@ class TiltTransients : public testing::TestWithParam<Case> {};
 
 TEST_P(TiltTransients, AreThoseOfFixedAxes) {
   const Case& c = GetParam();
-  Study study = long_rotor_with(damped(c.overrides));
+  std::vector<std::string> overrides = damped({});
+  overrides.insert(overrides.end(), c.overrides.begin(), c.overrides.end());  // the case's own come last
+  Study study = long_rotor_with(overrides);
   study.limits.displacement = c.displacement;
   study.limits.settled = c.settled;
   TransientSettings asked = transient_settings(study);
+  EXPECT_EQ(asked.shaft.bearings.has_value(), !c.bearings.empty());
   asked.window = no_window_ends;
   const double horizon = 60.0;
   const double last_begin = std::max(study.speed_profile().settled_time(), study.release_time());
@@ -51,7 +55,7 @@ TEST_P(TiltTransients, AreThoseOfFixedAxes) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const auto run = stretches(study, last_begin + horizon);
-    expect_same_figures(rows[i], figures(asked, dense(study, run, c.places), last_begin),
+    expect_same_figures(rows[i], figures(asked, dense(study, run, c.places, c.bearings), last_begin),
                         std::string(c.name) + ", start " + std::to_string(i));
     const TransientRow centre = figures(asked, dense(study, run, {0.0}), last_begin);
     differs = differs || rows[i].peak_radial > 1.1f * centre.peak_radial;
@@ -69,13 +73,32 @@ const std::vector<std::string> skew{"rotor.gravity=0.02",
                                     ramp,
                                     "release.speed=2.5"};
 
+// Supports that two unlike bearings make: sums of stiffness and damping, and their moments.
+const std::vector<Held> unlike{{3.0, {0.6, 0.7}, {0.12, 0.1}}, {-2.0, {0.4, 0.6}, {0.08, 0.1}}};
+const std::vector<std::string> on_unlike{"rotor.gravity=0.02",
+                                         "rotor.stiffness=[1, 1.3]",
+                                         "rotor.damping=[0.2, 0.2]",
+                                         "rotor.tilt.stiffness={ x = [1, 7], y = [0.9, 8.7] }",
+                                         "rotor.tilt.damping={ x = [0.2, 1.4], y = [0.1, 1.3] }",
+                                         "rotor.tilt.bearings_at=[3, -2]",
+                                         "balancer.drag=0.3",
+                                         ramp,
+                                         "release.speed=2.5"};
+
 INSTANTIATE_TEST_SUITE_P(
     All, TiltTransients,
     testing::Values(Case{"constant speed", {"rotor.tilt.bearings_at=[2.5, -1.5]"}, {2.5, -1.5}, 0.03, 0.01},
                     Case{"no bearings stated", {}, {0.0}, 0.008, 0.004},
                     Case{
                         "ramp, held to its end", {"rotor.tilt.bearings_at=[2.5, -2.5]", ramp}, {2.5, -2.5}, 0.03, 0.02},
-                    Case{"gravity and unequal supports, let go on the way", skew, {3.0, -2.0, 0.5}, 0.05, 0.02}),
+                    Case{"gravity and unequal supports, let go on the way", skew, {3.0, -2.0, 0.5}, 0.05, 0.02},
+                    Case{"two like bearings, each by itself",
+                         {"rotor.tilt.bearings_at=[3, -3]"},
+                         {3.0, -3.0},
+                         0.03,
+                         0.01,
+                         {{3.0, {0.5, 0.5}, {0.1, 0.1}}, {-3.0, {0.5, 0.5}, {0.1, 0.1}}}},
+                    Case{"two unlike bearings under gravity", on_unlike, {3.0, -2.0}, 0.05, 0.02, unlike}),
     [](const auto& param) { return std::to_string(param.index); });
 
 // The same drive's work by the torque that fixed axes ask for.
@@ -138,11 +161,9 @@ TEST(TiltDriveWork, IsThatOfTheTorqueInFixedAxes) {
 }
 
 // With balls held, and without: peaks on the way as in fixed axes, and at the end forced vibration.
-TEST(TiltHeldRun, IsThatOfFixedAxes) {
-  const std::vector<double> places{2.5, -1.5};
+void is_that_of_fixed_axes(const std::vector<std::string>& overrides, const std::vector<double>& places,
+                           const std::vector<Held>& bearings) {
   for (const bool balls : {true, false}) {
-    std::vector<std::string> overrides = damped(skew);
-    overrides.push_back("rotor.tilt.bearings_at=[2.5, -1.5]");
     Study study = with_horizon(long_rotor_with(overrides));
     start_angles(7, 1, study.parameters.balls, study.initial.phi.data());
     InitialState start = study.initial;
@@ -153,7 +174,7 @@ TEST(TiltHeldRun, IsThatOfFixedAxes) {
     ASSERT_TRUE(run.steady && run.end && !run.lost);
     const double ramped = study.speed.duration, until = ramped + 150.0;
     const double rate = study.speed.final / ramped;
-    std::vector<Seen> all = dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places);
+    std::vector<Seen> all = dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places, bearings);
     const TransientRow told = transient_row(asked, run.sums, false, run.end),
                        expected = figures(asked, all, until - 60.0);
     for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_at_end, &TransientRow::peak_force})
@@ -164,6 +185,14 @@ TEST(TiltHeldRun, IsThatOfFixedAxes) {
     EXPECT_NEAR(told.residual_unbalance, expected.residual_unbalance, 1e-6f) << balls;
   }
 }
+
+TEST(TiltHeldRun, IsThatOfFixedAxes) {
+  std::vector<std::string> overrides = damped(skew);
+  overrides.push_back("rotor.tilt.bearings_at=[2.5, -1.5]");
+  is_that_of_fixed_axes(overrides, {2.5, -1.5}, {});
+}
+
+TEST(TiltHeldRun, LoadsEachBearingAsInFixedAxes) { is_that_of_fixed_axes(on_unlike, {3.0, -2.0}, unlike); }
 
 // The slowest of the rates with which fixed axes die out, by the eigenvalues of one body.
 TEST(TiltHeldRun, KnowsHowSlowlyVibrationDiesOut) {
@@ -208,7 +237,7 @@ TEST(TiltMotionFigures, AreThoseOfTheMotion) {
     for (const double z : {2.5, -1.5})
       radial = std::max(radial, std::hypot(a.motion.state[0] + z * a.motion.state[tilt],
                                            a.motion.state[1] + z * a.motion.state[tilt + 1]));
-    const MotionFigures told = motion_figures(study.parameters, a.motion, asked.places);
+    const MotionFigures told = motion_figures(study.parameters, a.motion, asked.shaft);
     EXPECT_NEAR(told.radial, radial, 1e-9) << a.name;
     EXPECT_NEAR(told.rms_velocity, 3.0 * radial, 1e-8) << a.name;
     for (const TransientGroup& g : result.transients->groups)

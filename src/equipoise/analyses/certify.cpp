@@ -85,7 +85,7 @@ CertifyResult proofs(const Study& study, const RunOptions& options) {
   }
   const BalancedAnalysis analysis = analyse_balanced(system, options.stop);
   result.note = analysis.note;
-  if (p.balls > 2) {
+  if (p.balls > 2 && !p.tilts()) {
     result.note = words::proof::for_one_or_two;
     return result;
   }

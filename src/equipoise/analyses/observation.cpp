@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/batch/radius_windows.hpp"
+#include "equipoise/columns/watched_shaft.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/running/parallel.hpp"
@@ -50,7 +51,12 @@ class Observer {
       start_angles(study_.sampling.seed, settings_.first + place + i, study_.parameters.balls, &phi[i * n]);
     source_.release(phi, states);
     const std::size_t at = place * result_.windows;
-    const RadiusWindows record{result_.window, result_.windows, &result_.largest[at], &result_.at_end[at]};
+    const RadiusWindows record{result_.window,
+                               result_.windows,
+                               &result_.largest[at],
+                               &result_.at_end[at],
+                               study_.system().layout().tilt,
+                               watched_shaft(study_).places};
     const double until = result_.end_of(result_.windows - 1);
     std::vector<Fate> fates(count);
     for (std::size_t k = source_.first_free(); k < source_.segments().size(); ++k) {

@@ -18,8 +18,9 @@ struct ObservationSettings : RunOptions {
   double until = 1000.0;        ///< study time; the last whole window that fits is the last recorded
 };
 
-/// r^2 = x^2 + y^2 in windows [k window, (k + 1) window] of study time. Windows that end before the release hold
-/// not-a-number; one that contains it counts from there. A lost trajectory is infinite from then on.
+/// r^2 = x^2 + y^2, of a rotor that tilts at the outermost bearing that is farther out, in windows [k window, (k + 1)
+/// window] of study time. Windows that end before the release hold not-a-number; one that contains it counts from
+/// there. A lost trajectory is infinite from then on.
 struct Observation {
   std::size_t starts = 0, windows = 0;
   double window = 0.0;

@@ -41,14 +41,14 @@ TransientSettings one_window() {
 // A system, and where its shaft is watched if it tilts.
 struct Watched {
   const model::System& system;
-  const std::array<double, 2>& places;
+  const WatchedShaft& shaft;
 
   // The rotor's angle is 0 at the motion's state, unless the state contains it.
   TransientSample sample(double t, const double* z) const {
     const model::StateLayout& at = system.layout();
     const double psi = at.psi < 0 ? system.speed() * t : z[at.psi];
     if (!system.tilts()) return transient_sample(system.parameters(), psi, t, z);
-    return transient_sample(system.parameters(), places, psi, t, z, z + at.tilt);
+    return transient_sample(system.parameters(), shaft, psi, t, z, z + at.tilt);
   }
 };
 
@@ -129,16 +129,16 @@ bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
 }
 }  // namespace
 
-MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, const std::array<double, 2>& places) {
+MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, const WatchedShaft& shaft) {
   if (balanced_exactly(p, motion)) return {};
   const model::System system = system_of(p, motion);
-  MotionFigures figures = followed({system, places}, motion, stretch(p, motion));
-  const bool at_centre = places[0] == 0.0 && places[1] == 0.0;  // of which the motion tells
+  MotionFigures figures = followed({system, shaft}, motion, stretch(p, motion));
+  const bool at_centre = shaft.places == std::array<double, 2>{};  // of which the motion tells
   if (at_centre || !p.tilts()) figures.radial = std::max(figures.radial, motion.r_max);
   return figures;
 }
 
-KnownEnd known_end(const model::Parameters& p, const Attractor& attractor, const std::array<double, 2>& places) {
+KnownEnd known_end(const model::Parameters& p, const Attractor& attractor, const WatchedShaft& shaft) {
   const Motion& motion = attractor.motion;
   if (motion.set_valued) {  // each start comes to its own
     constexpr double time_constants = 5.0;
@@ -151,7 +151,7 @@ KnownEnd known_end(const model::Parameters& p, const Attractor& attractor, const
   // may be part of a continuum while others do not.
   const bool unique = (attractor.id != balanced_id && !p.tilts()) || p.balls == 1 ||
                       (p.balls == 2 && p.equal_balls()) || (p.gravity == 0.0 && p.isotropic());
-  if (unique) return {motion_figures(p, motion, places), 0.0};
+  if (unique) return {motion_figures(p, motion, shaft), 0.0};
   constexpr double time_constants = 5.0;  // less than 1 % is left
   double rate = 0.0;
   for (const double exponent : motion.exponents)

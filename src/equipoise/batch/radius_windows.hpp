@@ -1,6 +1,7 @@
 // A record of displacement: the largest and the last r^2 of every trajectory in windows of time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace equipoise {
@@ -12,6 +13,10 @@ struct RadiusWindows {
   std::size_t windows = 0;  ///< per trajectory; later ones are not recorded
   float* largest = nullptr;
   float* at_end = nullptr;
+  /// Of a rotor that tilts: where its slopes stand in the state, and the places along its shaft of which the farther
+  /// one counts.
+  int tilt = -1;
+  std::array<double, 2> places{};
 };
 
 }  // namespace equipoise

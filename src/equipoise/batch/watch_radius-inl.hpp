@@ -50,7 +50,8 @@ class SquaredRadius {
 
 class WatchRadius final : public BatchWatch {
  public:
-  explicit WatchRadius(const RadiusWindows& record) : record_(record) {}
+  explicit WatchRadius(const RadiusWindows& record)
+      : record_(record), places_(record.tilt >= 0 && record.places[0] != record.places[1] ? 2 : 1) {}
 
   void begin(int slot, std::size_t start, double t, const double* z) override {
     start_[slot] = start;
@@ -58,28 +59,31 @@ class WatchRadius final : public BatchWatch {
     window_[slot] = static_cast<std::size_t>(t / record_.width);
     while (edge(slot) <= t) ++window_[slot];
     corner(slot, t, z);
-    raise(slot, value_[slot]);
+    for (int k = 0; k < places_; ++k) raise(slot, value_[k][slot]);
   }
 
   void corner(int slot, double t, const double* z) override {
     t_[slot] = t;
-    value_[slot] = z[model::index::x] * z[model::index::x] + z[model::index::y] * z[model::index::y];
-    slope_[slot] = 2.0 * (z[model::index::x] * z[model::index::u] + z[model::index::y] * z[model::index::v]);
+    for (int k = 0; k < places_; ++k) sample(z, k, value_[k][slot], slope_[k][slot]);
   }
 
   unsigned step(const TriedStep& step) override {
     const unsigned moved = step.active & lane_bits(step.accepted);
     if (!moved) return 0;
-    using namespace model::index;
-    const Pack* z = step.z;
-    const Pack value = z[x] * z[x] + z[y] * z[y], slope = Pack(2.0) * (z[x] * z[u] + z[y] * z[v]);
-    alignas(64) double times[8], values[8], slopes[8];
+    alignas(64) double times[8], values[2][8], slopes[2][8];
     step.t.store(times);
-    value.store(values);
-    slope.store(slopes);
+    for (int k = 0; k < places_; ++k) {
+      Pack value, slope;
+      sample(step.z, k, value, slope);
+      value.store(values[k]);
+      slope.store(slopes[k]);
+    }
     for (int lane = 0; lane < static_cast<int>(pack_lanes); ++lane)
-      if (moved & (1u << lane))
-        take(step.group * static_cast<int>(pack_lanes) + lane, times[lane], values[lane], slopes[lane]);
+      if (moved & (1u << lane)) {
+        const double value[2] = {values[0][lane], values[places_ - 1][lane]};
+        const double slope[2] = {slopes[0][lane], slopes[places_ - 1][lane]};
+        take(step.group * static_cast<int>(pack_lanes) + lane, times[lane], value, slope);
+      }
     return 0;
   }
 
@@ -94,6 +98,17 @@ class WatchRadius final : public BatchWatch {
   bool seen_enough(int, int) const override { return true; }
 
  private:
+  // r^2 at place k, and its slope.
+  template <class T>
+  HWY_INLINE void sample(const T* z, int k, T& value, T& slope) const {
+    T section[4] = {z[0], z[1], z[2], z[3]};
+    if (record_.tilt >= 0)
+      for (int i = 0; i < 4; ++i) section[i] = section[i] + T(record_.places[k]) * z[record_.tilt + i];
+    using namespace model::index;
+    value = section[x] * section[x] + section[y] * section[y];
+    slope = T(2.0) * (section[x] * section[u] + section[y] * section[v]);
+  }
+
   double edge(int slot) const { return static_cast<double>(window_[slot] + 1) * record_.width; }
 
   void raise(int slot, double value) {
@@ -113,29 +128,42 @@ class WatchRadius final : public BatchWatch {
   }
 
   // Takes an accepted step to time t, with r^2 and its slope there.
-  void take(int slot, double t, double value, double slope) {
+  void take(int slot, double t, const double* value, const double* slope) {
     const double from = t_[slot], h = t - from;
-    const SquaredRadius radius(value_[slot], slope_[slot], value, slope, h);
-    const double peak = radius.peak(), peak_time = from + peak * h;
-    bool peak_waits = peak > 0.0 && peak < 1.0;
-    while (edge(slot) <= t) {
-      if (peak_waits && peak_time <= edge(slot)) {
-        raise(slot, radius.at(peak));
-        peak_waits = false;
-      }
-      finish_window(slot, radius.at((edge(slot) - from) / h));
+    const auto radius = [&](int k) { return SquaredRadius(value_[k][slot], slope_[k][slot], value[k], slope[k], h); };
+    const SquaredRadius radii[2] = {radius(0), radius(places_ - 1)};
+    double peak[2];
+    bool peak_waits[2];
+    for (int k = 0; k < places_; ++k) {
+      peak[k] = radii[k].peak();
+      peak_waits[k] = peak[k] > 0.0 && peak[k] < 1.0;
     }
-    if (peak_waits) raise(slot, radius.at(peak));
-    raise(slot, value);
+    while (edge(slot) <= t) {
+      const double end = edge(slot);
+      double last = 0.0;
+      for (int k = 0; k < places_; ++k) {
+        if (peak_waits[k] && from + peak[k] * h <= end) {
+          raise(slot, radii[k].at(peak[k]));
+          peak_waits[k] = false;
+        }
+        last = std::fmax(last, radii[k].at((end - from) / h));
+      }
+      finish_window(slot, last);
+    }
+    for (int k = 0; k < places_; ++k) {
+      if (peak_waits[k]) raise(slot, radii[k].at(peak[k]));
+      raise(slot, value[k]);
+      value_[k][slot] = value[k];
+      slope_[k][slot] = slope[k];
+    }
     t_[slot] = t;
-    value_[slot] = value;
-    slope_[slot] = slope;
   }
 
   static constexpr int slots = most_batch_groups * static_cast<int>(pack_lanes);
   const RadiusWindows record_;
+  const int places_;  // watched
   std::size_t start_[slots], window_[slots];
-  double t_[slots], value_[slots], slope_[slots];
+  double t_[slots], value_[2][slots], slope_[2][slots];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -29,7 +29,8 @@ namespace {
 
 class OneBodyRunner {
  public:
-  explicit OneBodyRunner(const OneBodyTask& task) : task_(task), study_(task.study) {
+  explicit OneBodyRunner(const OneBodyTask& task)
+      : task_(task), study_(task.study), settings_(transient_settings(study_)) {
     if (!study_.uncertain.empty()) family_.emplace(study_);
   }
 
@@ -65,7 +66,7 @@ class OneBodyRunner {
 
   OneBodyRun follow(Study study, InitialState start, bool balls) const {
     if (!balls) take_balls_off(study, start);
-    TransientSettings settings = transient_settings(study);
+    TransientSettings settings = transient_settings(study, settings_);
     const HeldRun run = follow_held(study, start, settings, task_.stop);
     if (run.lost) return lost();
     const bool driven = study.speed.driven(), free = std::isfinite(run.released);
@@ -82,6 +83,7 @@ class OneBodyRunner {
 
   const OneBodyTask& task_;
   const Study& study_;
+  const TransientSettings settings_;
   std::optional<StudyFamily> family_;
 };
 

@@ -12,6 +12,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/whirl.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 
 namespace equipoise::model {
 
@@ -117,12 +118,23 @@ ForcedVibration forced_vibration(const Parameters& p, double unbalance, double s
 }
 
 ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 double speed) {
+                                 const std::optional<std::array<Bearing, 2>>& bearings, double speed) {
   const ShaftVibration v = shaft_vibration(p, speed, phi);
-  const double weight = (1.0 + p.total_mass()) * p.gravity;
-  ForcedVibration result{0.0, longest(v.force, -weight), std::sqrt(0.5 * squares(v.force) + weight * weight), 0.0};
-  for (const double place : places) {
-    const Vector section = v.at(place);
+  ForcedVibration result;
+  const auto carries = [&](const Vector& force, double weight) {
+    result.peak_force = std::max(result.peak_force, longest(force, -weight));
+    result.rms_force = std::max(result.rms_force, std::sqrt(0.5 * squares(force) + weight * weight));
+  };
+  if (!bearings) carries(v.force, (1.0 + p.total_mass()) * p.gravity);
+  for (std::size_t b = 0; b < places.size(); ++b) {
+    const Vector section = v.at(places[b]);
+    if (bearings) {
+      const Bearing& own = (*bearings)[b];
+      Vector force;
+      for (std::size_t d = 0; d < 2; ++d)
+        force[d] = std::complex<double>(own.stiffness[d], own.damping[d] * speed) * section[d];
+      carries(force, -own.stiffness[1] * (static_sag(p) + places[b] * static_slope(p)));
+    }
     result.radial = std::max(result.radial, longest(section));
     result.rms_velocity = std::max(result.rms_velocity, std::fabs(speed) * std::sqrt(0.5 * squares(section)));
   }

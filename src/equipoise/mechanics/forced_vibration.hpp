@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "equipoise/model/bearings.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise::model {
@@ -38,8 +40,8 @@ struct ForcedVibration {
 ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed);
 
 /// The same of a rotor that tilts with its balls held at `phi`, at the worse of these places along its shaft. The force
-/// is that of all supports together.
+/// is that of the bearing there that takes more, or without `bearings` that of all supports together.
 ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 double speed);
+                                 const std::optional<std::array<Bearing, 2>>& bearings, double speed);
 
 }  // namespace equipoise::model

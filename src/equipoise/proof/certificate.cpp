@@ -13,6 +13,7 @@
 #include "equipoise/mechanics/capability.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/proof/level_proof.hpp"
+#include "equipoise/proof/tilt_proof.hpp"
 #include "equipoise/words/proof.hpp"
 
 namespace equipoise {
@@ -26,6 +27,9 @@ constexpr int deepest = 11;
 
 // Shares of the sampled critical level: the least worth proving, and the resolution of the search.
 constexpr double least_share = 0.3, finest = 0.01;
+// Of a rotor that tilts one box around the whole set is tried, which proves small ones: shares are halved, down to this
+// one, then the last is refined. Rounding in the balanced state bars smaller ones.
+constexpr double least_of_one_box = 1e-5, finest_ratio = 1.05;
 
 // The square around the unit disc with room for the slack; its bounds make all halvings exact.
 template <ProofKind kind>
@@ -111,12 +115,13 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
 
 std::string refusal(const model::System& system) {
   const model::Parameters& p = system.parameters();
-  if (p.balls < 1 || p.balls > 2) return words::proof::continuum_of_many;
+  if (!p.tilts() && (p.balls < 1 || p.balls > 2)) return words::proof::continuum_of_many;
   if (!std::isfinite(system.speed())) return words::proof::speed_is_finite;
   if (const auto lack = model::lacking(system, model::ResultKind::proofs)) return lack->reason;
   const model::BalancedStates states = model::balanced_states(system);
   if (states.kind == model::BalancedStates::Kind::none)
     return fmt::format(words::proof::no_balanced_state, states.reason);
+  if (p.tilts()) return tilt_refusal(system);
   if (states.kind == model::BalancedStates::Kind::continuum) return words::proof::continuum_without_unbalance;
   return "";
 }
@@ -175,7 +180,8 @@ CertificateResult prove_level(const model::System& system, const double* phi, co
   c.level = level;
   c.frame = frame_of(system, c.form, level);
   const CertificateResult result =
-      with_proof_kind(system, [&](auto kind) { return prove<kind.value>(c, budget, stop); });
+      system.tilts() ? check_tilt(c, spare_in_search)
+                     : with_proof_kind(system, [&](auto kind) { return prove<kind.value>(c, budget, stop); });
   if (!result.proved) c = {};
   return result;
 }
@@ -183,6 +189,7 @@ CertificateResult prove_level(const model::System& system, const double* phi, co
 CertificateResult check_certificate(const Certificate& c, const StopFlag* stop) {
   const model::System system = c.system();
   if (std::string reason = refusal(system); !reason.empty()) return {false, reason};
+  if (system.tilts()) return check_tilt(c, 0.0);
   return with_proof_kind(system, [&](auto kind) { return check<kind.value>(c, stop); });
 }
 
@@ -200,10 +207,34 @@ double level_at_limit(const model::System& system, const double* phi, const Eige
   return room * room / slope.dot(dense::inverse(form) * slope);
 }
 
+// As largest_certificate(), for a rotor that tilts; takes a fraction of a second.
+Certificate largest_of_one_box(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
+                               double critical, std::string* reason) {
+  Certificate best, trial;
+  std::string first;
+  const auto proves = [&](double share) {
+    const CertificateResult result = prove_level(system, phi, form, share * critical, trial);
+    if (result.proved)
+      best = std::move(trial);
+    else if (first.empty())
+      first = result.reason;
+    return result.proved;
+  };
+  double low = 0.5;
+  while (low >= least_of_one_box && !proves(low)) low *= 0.5;
+  for (double high = 2.0 * low; best.level > 0.0 && high > finest_ratio * low;) {
+    const double share = std::sqrt(low * high);
+    (proves(share) ? low : high) = share;
+  }
+  if (reason) *reason = best.level > 0.0 ? "" : first;
+  return best;
+}
+
 }  // namespace
 
 Certificate largest_certificate(const model::System& system, const double* phi, const Eigen::MatrixXd& form,
                                 double critical, std::string* reason, const StopFlag* stop) {
+  if (system.tilts()) return largest_of_one_box(system, phi, form, critical, reason);
   Certificate best;
   std::string problem = refusal(system), last;
   if (problem.empty() && form.rows() == system.dimension())

@@ -35,7 +35,9 @@ struct Certificate {
     std::array<double, 2> low{}, high{};
     std::array<double, 8> multiplier{};
   };
-  std::vector<Box> boxes;  ///< cover the unit disc of tau, the projection of V <= c on the ball angles
+  /// Cover the unit disc of tau, the projection of V <= c on the ball angles. Of a rotor that tilts: none, and `frame`
+  /// is any in which V <= c is the unit ball.
+  std::vector<Box> boxes;
 
   model::System system() const;
 };
@@ -52,8 +54,9 @@ struct CertificateResult {
 };
 
 /// Tries to prove the given level around the balanced state at ball angles `phi`; on success completes `certificate`.
-/// For one or two balls with isolated, linearly stable balanced states, isotropic supports, no gravity, at a prescribed
-/// speed or under a motor below its limit all over the level set; refuses else, with the reason. `budget`: most boxes
+/// For one or two balls, or where the rotor tilts two in each of two planes, with isolated, linearly stable balanced
+/// states, isotropic supports, no gravity, at a prescribed speed or under a motor below its limit all over the level
+/// set; refuses else, with the reason. `budget`: most boxes
 /// to try. A stopped search proves nothing.
 CertificateResult prove_level(const model::System& system, const double* phi, const Eigen::MatrixXd& form, double level,
                               Certificate& certificate, long budget = default_budget, const StopFlag* stop = nullptr);

@@ -59,6 +59,19 @@ std::string machine_text(const Certificate& c) {
   return text + fmt::format("  \"motor\": {},\n", motor.dump());
 }
 
+// Of a rotor that tilts; its supports are alike in X and Y.
+std::string tilt_text(const model::Parameters& p) {
+  if (!p.tilts()) return "";
+  const Json tilt{{"transverse_inertia", p.tilt.transverse_inertia},
+                  {"polar_inertia", p.tilt.polar_inertia},
+                  {"misalignment", p.tilt.misalignment},
+                  {"stiffness", p.tilt.stiffness[0]},
+                  {"damping", p.tilt.damping[0]}};
+  return fmt::format("  \"eccentricity_angle\": {},\n  \"tilt\": {},\n  \"plane\": {},\n",
+                     Json(p.eccentricity_angle).dump(), tilt.dump(),
+                     numbers(p.tilt.plane, static_cast<std::size_t>(p.balls)));
+}
+
 std::string rotor_text(const model::Parameters& p) {
   const auto n = static_cast<std::size_t>(p.balls);
   std::string text;
@@ -74,7 +87,7 @@ std::string rotor_text(const model::Parameters& p) {
 
 std::string certificate_text(const Certificate& c) {
   const auto n = static_cast<std::size_t>(c.parameters.balls), vertices = vertices_of(c);
-  std::string text = " {\n" + rotor_text(c.parameters) + machine_text(c);
+  std::string text = " {\n" + rotor_text(c.parameters) + tilt_text(c.parameters) + machine_text(c);
   text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
   text += fmt::format("  \"phi\": {},\n", numbers(c.phi, n));
   text += fmt::format("  \"level\": {},\n", Json(c.level).dump());
@@ -165,8 +178,24 @@ class Reader {
   std::string where_, prefix_;
 };
 
+void read_tilt(const Reader& r, model::Parameters& p) {
+  if (!r.has("tilt")) return;
+  const Reader tilt = r.object("tilt");
+  p.eccentricity_angle = r.number("eccentricity_angle");
+  p.tilt.transverse_inertia = tilt.number("transverse_inertia");
+  if (!(p.tilt.transverse_inertia > 0.0)) tilt.fail("transverse_inertia", words::reports::must_be_positive);
+  p.tilt.polar_inertia = tilt.number("polar_inertia");
+  p.tilt.misalignment = tilt.number("misalignment");
+  const std::vector<double> stiffness = tilt.list("stiffness", 2), damping = tilt.list("damping", 2),
+                            plane = r.list("plane", static_cast<std::size_t>(p.balls));
+  p.tilt.stiffness.fill({stiffness[0], stiffness[1]});
+  p.tilt.damping.fill({damping[0], damping[1]});
+  std::copy(plane.begin(), plane.end(), p.tilt.plane.begin());
+}
+
 void read_machine(const Reader& r, Certificate& c) {
   model::Parameters& p = c.parameters;
+  read_tilt(r, p);
   if (r.has("race_offset")) {
     const std::vector<double> offset = r.list("race_offset", 2);
     p.race_offset = {offset[0], offset[1]};
@@ -217,7 +246,7 @@ std::array<double, model::max_balls> angles_from(const Reader& r, int balls) {
 
 Certificate certificate_from(const Reader& r) {
   Certificate c;
-  c.parameters = rotor_from(r, 1, 2);
+  c.parameters = rotor_from(r, 1, r.has("tilt") ? 4 : 2);
   c.phi = angles_from(r, c.parameters.balls);
   const auto n = static_cast<std::size_t>(c.parameters.balls);
   read_machine(r, c);
@@ -225,6 +254,7 @@ Certificate certificate_from(const Reader& r) {
   c.level = r.number("level");
   c.form = r.matrix("form", c.system().dimension());
   c.frame = r.matrix("frame", c.system().dimension());
+  if (c.parameters.tilts()) return c;  // needs no boxes
   const std::size_t vertices = vertices_of(c);
   for (const std::vector<double>& line : r.lists("boxes", 2 * n + vertices)) {
     Certificate::Box box;

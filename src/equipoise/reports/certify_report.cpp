@@ -24,6 +24,10 @@ std::vector<std::string> variable_names(const model::System& system) {
   return names;
 }
 
+std::string boxes_text(const Certificate& c) {
+  return c.parameters.tilts() ? words::reports::one_box : fmt::format(words::reports::boxes, c.boxes.size());
+}
+
 std::string state_text(const StateProof& s, const model::System& system) {
   const Certificate& c = s.certificate;
   const int balls = system.balls();
@@ -33,12 +37,14 @@ std::string state_text(const StateProof& s, const model::System& system) {
   if (s.copies > 1) text += words::reports::copy_has_same_proof;
   text += "\n";
   if (c.level == 0.0) return text + fmt::format(words::reports::not_proved, s.check.reason);
-  text += fmt::format(words::reports::proved, c.level, 100.0 * c.level / s.critical);
+  const double share = 100.0 * c.level / s.critical;
+  text += fmt::format(words::reports::proved, c.level,
+                      c.parameters.tilts() ? fmt::format("{:.2g}", share) : fmt::format("{:.1f}", share));
   text += words::reports::reach;
   const std::vector<std::string> names = variable_names(system);
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
-  text += fmt::format(words::reports::boxes_checked, c.boxes.size(), s.seconds, s.check_seconds,
+  text += fmt::format(words::reports::boxes_checked, boxes_text(c), s.seconds, s.check_seconds,
                       s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
   text += fmt::format("  P, variables {}:\n", fmt::join(names, ", "));
   for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
@@ -143,7 +149,7 @@ std::string check_text(const CertificateFile& file) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
     text += fmt::format(words::reports::certificate_line, c.speed, c.motor ? words::reports::by_a_motor : "", balls,
-                        balls == 1 ? "" : "s", c.level, c.boxes.size(),
+                        balls == 1 ? "" : "s", c.level, boxes_text(c),
                         file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
   }
   for (std::size_t i = 0; i < file.member_checks.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "equipoise/columns/standard_levels.hpp"
 #include "equipoise/columns/transient_figures.hpp"
+#include "equipoise/columns/watched_shaft.hpp"
 #include "equipoise/statistics/quantile.hpp"
 #include "equipoise/statistics/share.hpp"
 

@@ -143,7 +143,7 @@ class HeldFollower {
   // In fixed axes, where supports are simple; nothing sampled depends on the axes.
   TransientSample sample(double t, const double* y) const {
     if constexpr (tilt) {
-      TransientSample here = transient_sample(p_, watched_.places, psi(t, y), t, y, y + layout().tilt);
+      TransientSample here = transient_sample(p_, watched_.shaft, psi(t, y), t, y, y + layout().tilt);
       here.unbalance = unbalance_;
       return here;
     }
@@ -252,7 +252,8 @@ class HeldFollower {
     const double horizon = piece().begin + *study_.numerics.horizon;
     if (!piece().prescribed || !damped) return come_to_rest(horizon);
     const model::ForcedVibration f =
-        tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.places, piece().speed)
+        tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.shaft.places, watched_.shaft.bearings,
+                                       piece().speed)
              : model::forced_vibration(p_, unbalance_, piece().speed);
     run_.end = MotionFigures{f.radial, f.peak_force, f.rms_force, f.rms_velocity, unbalance_};
     run_.speed = piece().speed;

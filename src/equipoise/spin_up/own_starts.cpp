@@ -65,7 +65,7 @@ class PrescribedGroup {
   bool run() {
     const std::size_t size = group_.front()->systems.front().dimension();
     std::vector<double> states(group_.size() * size);
-    if (transients_ && group_.front()->free > 0) return run_watched();
+    if (group_.front()->free > 0 && (transients_ || group_.front()->systems.front().tilts())) return run_alone();
     if (!set_off(states)) return false;
     const std::size_t pieces = group_.front()->segments.size();
     for (std::size_t k = group_.front()->free; k + 1 < pieces; ++k) {
@@ -89,18 +89,22 @@ class PrescribedGroup {
     spun_.rotors[p.place].end = p.settled() + *p.own->study.numerics.horizon;
   }
 
-  // Transients of held balls come from superposition, one rotor at a time.
-  bool run_watched() {
+  // One rotor at a time: transients of held balls come from superposition, and held balls load a rotor that tilts by a
+  // couple too.
+  bool run_alone() {
     for (const Prescribed* p : group_) {
       const std::size_t size = p->systems.front().dimension();
       StartSource source(p->own->study, stop_);
-      TransientTable one{transients_->own[p->place], {}, {}};
-      source.watch(one.settings);
+      TransientTable one;
+      if (transients_) {
+        one.settings = transients_->own[p->place];
+        source.watch(one.settings);
+      }
       SpunUp spun;
-      if (!source.follow({&p->own->start, 1}, spun, &one)) return false;
+      if (!source.follow({&p->own->start, 1}, spun, transients_ ? &one : nullptr)) return false;
       std::copy_n(spun.states.begin(), size, &spun_.states[p->place * size]);
       finish(*p, spun.fates.front());
-      transients_->rows[p->place] = one.rows.front();
+      if (transients_) transients_->rows[p->place] = one.rows.front();
     }
     return true;
   }

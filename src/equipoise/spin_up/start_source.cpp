@@ -76,7 +76,7 @@ class TiltingWatch {
 
  private:
   TransientSample at(double t, const double* z) const {
-    TransientSample here = transient_sample(p_, settings_.places, z[layout_.psi], t, z, z + layout_.tilt);
+    TransientSample here = transient_sample(p_, settings_.shaft, z[layout_.psi], t, z, z + layout_.tilt);
     if (settings_.work == WorkSource::none) return here;
     here.power = model::tilting_powers(p_, 0.0, true, z).supports;
     here.stored = model::full_energy(p_, z);

@@ -90,8 +90,6 @@ void check_corner(const Study& study, const std::vector<double>& values, bool tr
 // starts cannot be decided there.
 void check_drawable(const Study& study, bool transients) {
   check(study);
-  if (study.parameters.tilts() && study.release_time() > 0.0)
-    throw InputError(study.name, study.uncertain.values.front().key, "", words::runs::tilting_rotors_hold_no_balls);
   if (study.numerics.decide != ClassificationMode::validated)
     throw InputError(study.name, "numerics.decide",
                      classification_mode_names[static_cast<std::size_t>(study.numerics.decide)],
@@ -106,8 +104,8 @@ void check_drawable(const Study& study, bool transients) {
   }
 }
 
-// Of a rotor that tilts: held balls are followed at a prescribed speed alone, for one rotor; and no energy is known
-// that would tell whether one that coasts comes to rest.
+// Of a rotor that tilts: held balls are followed at a prescribed speed alone; and no energy is known that would tell
+// whether one that coasts comes to rest.
 void check_tilting(const Study& study) {
   if (!study.parameters.tilts()) return;
   const bool held = study.release_time() > 0.0;

@@ -122,7 +122,7 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
       if (motion && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
       if (motion && motion->set_valued) fate.unbalance = unbalance_of(system, motion->state.data());
       if (batch.watched && motion && motion->stable)
-        end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).places);
+        end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).shaft);
     } else if (attracted) {
       if (system_.coasts()) fate.by = DecidedBy::followed;
       fate.mean_speed = static_cast<float>(mean_speed(batch, i, fate));

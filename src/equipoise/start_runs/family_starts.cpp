@@ -84,7 +84,7 @@ bool StartRunner::begin_family(std::vector<FamilyStart> given, Batch& batch) con
   for (const FamilyStart& g : given) {
     starts.push_back(g.own);
     batch.cell.push_back(mesh_.index(g.fractions));
-    if (batch.watched) batch.table.own.push_back(transient_settings(g.own.study));
+    if (batch.watched) batch.table.own.push_back(transient_settings(g.own.study, transients_));
   }
   batch.own = std::move(given);
   if (!spin_up_own(starts, stop_, batch.starts, batch.watched_table())) return false;

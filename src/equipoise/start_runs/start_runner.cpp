@@ -75,7 +75,7 @@ StartRunner::StartRunner(const Study& study, StudyFamily family, const FamilySta
 
 // Where rotors differ, no end is known beforehand, except exact balance with its zero figures.
 KnownEnd StartRunner::end_of(int attractor) const {
-  const KnownEnd end = known_end(study_.parameters, *catalogue_.find(attractor), transients_.places);
+  const KnownEnd end = known_end(study_.parameters, *catalogue_.find(attractor), transients_.shaft);
   if (!family_) return end;
   const bool exact = attractor == balanced_id && end.figures && end.figures->radial == 0.0;
   return exact ? end : KnownEnd{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/columns/watched_shaft.hpp"
 #include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
@@ -14,11 +15,17 @@ TransientSettings transient_settings(const Study& study) {
   if (study.limits.displacement) settings.displacement = *study.limits.displacement;
   if (study.limits.settled) settings.settled = *study.limits.settled;
   settings.release = study.release_time();
-  if (!study.bearings.empty()) {
-    const auto [least, most] = std::minmax_element(study.bearings.begin(), study.bearings.end());
-    settings.places = {*least, *most};
-  }
+  settings.shaft = watched_shaft(study);
   if (knows_energy(study)) settings.work = study.speed.driven() ? WorkSource::motor : WorkSource::balance;
+  return settings;
+}
+
+TransientSettings transient_settings(const Study& drawn, const TransientSettings& of_all) {
+  TransientSettings settings = transient_settings(drawn);
+  if (!of_all.shaft.bearings)
+    settings.shaft.bearings.reset();
+  else
+    settings.shaft.bearings = model::two_bearings(drawn.parameters, settings.shaft.places);
   return settings;
 }
 

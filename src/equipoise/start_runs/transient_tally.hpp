@@ -17,6 +17,8 @@ namespace equipoise {
 
 /// The settings for every trajectory of `study`.
 TransientSettings transient_settings(const Study& study);
+/// The same for a rotor drawn for a start, forces told as in `of_all`: of each bearing, or of all supports together.
+TransientSettings transient_settings(const Study& drawn, const TransientSettings& of_all);
 
 /// Whether the drive's work can be computed: for a motor; or for a prescribed speed without contact and dry friction,
 /// if the rotor's inertia is given wherever the speed changes.

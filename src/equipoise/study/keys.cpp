@@ -98,7 +98,8 @@ std::vector<Key> all_keys() {
       {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
        "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
-       "places of bearings along the shaft from the centre of mass, where displacements are told; by default none",
+       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where two "
+       "are all supports; by default none",
        nullptr, has_bearings},
       {"rotor.tilt.bearings", nowhere, any, bare, physical,
        "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
@@ -301,7 +302,7 @@ std::vector<Key> all_keys() {
       {"limits.displacement", at<lim, &L::displacement>, positive, D::length, none,
        "radial, of the rotor from where it rests under its weight, in R"},
       {"limits.force", at<lim, &L::force>, positive, D::force, none,
-       "on the supports, the weight included, in M R omega_c^2"},
+       "on the supports, or on either of two bearings of a rotor that tilts, the weight included, in M R omega_c^2"},
       {"limits.velocity", at<lim, &L::velocity>, positive, D::velocity, none,
        "root mean square, of the centre of the race, in R omega_c"},
       {"limits.share",

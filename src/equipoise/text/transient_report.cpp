@@ -186,9 +186,12 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
 }
 
 // Of a rotor that tilts: where along its shaft figures are told.
-std::string places_words(const Study& study) {
-  if (!study.parameters.tilts()) return "";
-  return study.bearings.empty() ? words::text::told_at_centre_of_mass : words::text::told_at_bearings;
+std::string places_words(const BasinResult& r) {
+  if (!r.study.parameters.tilts()) return "";
+  const char* forces =
+      watched_shaft(r.study).bearings ? words::text::forces_of_bearing : words::text::forces_of_supports;
+  if (r.study.bearings.empty()) return fmt::format(words::text::told_at_centre_of_mass, forces);
+  return fmt::format(words::text::told_at_bearings, forces);
 }
 
 }  // namespace
@@ -260,7 +263,7 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
     if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
     words.push_back(sentence + ".");
   };
-  say(places_words(r.study));
+  say(places_words(r));
   if (tells_without_balls(r))
     for (const auto figure : {&TransientRow::peak_radial, &TransientRow::rms_velocity})
       say(times_words(r.transients->groups.front(), r.without_balls->bare.figures, figure));
@@ -377,7 +380,8 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["static_sag"] = sag * length.size;
   json["weight"] = (0.0 + weight_of(study.parameters)) * unit_of(study, Dimension::force).size;
   if (study.parameters.tilts())
-    json["places"] = {r.settings.places[0] * length.size, r.settings.places[1] * length.size};
+    json["places"] = {r.settings.shaft.places[0] * length.size, r.settings.shaft.places[1] * length.size};
+  if (study.parameters.tilts()) json["force_of"] = r.settings.shaft.bearings ? "bearing" : "supports";
   json["limits"] = Json::object();
   for (const TransientLimit& l : transient_limits)
     if (const auto& limit = study.limits.*l.limit) json["limits"][l.name] = *limit * unit_of(study, l).size;

@@ -331,6 +331,7 @@ class GatherPlaces {
     second_.store(lane, t, other, free);
     row.free_peak = std::fmax(row.free_peak, other.free_peak);
     row.clamped_peak = std::fmax(row.clamped_peak, other.clamped_peak);
+    row.force_peak = std::fmax(row.force_peak, other.force_peak);
     row.window = worse_of(row.window, other.window);
   }
 

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "equipoise/mechanics/energy.hpp"
+#include "equipoise/model/bearing_force-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
 
@@ -20,17 +21,21 @@ TransientSample transient_sample(const model::Parameters& p, double psi, double 
   return {s, t, std::abs(model::unbalance(p, z + model::index::phi(0)))};
 }
 
-TransientSample transient_sample(const model::Parameters& p, const std::array<double, 2>& places, double psi, double t,
+TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt) {
-  const std::array<double, 2> force = model::bearing_force(p, psi, z, tilt);
+  const std::array<double, 2> all = model::bearing_force(p, psi, z, tilt);
   const double sine = std::sin(psi), cosine = std::cos(psi), sag = model::static_sag(p), slope = model::static_slope(p);
-  const auto at = [&](double place) {
+  const HWY_NAMESPACE::RotorMotion<double> rotor{0.0, 0.0, sine, cosine};
+  const auto at = [&](std::size_t b) {
+    const double place = shaft.places[b];
     std::array<double, 4> section{};
     for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * tilt[k];
     const double rest = sag + place * slope;
-    return kernels::sample_of<double>({rest * sine, rest * cosine}, {force[0], force[1]}, section.data());
+    HWY_NAMESPACE::Vector2<double> force{all[0], all[1]};
+    if (shaft.bearings) force = HWY_NAMESPACE::BearingForce<double>((*shaft.bearings)[b]).of(rotor, section.data());
+    return kernels::sample_of<double>({rest * sine, rest * cosine}, force, section.data());
   };
-  return {at(places[0]), t, std::abs(model::unbalance(p, z + model::index::phi(0))), at(places[1])};
+  return {at(0), t, std::abs(model::unbalance(p, z + model::index::phi(0))), at(1)};
 }
 
 TransientWatch::TransientWatch(const TransientSettings& settings, const TransientSums& sums)

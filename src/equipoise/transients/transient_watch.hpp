@@ -22,8 +22,8 @@ struct TransientSample : HWY_NAMESPACE::transient::Sample<double> {
 
 /// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
-/// The same of a rotor that tilts, at these places along its shaft. `tilt`: its four variables.
-TransientSample transient_sample(const model::Parameters& p, const std::array<double, 2>& places, double psi, double t,
+/// The same of a rotor that tilts. `tilt`: its four variables.
+TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt);
 
 class TransientWatch {

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "equipoise/batch/batch_watch-inl.hpp"
+#include "equipoise/model/bearing_force-inl.hpp"
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/energy-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
@@ -40,11 +41,15 @@ class WatchedTilt<true> {
         supports_(p, place),
         energy_(p, place),
         slope_(model::static_slope(p)),
-        at_{Pack(settings.places[0]), Pack(settings.places[1])} {}
+        at_{Pack(settings.shaft.places[0]), Pack(settings.shaft.places[1])},
+        bearing_by_bearing_(settings.shaft.bearings) {
+    for (int k = 0; bearing_by_bearing_ && k < 2; ++k) bearings_[k] = BearingForce<Pack>((*settings.shaft.bearings)[k]);
+  }
 
   void take_lane(const WatchedTilt& from, int lane) {
     supports_.take_lane(from.supports_, lane);
     energy_.take_lane(from.energy_, lane);
+    for (int k = 0; k < 2; ++k) bearings_[k].take_lane(from.bearings_[k], lane);
     take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_);
   }
 
@@ -53,11 +58,13 @@ class WatchedTilt<true> {
                                             const Vector2<Pack>& force, const Pack* z) const {
     const Pack *tilt = z + place_, &at = at_[k], rest = sag + at * slope_;
     const Pack section[4] = {z[0] + at * tilt[0], z[1] + at * tilt[1], z[2] + at * tilt[2], z[3] + at * tilt[3]};
+    const Vector2<Pack> resting{rest * rotor.sin_psi, rest * rotor.cos_psi};
+    if (bearing_by_bearing_) return transient::sample_of(resting, bearings_[k].of(rotor, section), section);
     Vector2<Pack> all = force;
     Vector2<Pack> more{Pack(0.0), Pack(0.0)};
     supports_.add_supports(rotor, z, more);
     all = {all.x + more.x, all.y + more.y};
-    return transient::sample_of({rest * rotor.sin_psi, rest * rotor.cos_psi}, all, section);
+    return transient::sample_of(resting, all, section);
   }
   HWY_INLINE Pack taken_by_supports(const RotorMotion<Pack>& rotor, const Pack* z) const {
     return energy_.taken_by_supports(rotor, z);
@@ -70,6 +77,8 @@ class WatchedTilt<true> {
   TiltEnergy<Pack> energy_;
   Pack slope_;  // where the rotor rests
   Pack at_[2];
+  bool bearing_by_bearing_;
+  BearingForce<Pack> bearings_[2];
 };
 
 template <bool tilt>

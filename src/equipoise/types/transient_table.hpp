@@ -8,10 +8,21 @@
 #include <optional>
 #include <vector>
 
+#include "equipoise/model/bearings.hpp"
+
 namespace equipoise {
 
 /// How the drive's work is computed: of a prescribed speed by an energy balance; of a motor from torque and speed.
 enum class WorkSource { none, balance, motor };
+
+/// Where a rotor that tilts is watched. What is told is of the worse place.
+struct WatchedShaft {
+  /// The outermost of its bearings along the shaft, 0 without bearings. Of a straight shaft's places between two, none
+  /// moves farther or faster than both.
+  std::array<double, 2> places{};
+  /// The bearings there, if they are all its supports and forces are told of each; empty: of all supports together.
+  std::optional<std::array<model::Bearing, 2>> bearings{};
+};
 
 /// What is asked of every trajectory. Dimensionless.
 struct TransientSettings {
@@ -23,10 +34,7 @@ struct TransientSettings {
   /// Length of time windows once the outcome is known: many turns of the rotor, several slow turns of balls about it.
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
-  /// Of a rotor that tilts: the outermost of its bearings along the shaft, 0 without bearings. Of a straight shaft's
-  /// places between two, none moves farther or faster than both. What is told is of the worse one; forces are those of
-  /// all supports together.
-  std::array<double, 2> places{};
+  WatchedShaft shaft{};                ///< of a rotor that tilts
 
   bool watches_settling() const { return settled > 0.0; }
 };

@@ -134,10 +134,10 @@ inline constexpr char copy_has_same_proof[] = "; its exchange copy (equal balls)
 inline constexpr char not_proved[] = "  not proved: {}\n";
 // Level, percentage of the critical one.
 inline constexpr char proved[] =
-    "  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {:.1f} % of the sampled critical level\n";
+    "  proved: V = d^T P d decreases on 0 < V <= c, c = {:.9g}: {} % of the sampled critical level\n";
 inline constexpr char reach[] = "  reach of V <= c:";
-// Boxes, seconds, seconds of the re-check, whether it holds.
-inline constexpr char boxes_checked[] = "  {} boxes, found in {:.3f} s; re-check in {:.3f} s: {}\n";
+// Boxes as below, seconds, seconds of the re-check, whether it holds.
+inline constexpr char boxes_checked[] = "  {}, found in {:.3f} s; re-check in {:.3f} s: {}\n";
 // Members drawn, attracting, unstable, neither.
 inline constexpr char members_proved[] =
     "the balanced states form a continuum; of {} members drawn evenly from it {} are proved to attract all that comes "
@@ -151,7 +151,10 @@ inline constexpr char others_not_proved[] = "  nothing is proved of members that
 inline constexpr char nothing_proved[] = "nothing proved: ";
 inline constexpr char partial_proofs[] = "PARTIAL: stopped; what is not proved above was not tried to the end.\n";
 // Speed, " by a motor", balls, plural, level, boxes, verdict.
-inline constexpr char certificate_line[] = "speed {}{}, {} ball{}, level {:.9g}, {} boxes: {}\n";
+inline constexpr char certificate_line[] = "speed {}{}, {} ball{}, level {:.9g}, {}: {}\n";
+inline constexpr char boxes[] = "{} boxes";
+// Of a rotor that tilts.
+inline constexpr char one_box[] = "one box";
 inline constexpr char by_a_motor[] = " by a motor";
 // Speed, balls, angles, attracts or unstable, verdict.
 inline constexpr char member_line[] = "speed {}, {} balls, member {}, {}: {}\n";

@@ -6,8 +6,6 @@ namespace equipoise::words::runs {
 // A rotor that tilts.
 inline constexpr char tilting_motor_holds_no_balls[] =
     "balls of a rotor with rotor.tilt that a motor drives are free from the beginning, without [release]";
-inline constexpr char tilting_rotors_hold_no_balls[] =
-    "with rotor.tilt and uncertain values balls are free from the beginning: release.time = 0";
 inline constexpr char tilting_rotor_coasts[] =
     "with rotor.tilt starts of a rotor that coasts in the end cannot be decided (simulate follows one)";
 

@@ -178,14 +178,14 @@ inline constexpr char at_the_end_means[] = "\n\"At the end\": in the steady moti
 inline constexpr char window_of_undecided[] = "; of an undecided start in its last window of {:.4g} {}";
 inline constexpr char rms_velocity_means[] =
     "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
-// Of rotors that tilt.
+// Of rotors that tilt. Of which supports forces are told.
 inline constexpr char told_at_bearings[] =
-    "displacements and velocities are those of the outermost bearing that has more of them; forces are those of all "
-    "supports together";
+    "displacements and velocities are those of the outermost bearing that has more of them; forces are those of {}";
 inline constexpr char told_at_centre_of_mass[] =
     "No bearings are stated: displacements and velocities are those of the shaft at the centre of mass; forces are "
-    "those "
-    "of all supports together.";
+    "those of {}";
+inline constexpr char forces_of_supports[] = "all supports together";
+inline constexpr char forces_of_bearing[] = "the bearing that takes more";
 // Sag, unit, weight, unit.
 inline constexpr char measured_from_rest[] =
     "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "

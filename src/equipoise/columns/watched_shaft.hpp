@@ -1,0 +1,14 @@
+// Where along its shaft a rotor that tilts is watched, and of which supports its forces are told.
+#pragma once
+
+#include "equipoise/study/study.hpp"
+#include "equipoise/types/transient_table.hpp"
+
+namespace equipoise {
+
+/// Forces are told of each bearing if the study has two, at stated places and with no other supports. They are those of
+/// all supports together if a machine stands on feet, which slide by that sum, and if starts draw what could make the
+/// supports others than two bearings.
+WatchedShaft watched_shaft(const Study& study);
+
+}  // namespace equipoise
