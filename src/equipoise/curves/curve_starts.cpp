@@ -116,8 +116,8 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
   const auto known = [&](const SpecialPoint& point) {
     const VectorXd at = plane.place(point.x, point.y);
     return std::any_of(chart.specials.begin(), chart.specials.end(), [&](const SpecialPoint& other) {
-      const ChartCurve& curve = chart.curves[other.curve];
-      return other.kind == point.kind && (is_of_cycles(curve.kind) || curve.of == of) &&
+      const ChartCurve& its = chart.curves[other.curve];
+      return other.kind == point.kind && (is_of_cycles(its.kind) || its.of == of) &&
              (plane.place(other.x, other.y) - at).norm() < same;
     });
   };

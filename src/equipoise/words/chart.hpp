@@ -152,7 +152,7 @@ inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omeg
 inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
 inline constexpr char contact_bound[] = "Where balance ends because the balls lack room, no curve is drawn.\n";
 inline constexpr char partial_cycles[] =
-    "PARTIAL: stopped while curves of cycles were followed; {} place{} where cycles change {} left.\n";
+    "PARTIAL: stopped while curves of cycles were followed; at least {} place{} where cycles change {} left.\n";
 inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
 // Points, boxes, time, version.
 inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";
