@@ -33,40 +33,33 @@ model::System points_system(double speed, double drag) {
   return study.system();
 }
 
-// Cycles of the slow swing along drag, and the curve on which they become tori.
-struct SlowSwing {
-  CycleBranch branch;
-  std::vector<SpecialPoint> specials;
-};
-const SlowSwing& slow_swing() {
-  static const SlowSwing found = [] {
-    SlowSwing result;
-    ChartSettings settings;
-    settings.x = {"speed.final", 2.05, 2.15, 16};
-    settings.y = {"balancer.drag", 0.00186, 0.003, 16};
-    settings.boxes = 0;
-    const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
-    const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
-    const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
-    for (const ChartCurve& curve : chart.curves) {
-      if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
-      for (const CurvePoint& p : curve.points) {
-        if (p.frequency > 0.1 || p.x < 2.0935) continue;
-        const CycleStart start{plane.place(p.x, p.y), Eigen::Vector2d(0.0, 1.0),
-                               Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8), p.frequency};
-        result.branch = cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
-        for (const CycleCrossing& crossing : result.branch.crossings) {
-          if (crossing.change != CycleChange::torus) continue;
-          CycleCurve torus(plane, *plane.system(crossing.near.at), crossing);
-          if (!torus.follow_from(crossing, nullptr, {})) continue;
-          result.specials = torus.specials();
-          return result;
-        }
+// Special points of the curve on which cycles of one of two swings become tori, near a double Hopf point.
+std::vector<SpecialPoint> of_tori(bool slow, const SliceAxis& speed, const SliceAxis& drag,
+                                  const Eigen::Vector2d& across) {
+  ChartSettings settings;
+  settings.x = speed;
+  settings.y = drag;
+  settings.boxes = 0;
+  const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
+  const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
+  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
+    for (const CurvePoint& p : curve.points) {
+      if ((p.frequency < 0.3) != slow || p.x < 2.0935) continue;
+      const CycleStart start{plane.place(p.x, p.y), across, Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8),
+                             p.frequency};
+      const CycleBranch branch =
+          cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+      for (const CycleCrossing& crossing : branch.crossings) {
+        if (crossing.change != CycleChange::torus) continue;
+        CycleCurve torus(plane, *plane.system(crossing.near.at), crossing);
+        if (torus.follow_from(crossing, nullptr, {})) return torus.specials();
       }
+      if (!branch.places.empty()) break;
     }
-    return result;
-  }();
-  return found;
+  }
+  return {};
 }
 
 // Eigenvalues of the map over one period, by differences of whole trajectories.
@@ -83,7 +76,8 @@ Eigen::VectorXcd by_differences(const model::System& system, const Eigen::Vector
 
 TEST(CyclePoints, AtResonancesTheMapOverThreeOrFourTurnsHasTwoMoreMultipliersOfOne) {
   int thirds = 0, quarters = 0;
-  for (const SpecialPoint& p : slow_swing().specials) {
+  for (const SpecialPoint& p :
+       of_tori(true, {"speed.final", 2.05, 2.15, 16}, {"balancer.drag", 0.00186, 0.003, 16}, {0.0, 1.0})) {
     if (p.kind != SpecialKind::resonance_1_3 && p.kind != SpecialKind::resonance_1_4) continue;
     const int turns = p.kind == SpecialKind::resonance_1_3 ? 3 : 4;
     const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
@@ -107,8 +101,26 @@ TEST(CyclePoints, AtResonancesTheMapOverThreeOrFourTurnsHasTwoMoreMultipliersOfO
   EXPECT_GE(quarters, 1);
 }
 
+TEST(CyclePoints, AtAFoldTorusPointAPairIsOnTheUnitCircleAndASecondMultiplierIsOne) {
+  int compared = 0;
+  for (const SpecialPoint& p :
+       of_tori(false, {"speed.final", 2.08, 2.11, 16}, {"balancer.drag", 0.001, 0.003, 16}, {0.6, 0.8})) {
+    if (p.kind != SpecialKind::fold_torus) continue;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
+    const Eigen::VectorXcd all = by_differences(points_system(p.x, p.y), z, 2.0 * M_PI / p.frequency, 1e-5);
+    Eigen::VectorXd from_one = (all.array() - 1.0).abs();
+    std::sort(from_one.begin(), from_one.end());
+    EXPECT_LT(from_one[0] * from_one[1], 1e-6) << p.x << " " << p.y;
+    double nearest = INFINITY;
+    for (const std::complex<double>& value : all)
+      if (value.imag() > 0.1) nearest = std::min(nearest, std::fabs(std::abs(value) - 1.0));
+    EXPECT_LT(nearest, 1e-6) << p.x << " " << p.y;
+    ++compared;
+  }
+  EXPECT_GE(compared, 1);
+}
+
 TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
-  // Beyond the plane's lower edge of the torus's curve; a whole branch.
   ChartSettings settings;
   settings.x = {"speed.final", 2.0, 2.1, 16};
   settings.y = {"balancer.drag", 0.001, 0.004, 16};
@@ -132,7 +144,7 @@ TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
     // It has grown to the bound, nearly.
     EXPECT_GT(last.shape.period, 0.7 * longest_period(system, last.shape, 2.0 * M_PI / p->frequency));
     EXPECT_GT(last.shape.period, 1.5 * first.shape.period);
-    // Half of the time it moves by less than a tenth of what it moves by at most.
+    // It nearly comes to rest once, at a state that it leaves along a direction in which that grows.
     std::vector<double> rates;
     Eigen::VectorXd z = last.shape.nodes.front(), slowest = z;
     double least = INFINITY;
@@ -142,12 +154,10 @@ TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
       if (rates.back() < least) least = rates.back(), slowest = z;
       z = advance_state(system, z, last.shape.period / parts).value();
     }
-    std::sort(rates.begin(), rates.end());
-    std::printf("rates %g %g %g %g\n", rates[0], rates[parts / 4], rates[parts / 2], rates.back());
+    EXPECT_LT(least, 0.01 * *std::max_element(rates.begin(), rates.end()));
     const auto rest = refine_equilibrium(system, slowest);
     ASSERT_TRUE(rest);
-    std::printf("distance %g\n", (rest->state - slowest).cwiseQuotient(system.scale()).norm());
-    std::cout << rest->eigenvalues.transpose() << "\n";
+    EXPECT_LT((rest->state - slowest).cwiseQuotient(system.scale()).norm(), 0.1);
     const auto unstable = (rest->eigenvalues.real().array() > 1e-9).count();
     EXPECT_GE(unstable, 1);
     ++compared;
