@@ -92,7 +92,7 @@ TEST(CurveFollower, GoesRoundACircleToItsPrecision) {
   });
   const auto begin = follower.nearby(Eigen::Vector2d(0.8, 0.5));
   ASSERT_TRUE(begin);
-  CurveFollower::Step here{*begin, *follower.tangent(*begin, Eigen::Vector2d(0.1, 1.0))};
+  CurveFollower::Step here{*begin, *follower.tangent(*begin, Eigen::Vector2d(0.1, 1.0)), 0.0, {}, {}};
   double step = 1e-3, length = 0.0;
   while (length < 2.0 * M_PI * 0.25) {
     const auto next = follower.next(here, step);

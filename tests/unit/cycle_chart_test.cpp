@@ -100,10 +100,10 @@ Eigen::VectorXd state_of(const CurvePoint& p) {
 }
 
 // Eigenvalues of the map over one period, by differences of whole trajectories: without variational equations.
-Eigen::VectorXcd multipliers_by_differences(const model::System& system, const Eigen::VectorXd& z, double period) {
+Eigen::VectorXcd multipliers_by_differences(const model::System& system, const Eigen::VectorXd& z, double period,
+                                            double step = 1e-5) {
   const Eigen::Index size = z.size();
   Eigen::MatrixXd map(size, size);
-  constexpr double step = 1e-5;
   for (Eigen::Index k = 0; k < size; ++k) {
     const Eigen::VectorXd along = step * Eigen::VectorXd::Unit(size, k);
     map.col(k) = (*advance_state(system, z + along, period, 0.0, 1e-13) -
@@ -318,9 +318,17 @@ TEST(CycleChart, AtAPeriodDoublingAMultiplierIsMinusOne) {
       ASSERT_FALSE(flip.places().empty());
       const CurvePoint& q = flip.places()[0].point;
       const model::System system = *plane.system(flip.places()[0].at);
-      const Eigen::VectorXcd all = multipliers_by_differences(system, state_of(q), 2.0 * M_PI / q.frequency);
-      // The square of the differences' step, times third derivatives over a long period.
-      EXPECT_LT((all.array() + 1.0).abs().minCoeff(), 1e-5) << q.x << " " << q.y;
+      const auto nearest = [&](double step) {
+        const auto all = multipliers_by_differences(system, state_of(q), 2.0 * M_PI / q.frequency, step);
+        Eigen::Index k = 0;
+        (all.array() + 1.0).abs().minCoeff(&k);
+        return all[k].real() + 1.0;
+      };
+      // What is left is the differences' error: the square of their step, times third derivatives over a long period.
+      const double coarse = nearest(2e-5), fine = nearest(1e-5);
+      EXPECT_LT(std::fabs(fine), 1e-5) << q.x << " " << q.y;
+      EXPECT_NEAR(coarse / fine, 4.0, 0.4) << fine;
+      EXPECT_LT(std::fabs((4.0 * fine - coarse) / 3.0), 1e-6) << q.x << " " << q.y;
       ++compared;
       break;
     }
@@ -338,6 +346,9 @@ TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   const std::string text = chart_text(around_generalised());
   EXPECT_TRUE(holds(text, "fold of cycles")) << text;
   EXPECT_TRUE(holds(text, "a stable cycle")) << text;
+  EXPECT_TRUE(holds(text, "Curves of cycles end, by number: ")) << text;
+  EXPECT_TRUE(holds(text, "where the cycle shrinks to a state at rest")) << text;
+  EXPECT_FALSE(holds(chart_text(without), "Curves of cycles end"));
   EXPECT_FALSE(holds(text, "Of cycles nothing is told"));
   EXPECT_TRUE(holds(chart_plot_script(around_generalised(), "rotor", "picture.svg"), "two cycles merge"));
   EXPECT_FALSE(holds(chart_plot_script(without, "rotor", "picture.svg"), "two cycles merge"));

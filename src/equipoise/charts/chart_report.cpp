@@ -154,6 +154,30 @@ std::string specials_table(const BifurcationChart& chart, const TextStyle& style
   return table_text(table, style);
 }
 
+std::string cycles_end_text(const BifurcationChart& chart) {
+  namespace w = words::chart;
+  const std::pair<CurveEnd, std::string> reasons[] = {
+      {CurveEnd::plane, w::end_plane},
+      {CurveEnd::closed, w::end_closed},
+      {CurveEnd::vanishes, w::end_vanishes},
+      {CurveEnd::resonance, w::end_resonance},
+      {CurveEnd::long_period, fmt::format(w::end_long_period, chart.cycle_bounds.turns)},
+      {CurveEnd::multiplier, fmt::format(w::end_multiplier, chart.cycle_bounds.multiplier)},
+      {CurveEnd::points, fmt::format(w::end_points, chart.cycle_bounds.points)},
+      {CurveEnd::lost, w::end_lost},
+      {CurveEnd::stopped, w::end_stopped}};
+  std::vector<std::string> parts;
+  for (const auto& [end, reason] : reasons) {
+    std::vector<std::size_t> which;
+    for (std::size_t k = 0; k < chart.curves.size(); ++k) {
+      const ChartCurve& c = chart.curves[k];
+      if (is_of_cycles(c.kind) && (c.ends[0] == end || c.ends[1] == end)) which.push_back(k + 1);
+    }
+    if (!which.empty()) parts.push_back(fmt::format(w::cycles_end_at, reason, fmt::join(which, ", ")));
+  }
+  return parts.empty() ? "" : fmt::format(w::cycles_end, fmt::join(parts, "; "));
+}
+
 std::string chart_notes(const BifurcationChart& chart) {
   std::string text;
   if (chart.curves.empty()) {
@@ -164,13 +188,18 @@ std::string chart_notes(const BifurcationChart& chart) {
     for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
     text += fmt::format(words::chart::precise, std::max(error, 1e-16));
   }
+  text += cycles_end_text(chart);
   if (chart.study.parameters.balls_collide()) text += words::chart::contact_bound;
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
     text += words::chart::boxes_used_up;
   if (!chart.no_cycles.empty()) text += fmt::format(words::chart::no_cycles, chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
-  if (!chart.complete && chart.plane.complete) text += words::chart::partial;
+  if (chart.cycles_left > 0)
+    text += fmt::format(words::chart::partial_cycles, chart.cycles_left, chart.cycles_left == 1 ? "" : "s",
+                        chart.cycles_left == 1 ? "was" : "were");
+  else if (!chart.complete && chart.plane.complete)
+    text += words::chart::partial;
   return text;
 }
 

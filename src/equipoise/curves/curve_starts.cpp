@@ -112,11 +112,13 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
                BifurcationChart& chart) {
   ChartCurve found{kind, of, {}, curve.ends(), curve.error()};
   for (const CurvePlace& p : curve.places()) found.points.push_back(p.point);
+  const double same = is_of_cycles(kind) ? 1e-6 : 1e-7;
   const auto known = [&](const SpecialPoint& point) {
     const VectorXd at = plane.place(point.x, point.y);
     return std::any_of(chart.specials.begin(), chart.specials.end(), [&](const SpecialPoint& other) {
-      return other.kind == point.kind && chart.curves[other.curve].of == of &&
-             (plane.place(other.x, other.y) - at).norm() < 1e-7;
+      const ChartCurve& its = chart.curves[other.curve];
+      return other.kind == point.kind && (is_of_cycles(its.kind) || its.of == of) &&
+             (plane.place(other.x, other.y) - at).norm() < same;
     });
   };
   std::vector<SpecialPoint> fresh;

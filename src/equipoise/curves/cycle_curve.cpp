@@ -17,8 +17,7 @@ namespace {
 
 constexpr double curve_tolerance = 1e-12;  // of a step of the integrations
 // What a thousand such steps leave, magnified by multipliers.
-constexpr CurveFollower::Limits cycle_limits{CurveFollower::longest_step, 1e-9};
-constexpr std::size_t most_of_cycles = 500;
+constexpr CurveFollower::Limits cycle_limits{CurveFollower::longest_step, 1e-9, 0.08, 0.2, true};
 constexpr double cycle_difference = 1e-6;  // in the unit square
 constexpr double smallest_swing = 0.005;   // radians; a smaller cycle is taken to shrink to a state at rest
 
@@ -47,9 +46,9 @@ std::vector<Index> own_multipliers(const VectorXcd& all, CycleChange change, con
 }  // namespace
 
 CycleCurve::CycleCurve(const BalancePlane& plane, const model::System& system, const CycleCrossing& crossing)
-    : FollowedCurve(plane, kind_of(crossing.change), {crossing.cosine, 1.0, {}}, cycle_limits, most_of_cycles),
+    : FollowedCurve(plane, kind_of(crossing.change), {crossing.cosine, 1.0, {}}, cycle_limits, most_cycle_points),
       change_(crossing.change),
-      first_period_(crossing.near.shape.period),
+      birth_period_(crossing.birth_period),
       shooting_(system, crossing.near.shape, curve_tolerance),
       test_(crossing.change, crossing.cosine) {}
 
@@ -74,7 +73,7 @@ bool CycleCurve::look_at(const VectorXd& at) const {
 
 bool CycleCurve::look_closer() const {
   if (!seen_.test_slopes)
-    seen_.test_slopes = shooting_.test_slopes(*seen_.system, seen_.shape, *seen_.arcs, *seen_.value->weights);
+    seen_.test_slopes = shooting_.test_slopes(*seen_.system, seen_.shape, *seen_.arcs, seen_.value->weights);
   return seen_.test_slopes.has_value();
 }
 
@@ -87,7 +86,6 @@ std::optional<VectorXd> CycleCurve::equation(const VectorXd& at) const {
 
 std::optional<MatrixXd> CycleCurve::slopes(const VectorXd& at) const {
   if (!look_at(at)) return std::nullopt;
-  if (!seen_.value->weights) return follower_.differences(at);
   if (!look_closer()) return std::nullopt;
   const Index n = shooting_.unknowns();
   MatrixXd slope(n + 1, n + 2);
@@ -97,7 +95,7 @@ std::optional<MatrixXd> CycleCurve::slopes(const VectorXd& at) const {
     const VectorXd step = cycle_difference * VectorXd::Unit(at.size(), k);
     const auto above = plane_.system(at + step), below = plane_.system(at - step);
     const auto change = above && below ? shooting_.by_parameter(*below, *above, 2.0 * cycle_difference, seen_.shape,
-                                                                *seen_.arcs, &*seen_.value->weights)
+                                                                *seen_.arcs, &seen_.value->weights)
                                        : std::nullopt;
     if (!change) return std::nullopt;
     slope.col(k) << change->equations, change->test;
@@ -116,7 +114,7 @@ std::optional<CurvePlace> CycleCurve::described(const VectorXd& at) const {
   const VectorXd& first = seen_.shape.nodes.front();
   place.point.state.assign(first.begin(), first.end());
   const VectorXcd multipliers = shooting_.multipliers(*seen_.system, seen_.shape, *seen_.arcs);
-  if (!(multipliers.array().abs().maxCoeff() < largest_multiplier)) return std::nullopt;
+  if (!(multipliers.array().abs().maxCoeff() < largest_cycle_multiplier)) return std::nullopt;
   place.point.rates.assign(multipliers.begin(), multipliers.end());
   place.pair = {seen_.value->cosine, seen_.value->value + 1.0, {}};
   place.point.others = unstable_multipliers(multipliers);
@@ -127,9 +125,24 @@ std::optional<CurvePlace> CycleCurve::described(const VectorXd& at) const {
   place.left = seen_.value->left;
   const Index n = shooting_.dimension();
   place.double_zero = place.left.head(n).dot(place.right.head(n));
-  if (change_ == CycleChange::fold && look_closer())
-    place.turn = shooting_.along(*seen_.test_slopes, *seen_.arcs, place.right.head(n), place.right[n]);
   return place;
+}
+
+// The fold's second derivative, which costs as much as the curve's slopes.
+double CycleCurve::turn_at(const CurvePlace& place) const {
+  stay_near(place);
+  if (!look_at(place.at) || !look_closer()) return NAN;
+  return shooting_.along(*seen_.test_slopes, *seen_.arcs, place.right.head(shooting_.dimension()),
+                         place.right[shooting_.dimension()]);
+}
+
+// Between these places the curve may turn back in the plane.
+bool CycleCurve::may_turn(std::size_t k) const {
+  const auto chord = [&](std::size_t to) { return VectorXd((places_[to].at - places_[to - 1].at).head(2)); };
+  for (std::size_t a = std::max<std::size_t>(k, 3) - 2; a <= k; ++a)
+    for (std::size_t b = a + 1; b <= std::min(a + 2, places_.size() - 1); ++b)
+      if (b >= k && chord(a).dot(chord(b)) < 0.0) return true;
+  return false;
 }
 
 void CycleCurve::stay_near(const CurvePlace& place) const {
@@ -141,22 +154,12 @@ void CycleCurve::stay_near(const CurvePlace& place) const {
   seen_ = {};
 }
 
-std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const CurvePlace& place, Way&) const {
-  // Beyond a cycle of size 0 the same cycles come again, half a period later.
-  const CycleShape a = shape(before.at), b = shape(place.at);
-  VectorXd middle_a = VectorXd::Zero(shooting_.dimension()), middle_b = middle_a;
-  for (std::size_t k = 0; k < a.nodes.size(); ++k) middle_a += a.nodes[k], middle_b += b.nodes[k];
-  const double count = static_cast<double>(a.nodes.size());
-  double alike = 0.0;
-  for (std::size_t k = 0; k < a.nodes.size(); ++k)
-    alike += (a.nodes[k] - middle_a / count)
-                 .cwiseQuotient(shooting_.unit())
-                 .dot((b.nodes[k] - middle_b / count).cwiseQuotient(shooting_.unit()));
-  if (alike < 0.0 || (place.point.swing < smallest_swing && place.point.swing < before.point.swing))
-    return CurveEnd::vanishes;
-  if (b.period > longest_cycle * first_period_) return CurveEnd::long_period;
-  if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) return CurveEnd::resonance;
-  return std::nullopt;
+// A torus's pair turns with the period, once for every further swing of the faster of two.
+bool CycleCurve::too_far(const CurvePlace& before, const CurvePlace& place) const {
+  constexpr double farthest = 0.35;  // radians: a fifth of what lies between resonances of 1:2 and 1:4
+  if (change_ != CycleChange::torus) return false;
+  const auto angle = [](const CurvePlace& p) { return std::acos(std::clamp(p.pair.mean, -1.0, 1.0)); };
+  return std::fabs(angle(before) - angle(place)) > farthest;
 }
 
 // The secant's rule that halves the weight of an end that stays.
@@ -170,7 +173,7 @@ std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePl
     auto place = between(a, b, part);
     if (!place) return std::nullopt;
     const double here = value(*place);
-    if (std::fabs(here) < 1e-8 * size) return place;
+    if (std::fabs(here) < 1e-7 * size) return place;
     if (here * at_low > 0.0) {
       low = part, at_low = here;
       if (side == -1) at_high *= 0.5;
@@ -180,6 +183,29 @@ std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePl
       if (side == 1) at_low *= 0.5;
       side = 1;
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const {
+  // Beyond a cycle of size 0 the same cycles come again, half a period later.
+  const CycleShape a = shape(before.at), b = shape(place.at);
+  VectorXd middle_a = VectorXd::Zero(shooting_.dimension()), middle_b = middle_a;
+  for (std::size_t k = 0; k < a.nodes.size(); ++k) middle_a += a.nodes[k], middle_b += b.nodes[k];
+  const double count = static_cast<double>(a.nodes.size());
+  double alike = 0.0;
+  for (std::size_t k = 0; k < a.nodes.size(); ++k)
+    alike += (a.nodes[k] - middle_a / count)
+                 .cwiseQuotient(shooting_.unit())
+                 .dot((b.nodes[k] - middle_b / count).cwiseQuotient(shooting_.unit()));
+  if (alike < 0.0 || (place.point.swing < smallest_swing && place.point.swing < before.point.swing))
+    return CurveEnd::vanishes;
+  if (b.period > longest_period(*plane_.system(place.at), b, birth_period_)) return CurveEnd::long_period;
+  if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) {
+    const double end = place.pair.mean > 0.0 ? 1.0 : -1.0;
+    if (auto last = zero_of(before, place, [&](const CurvePlace& p) { return p.pair.mean - end; }))
+      way.places.push_back(*std::move(last));
+    return CurveEnd::resonance;
   }
   return std::nullopt;
 }
@@ -221,15 +247,16 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
   };
   const auto double_zero = [](const CurvePlace& p) { return p.double_zero; };
   const std::vector<Sign> signs =
-      change_ == CycleChange::fold
-          ? std::vector<Sign>{{SpecialKind::cycle_cusp, [](const CurvePlace& p) { return p.turn; }},
-                              {SpecialKind::resonance_1_1, double_zero}}
+      change_ == CycleChange::fold ? std::vector<Sign>{{SpecialKind::resonance_1_1, double_zero}}
       : change_ == CycleChange::flip
           ? std::vector<Sign>{{SpecialKind::resonance_1_2, double_zero}}
           : std::vector<Sign>{{SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
                               {SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }}};
   for (std::size_t k = 1; k < places_.size(); ++k) {
     const CurvePlace &a = places_[k - 1], &b = places_[k];
+    const auto turn = [&](const CurvePlace& p) { return turn_at(p); };
+    if (change_ == CycleChange::fold && may_turn(k) && turn(a) * turn(b) < 0.0)
+      if (const auto place = zero_of(a, b, turn)) found.push_back(special(SpecialKind::cycle_cusp, *place));
     for (const Sign& sign : signs)
       if (sign.value(a) * sign.value(b) < 0.0)
         if (const auto place = zero_of(a, b, sign.value)) found.push_back(special(sign.kind, *place));

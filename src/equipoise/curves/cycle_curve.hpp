@@ -8,6 +8,9 @@
 
 namespace equipoise {
 
+/// Each way.
+inline constexpr std::size_t most_cycle_points = 500;
+
 /// Unknown are the two parameters, the period and states of the cycle. Equations: multiple shooting with a fixed phase,
 /// and a test function of the monodromy matrix (CycleTest).
 class CycleCurve : public FollowedCurve {
@@ -21,22 +24,26 @@ class CycleCurve : public FollowedCurve {
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
   std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const override;
   std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
+  CurveEnd undescribed() const override { return seen_.value ? CurveEnd::multiplier : CurveEnd::lost; }
   std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd&) const override { return std::nullopt; }
   SpecialKind kind_at_zero(const CurvePlace&) const override { return SpecialKind::resonance_1_1; }
   void stay_near(const CurvePlace& place) const override;
+  bool too_far(const CurvePlace& before, const CurvePlace& place) const override;
   std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const override;
 
   CycleShape shape(const Eigen::VectorXd& at) const { return shooting_.shape(at.tail(shooting_.unknowns())); }
   /// What is known of the place that was asked for last. False where nothing is.
   bool look_at(const Eigen::VectorXd& at) const;
   bool look_closer() const;
+  double turn_at(const CurvePlace& place) const;
+  bool may_turn(std::size_t k) const;
   /// Where a value changes its sign.
   template <class Value>
   std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const;
   void add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
 
   CycleChange change_;
-  double first_period_;
+  double birth_period_;
   mutable CycleShooting shooting_;
   mutable CycleTest test_;
   struct Seen {

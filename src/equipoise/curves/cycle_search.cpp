@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,10 @@ class CycleSearch {
     });
     for (std::size_t k = 0; k < branches.size(); ++k)
       for (const CycleCrossing& crossing : branches[k].crossings) {
-        if (is_set(stop_)) return;
-        follow(crossing, origins[k].of);
+        if (is_set(stop_))
+          ++chart_.cycles_left;
+        else
+          follow(crossing, origins[k].of);
       }
   }
 
@@ -72,12 +75,13 @@ class CycleSearch {
       for (const double step : beside)
         starts.push_back(length[static_cast<std::size_t>(nearest - curve.points.begin())] + step);
     }
-    for (const double at : starts) add_origin(curve, length, at, origins);
+    std::set<std::size_t> places;
+    for (const double at : starts)
+      places.insert(static_cast<std::size_t>(std::lower_bound(length.begin(), length.end(), at) - length.begin()));
+    for (const std::size_t k : places) add_origin(curve, k, origins);
   }
-  void add_origin(const ChartCurve& curve, const std::vector<double>& length, double at,
-                  std::vector<CycleOrigin>& origins) const {
+  void add_origin(const ChartCurve& curve, std::size_t k, std::vector<CycleOrigin>& origins) const {
     constexpr double slowest = 1e-3;  // a longer period than of a few thousand is not followed
-    const auto k = static_cast<std::size_t>(std::lower_bound(length.begin(), length.end(), at) - length.begin());
     if (k == 0 || k + 1 >= curve.points.size()) return;
     const CurvePoint& p = curve.points[k];
     if (!(p.frequency > slowest) || (curve.of == of_balance && is_of_continuum(place(p)))) return;
@@ -155,6 +159,7 @@ void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int thre
                 BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
   if (system && !system->smooth()) chart.no_cycles = words::chart::cycles_without_events;
+  chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};
   if (chart.no_cycles.empty()) CycleSearch(studies, plane, threads, stop, chart).run();
 }
 

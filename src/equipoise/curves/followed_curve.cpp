@@ -73,9 +73,9 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
   stay_near(from);
   const auto first = follower_.tangent(from.at, towards);
   if (!first) return way;
-  CurveFollower::Step here{from.at, *first};
+  CurveFollower::Step here{from.at, *first, 0.0, {}, {}};
   CurvePlace last = from;
-  double step = 1e-3;
+  double step = 1e-3, farthest = 0.0;
   while (way.places.size() < most_ && !is_set(stop)) {
     const auto next = follower_.next(here, step);
     if (!next) {
@@ -91,7 +91,14 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
       return way;
     }
     const auto place = described(next->point);
-    if (!place) return way;
+    if (!place) {
+      way.end = undescribed();
+      return way;
+    }
+    if (constexpr double fine = 1e-5; too_far(last, *place) && next->length > fine) {
+      step = 0.5 * next->length;
+      continue;
+    }
     if (const auto end = end_at(last, *place, way)) {
       way.end = *end;
       return way;
@@ -100,13 +107,15 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
     last = *place;
     stay_near(last);
     const VectorXd back = from.at - next->point;
-    if (way.places.size() > 20 && back.norm() < 1.5 * step && back.dot(next->tangent) > 0.0) {
+    farthest = std::max(farthest, back.norm());
+    if (back.norm() < 1.5 * step && farthest > 6.0 * step && back.dot(next->tangent) > 0.0) {
       way.places.push_back(from);
       way.end = CurveEnd::closed;
       return way;
     }
     here = *next;
   }
+  way.end = way.places.size() < most_ ? CurveEnd::stopped : CurveEnd::points;
   return way;
 }
 

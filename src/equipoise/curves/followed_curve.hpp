@@ -52,6 +52,8 @@ class FollowedCurve {
   /// Its derivatives; by differences unless a curve knows them better.
   virtual std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const { return follower_.differences(at); }
   virtual std::optional<CurvePlace> described(const Eigen::VectorXd& at) const = 0;
+  /// Why the place asked for last could not be described.
+  virtual CurveEnd undescribed() const { return CurveEnd::lost; }
   virtual std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const = 0;
   /// What kind of point it is where a real eigenvalue of a Hopf curve is 0.
   virtual SpecialKind kind_at_zero(const CurvePlace& place) const = 0;
@@ -61,6 +63,8 @@ class FollowedCurve {
     std::vector<CurvePlace> places;
     CurveEnd end = CurveEnd::lost;
   };
+  /// Whether something turns by so much between two places that its turns cannot be counted.
+  virtual bool too_far(const CurvePlace&, const CurvePlace&) const { return false; }
   /// Why a way ends before this place, if it does; it may get a last place there.
   virtual std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const;
   /// Why a way ends inside the plane, which may have a last place there.

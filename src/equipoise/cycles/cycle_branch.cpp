@@ -19,7 +19,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr double branch_tolerance = 1e-10;  // of a step of the integrations; curves are more precise
-constexpr CurveFollower::Limits branch_limits{0.02, 1e-7};
+constexpr CurveFollower::Limits branch_limits{0.02, 1e-7, 0.05, 0.15, true};
 constexpr double first_swing = 0.02;  // radians: small, and far above the integrations' errors
 constexpr std::size_t most_of_branch = 400;
 constexpr double parameter_step = 1e-6;
@@ -39,21 +39,21 @@ class BranchOfCycles {
     auto here = beginning(first);
     if (!here) return branch;
     double step = first_length_;
-    const double first_period = shape_.period;
     auto last = place(here->point);  // at rest
     while (branch.places.size() < most_of_branch && !is_set(stop)) {
       const auto next = follower_.next(*here, step);
       if (!next) return branch;
       const auto found = place(next->point);
       if (!found || found->at.minCoeff() < 0.0 || found->at.maxCoeff() > 1.0) return branch;
-      if (found->multipliers.array().abs().maxCoeff() > largest_multiplier) return branch;
-      if (found->shape.period > longest_cycle * first_period) return branch;
+      if (found->multipliers.array().abs().maxCoeff() > largest_cycle_multiplier) return branch;
+      const auto system = systems_(found->at);
+      if (found->shape.period > longest_period(*system, found->shape, shape_.period)) return branch;
       const bool shrinks = last && found->swing < last->swing && found->swing < first_swing;
       if (shrinks) return branch;
       if (!branch.places.empty() && unstable_multipliers(found->multipliers) != unstable_multipliers(last->multipliers))
         add_crossing(*here, *next, *last, *found, branch);
       branch.places.push_back(*found);
-      shooting_.stay_near(*systems_(found->at), found->shape);
+      shooting_.stay_near(*system, found->shape);
       last = found;
       here = *next;
     }
@@ -84,7 +84,8 @@ class BranchOfCycles {
       small.nodes[k] += (turn * q).real();
     }
     shooting_.stay_near(first, small);
-    CurveFollower::Step step{VectorXd::Zero(1 + shooting_.unknowns()), VectorXd::Zero(1 + shooting_.unknowns())};
+    CurveFollower::Step step{
+        VectorXd::Zero(1 + shooting_.unknowns()), VectorXd::Zero(1 + shooting_.unknowns()), 0.0, {}, {}};
     step.point.tail(shooting_.unknowns()) = shooting_.packed(shape_);
     step.tangent.tail(shooting_.unknowns()) = shooting_.packed(small) - shooting_.packed(shape_);
     first_length_ = step.tangent.norm();
@@ -92,23 +93,27 @@ class BranchOfCycles {
     return step;
   }
 
-  std::optional<VectorXd> equations(const VectorXd& x) {
+  CycleShape shape(const VectorXd& x) const { return shooting_.shape(x.tail(shooting_.unknowns())); }
+
+  bool look_at(const VectorXd& x) {
+    if (arcs_at_.size() == x.size() && arcs_at_ == x) return arcs_.has_value();
     const auto system = systems_(parameters(x));
-    if (!system) return std::nullopt;
-    const CycleShape shape = shooting_.shape(x.tail(shooting_.unknowns()));
-    arcs_ = shooting_.arcs(*system, shape);
+    arcs_ = system ? shooting_.arcs(*system, shape(x)) : std::nullopt;
     arcs_at_ = x;
-    return arcs_ ? std::optional(shooting_.equations(shape, *arcs_)) : std::nullopt;
+    return arcs_.has_value();
+  }
+
+  std::optional<VectorXd> equations(const VectorXd& x) {
+    return look_at(x) ? std::optional(shooting_.equations(shape(x), *arcs_)) : std::nullopt;
   }
 
   std::optional<MatrixXd> slopes(const VectorXd& x) {
-    if (arcs_at_.size() != x.size() || arcs_at_ != x) equations(x);
+    if (!look_at(x)) return std::nullopt;
     const VectorXd at = parameters(x);
     const auto below = systems_(at - parameter_step * start_.direction),
                above = systems_(at + parameter_step * start_.direction);
-    if (!arcs_ || !below || !above) return std::nullopt;
-    const auto change = shooting_.by_parameter(*below, *above, 2.0 * parameter_step,
-                                               shooting_.shape(x.tail(shooting_.unknowns())), *arcs_, nullptr);
+    if (!below || !above) return std::nullopt;
+    const auto change = shooting_.by_parameter(*below, *above, 2.0 * parameter_step, shape(x), *arcs_, nullptr);
     if (!change) return std::nullopt;
     MatrixXd m(shooting_.unknowns(), 1 + shooting_.unknowns());
     m << change->equations, shooting_.slopes(*arcs_);
@@ -116,8 +121,8 @@ class BranchOfCycles {
   }
 
   std::optional<CyclePlace> place(const VectorXd& x) {
-    if (!equations(x)) return std::nullopt;
-    CyclePlace found{parameters(x), shooting_.shape(x.tail(shooting_.unknowns())), {}, 0.0};
+    if (!look_at(x)) return std::nullopt;
+    CyclePlace found{parameters(x), shape(x), {}, 0.0};
     const auto system = systems_(found.at);
     found.multipliers = shooting_.multipliers(*system, found.shape, *arcs_);
     found.swing = cycle_swing(*system, found.shape);
@@ -141,10 +146,11 @@ class BranchOfCycles {
     Index nearest = 0;
     near.multipliers.array().abs().log().abs().minCoeff(&nearest);
     const std::complex<double> multiplier = near.multipliers[nearest];
-    CycleCrossing crossing{CycleChange::torus, near, multiplier.real()};
+    CycleCrossing crossing{CycleChange::torus, near, multiplier.real(), shape_.period};
     if (multiplier.imag() == 0.0) {
       crossing.change = multiplier.real() < 0.0 ? CycleChange::flip : CycleChange::fold;
-      if (crossing.change == CycleChange::fold && !(a.tangent[0] * b.tangent[0] < 0.0)) return;
+      const auto along = [&](const CyclePlace& p) { return (p.at - near.at).dot(start_.direction); };
+      if (crossing.change == CycleChange::fold && !(along(before) * along(after) > 0.0)) return;
     }
     branch.crossings.push_back(std::move(crossing));
   }

@@ -35,6 +35,7 @@ struct CycleCrossing {
   CycleChange change = CycleChange::fold;
   CyclePlace near;
   double cosine = 0.0;  ///< of the angle of a torus's pair
+  double birth_period = 0.0;
 };
 
 struct CycleBranch {
@@ -42,15 +43,11 @@ struct CycleBranch {
   std::vector<CycleCrossing> crossings;
 };
 
-/// Cycles are followed until their period has grown by this factor: close to a connection of states at rest it grows
-/// without bound.
-inline constexpr double longest_cycle = 4.0;
-
 /// With a larger one the others are lost in errors of integration.
-inline constexpr double largest_multiplier = 1e6;
+inline constexpr double largest_cycle_multiplier = 1e6;
 
-/// From small cycles on, until the branch leaves the square, its cycles shrink again, or their period has grown
-/// by longest_cycle. Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
+/// From small cycles on, until the branch leaves the square, its cycles shrink again, or their period passes
+/// longest_period(). Where a multiplier passes 1 without a turn of the branch (symmetry breaks) nothing is noted.
 CycleBranch cycle_branch(const CycleSystems& systems, const CycleStart& start, const StopFlag* stop);
 
 /// Multipliers outside the unit circle.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/floquet.hpp"
@@ -125,17 +126,25 @@ std::optional<CycleShooting::Change> CycleShooting::by_parameter(const model::Sy
                                                                  const CycleArcs& arcs,
                                                                  const CycleWeights* weights) const {
   Change change{VectorXd::Zero(unknowns()), 0.0};
-  const Carried vectors = weights ? carried(arcs, *weights) : Carried();
+  if (!weights) {
+    for (Index k = 0; k < count_; ++k) {
+      const VectorXd& node = shape.nodes[static_cast<std::size_t>(k)];
+      const auto low = advance_state(below, node, arc_time(shape), 0.0, tolerance_),
+                 high = advance_state(above, node, arc_time(shape), 0.0, tolerance_);
+      if (!low || !high) return std::nullopt;
+      change.equations.segment(size_ * k, size_) = (*high - *low).cwiseQuotient(unit_) / difference;
+    }
+    return change;
+  }
+  const Carried vectors = carried(arcs, *weights);
   for (Index k = 0; k < count_; ++k) {
     const auto here = static_cast<std::size_t>(k);
-    MatrixXd start(size_, weights ? 2 : 0);
-    if (weights)
-      start << unit_.cwiseProduct(vectors.right[here].real()), unit_.cwiseProduct(vectors.right[here].imag());
+    MatrixXd start(size_, 2);
+    start << unit_.cwiseProduct(vectors.right[here].real()), unit_.cwiseProduct(vectors.right[here].imag());
     const auto low = follow_tangents(below, shape.nodes[here], start, arc_time(shape), tolerance_),
                high = follow_tangents(above, shape.nodes[here], start, arc_time(shape), tolerance_);
     if (!low || !high) return std::nullopt;
     change.equations.segment(size_ * k, size_) = (high->end - low->end).cwiseQuotient(unit_) / difference;
-    if (!weights) continue;
     const MatrixXd bend = unit_.cwiseInverse().asDiagonal() * (high->tangents - low->tangents) / difference;
     change.test += vectors.left[here].real().dot(bend.col(0)) - vectors.left[here].imag().dot(bend.col(1));
     if (k + 1 == count_)
@@ -202,6 +211,11 @@ VectorXcd CycleShooting::multipliers(const model::System& system, const CycleSha
   std::vector<MatrixXd> slopes;
   for (const TangentFlight& flight : arcs.flights) slopes.push_back(flight.tangents);
   return floquet_multipliers(system, shape.nodes, slopes).tail(size_ - 1);
+}
+
+double longest_period(const model::System& system, const CycleShape& shape, double at_birth) {
+  const double turn = two_pi / std::max(1.0, std::fabs(system.speed(shape.nodes.front())));
+  return std::max(longest_turns * turn, longest_growth * at_birth);
 }
 
 double cycle_swing(const model::System& system, const CycleShape& shape) {

@@ -1,7 +1,9 @@
 // Bordered matrices, and a pair of multipliers.
 #include "equipoise/cycles/cycle_test.hpp"
 
+#include <array>
 #include <cmath>
+#include <complex>
 
 #include "equipoise/math/bordered.hpp"
 #include "equipoise/math/dense.hpp"
@@ -12,6 +14,32 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
+
+namespace {
+
+// An orthonormal basis of the plane that two eigenvectors span: real ones, or real and imaginary part of one.
+std::optional<MatrixXd> plane_of(const MatrixXd& a, const std::array<std::complex<double>, 2>& values) {
+  const dense::EigenPairs pairs = dense::eigenpairs(a);
+  if (!pairs.found) return std::nullopt;
+  Index first = 0, second = 0;
+  (pairs.values.array() - values[0]).abs().minCoeff(&first);
+  Eigen::ArrayXd away = (pairs.values.array() - values[1]).abs();
+  away[first] = INFINITY;
+  away.minCoeff(&second);
+  MatrixXd plane(a.rows(), 2);
+  const VectorXcd one = pairs.vectors.col(first), other = pairs.vectors.col(second);
+  const bool complex = values[0].imag() != 0.0;
+  plane << one.real(), complex ? VectorXd(one.imag()) : VectorXd(other.real());
+  for (int round = 0; round < 2; ++round) {
+    plane.col(0).normalize();
+    plane.col(1).normalize();
+    plane.col(1) -= plane.col(0).dot(plane.col(1)) * plane.col(0);
+  }
+  plane.col(1).normalize();
+  return plane.allFinite() ? std::optional(plane) : std::nullopt;
+}
+
+}  // namespace
 
 MatrixXd CycleTest::matrix(const CycleArcs& arcs) const {
   const MatrixXd monodromy = arcs.monodromy();
@@ -42,6 +70,7 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
   const VectorXcd values = dense::eigenvalues(monodromy);
   // A pair is complex, or two real multipliers: its half sum and its product are smooth where the two meet.
   Value found;
+  std::array<std::complex<double>, 2> pair;
   double least = INFINITY;
   for (Index i = 0; i < values.size(); ++i)
     for (Index k = 0; k < i; ++k) {
@@ -53,15 +82,19 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
       least = distance;
       found.value = product - 1.0;
       found.cosine = mean;
-      found.multiplier = values[values[i].imag() > 0.0 ? i : k];
+      pair = {values[i], values[k]};
     }
   if (least == INFINITY) return std::nullopt;
-  if (std::fabs(found.multiplier.imag()) < 1e-3) return found;
-  const auto right = eigenvector_near(monodromy, found.multiplier),
-             left = eigenvector_near(monodromy.transpose(), found.multiplier);
+  // The product is the determinant of what the matrix is on the plane of the pair, however close the two are.
+  const auto right = plane_of(monodromy, pair), left = plane_of(monodromy.transpose(), pair);
   if (!right || !left) return std::nullopt;
-  const std::complex<double> product = (left->transpose() * *right)(0);
-  found.weights = CycleWeights{VectorXcd(*left * (2.0 * std::conj(found.multiplier) / product)), *right};
+  const MatrixXd dual = *left * dense::inverse(MatrixXd(right->transpose() * *left));
+  const Eigen::Matrix2d within = dual.transpose() * monodromy * *right;
+  Eigen::Matrix2d adjugate;
+  adjugate << within(1, 1), -within(0, 1), -within(1, 0), within(0, 0);
+  const MatrixXd weighted = dual * adjugate.transpose();
+  const std::complex<double> unit(0.0, 1.0);
+  found.weights = {weighted.col(0) - unit * weighted.col(1), right->col(0) + unit * right->col(1)};
   return found;
 }
 
@@ -75,7 +108,7 @@ std::optional<CycleTest::Value> CycleTest::at(const CycleArcs& arcs) const {
   if (!std::isfinite(b.value)) return std::nullopt;
   found.right = b.right.normalized();
   found.left = b.left.normalized();
-  found.weights = CycleWeights{-b.left.head(n), b.right.head(n), change_ == CycleChange::fold ? b.right[n] : 0.0};
+  found.weights = {-b.left.head(n), b.right.head(n), change_ == CycleChange::fold ? b.right[n] : 0.0};
   return found;
 }
 

@@ -1,7 +1,6 @@
 // Test functions whose zeros are folds, period doublings and tori of cycles, with their derivatives' weights.
 #pragma once
 
-#include <complex>
 #include <optional>
 
 #include <Eigen/Core>
@@ -32,10 +31,9 @@ class CycleTest {
 
   struct Value {
     double value = 0.0;
-    Eigen::VectorXd right, left;          ///< of folds and period doublings: null vectors, of unit length
-    double cosine = 0.0;                  ///< of a torus's pair: half of its sum
-    std::complex<double> multiplier;      ///< one of the pair
-    std::optional<CycleWeights> weights;  ///< none where a torus's pair is nearly double
+    Eigen::VectorXd right, left;  ///< of folds and period doublings: null vectors, of unit length
+    double cosine = 0.0;          ///< of a torus's pair: half of its sum
+    CycleWeights weights;
   };
   std::optional<Value> at(const CycleArcs& arcs) const;
 

@@ -18,7 +18,11 @@ class CurveFollower {
   static constexpr double longest_step = 0.01, shortest_step = 1e-7, precision = 1e-11;
   struct Limits {
     double longest = longest_step;
-    double precise = precision;  ///< a correction this short is the last
+    double precise = precision;          ///< a correction this short is the last
+    double flat = 0.03, sharpest = 0.1;  ///< radians between tangents: below steps grow, above they shrink
+    /// Slopes cost far more than equations: they are kept and corrected by what the equations show (C. G. Broyden,
+    /// Math. Comp. 19 (1965) 577), and tangents follow from the points.
+    bool slopes_are_dear = false;
   };
 
   using Slopes = std::function<std::optional<Eigen::MatrixXd>(const Eigen::VectorXd&)>;
@@ -39,6 +43,9 @@ class CurveFollower {
 
   struct Step {
     Eigen::VectorXd point, tangent;
+    double length = 0.0;    ///< of the chord to this point; 0: the first
+    Eigen::VectorXd chord;  ///< its direction
+    Eigen::VectorXd bend;   ///< the tangent's change by length, where slopes are dear and two chords are known
   };
   /// The next point: `step` is shortened until the curve turns by little, and lengthened where it turns by less. Empty
   /// if even the shortest step fails.
@@ -55,9 +62,14 @@ class CurveFollower {
     return slopes_ ? slopes_(at) : differences(at);
   }
 
+  std::optional<Eigen::VectorXd> at_plane_by(Eigen::MatrixXd& slopes, const Eigen::VectorXd& guess,
+                                             const Eigen::VectorXd& normal) const;
+  std::optional<Step> step_to(const Step& from, double step) const;
+
   Equations equations_;
   Slopes slopes_;
   Limits limits_;
+  mutable Eigen::MatrixXd kept_;
   mutable double error_ = 0.0;
 };
 

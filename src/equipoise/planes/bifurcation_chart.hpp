@@ -55,11 +55,15 @@ enum class CurveEnd : signed char {
   no_pair = 3,      ///< the pair's frequency falls to 0 (Bogdanov-Takens)
   lost = 4,         ///< it could not be followed further
   vanishes = 5,     ///< the cycle shrinks to a state at rest
-  long_period = 6,  ///< the cycle's period has grown fourfold
+  long_period = 6,  ///< the cycle's period grows beyond a bound
   resonance = 7,    ///< a torus's pair of multipliers meets at 1 or -1
+  points = 8,       ///< the curve has as many points as it may have
+  multiplier = 9,   ///< a multiplier of the cycle grows beyond a bound
+  stopped = 10,     ///< the computation was stopped
 };
-inline constexpr std::array<const char*, 8> curve_end_names{"plane", "closed",   "no-balance",  "no-pair",
-                                                            "lost",  "vanishes", "long-period", "resonance"};
+inline constexpr std::array<const char*, 11> curve_end_names{"plane",  "closed",     "no-balance",  "no-pair",
+                                                             "lost",   "vanishes",   "long-period", "resonance",
+                                                             "points", "multiplier", "stopped"};
 
 struct ChartCurve {
   CurveKind kind = CurveKind::hopf;
@@ -132,9 +136,16 @@ struct BifurcationChart {
   StabilityPlane plane;  ///< the grid from which curves were begun
   std::vector<ChartCurve> curves;
   std::vector<SpecialPoint> specials;
-  std::vector<std::string> locked;   ///< names of the kinds of locked state
-  std::string no_locked;             ///< why they are not known of this rotor; empty: they are
-  bool cycles = false;               ///< curves of cycles were looked for
+  std::vector<std::string> locked;  ///< names of the kinds of locked state
+  std::string no_locked;            ///< why they are not known of this rotor; empty: they are
+  bool cycles = false;              ///< curves of cycles were looked for
+  /// Up to which curves of cycles are followed.
+  struct CycleBounds {
+    double turns = 0.0;       ///< see longest_period() (cycles/cycle_shooting.hpp)
+    double multiplier = 0.0;  ///< modulus
+    std::size_t points = 0;   ///< each way
+  } cycle_bounds;
+  std::size_t cycles_left = 0;       ///< places where cycles change that were not followed: the chart was stopped
   std::string no_cycles;             ///< why they are not known of this rotor; empty: they are, or were not asked for
   std::vector<ChartRegion> regions;  ///< the largest first; none if the chart was stopped
   std::vector<int> region_of;        ///< by point of the grid

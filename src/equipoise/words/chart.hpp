@@ -131,12 +131,28 @@ inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}
 // Why.
 inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
 
+// How curves of cycles end: the places, each with the numbers of the curves.
+inline constexpr char cycles_end[] = "Curves of cycles end, by number: {}.\n";
+inline constexpr char cycles_end_at[] = "{} ({})";
+inline constexpr char end_plane[] = "at the plane's edge";
+inline constexpr char end_closed[] = "at their own beginning";
+inline constexpr char end_lost[] = "where no next point was found";
+inline constexpr char end_vanishes[] = "where the cycle shrinks to a state at rest";
+inline constexpr char end_long_period[] =
+    "where its period grows beyond {:g} turns and twice that at birth, near a homoclinic orbit";
+inline constexpr char end_resonance[] = "where a torus has a resonance 1:1 or 1:2";
+inline constexpr char end_points[] = "after {} points each way";
+inline constexpr char end_multiplier[] = "where a multiplier grows beyond {:.0e}";
+inline constexpr char end_stopped[] = "where the computation was stopped";
+
 // Notes.
 inline constexpr char no_curve[] = "No curve was found.\n";
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
 // Error, part of the plane's sides.
 inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
 inline constexpr char contact_bound[] = "Where balance ends because the balls lack room, no curve is drawn.\n";
+inline constexpr char partial_cycles[] =
+    "PARTIAL: stopped while curves of cycles were followed; at least {} place{} where cycles change {} left.\n";
 inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
 // Points, boxes, time, version.
 inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";

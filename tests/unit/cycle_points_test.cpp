@@ -1,0 +1,184 @@
+// Points at which curves of cycles change their kind, and their ends: against differences of plain trajectories.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <gtest/gtest.h>
+
+#include "equipoise/charts/chart_report.hpp"
+#include "equipoise/curves/balance_plane.hpp"
+#include "equipoise/curves/bifurcation_chart.hpp"
+#include "equipoise/curves/cycle_curve.hpp"
+#include "equipoise/cycles/cycle_branch.hpp"
+#include "equipoise/math/dense.hpp"
+#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/stability/plane_studies.hpp"
+#include "../support/studies.hpp"
+
+namespace equipoise {
+namespace {
+
+Study points_rotor() {
+  Study study = parse_study(constant_speed, "rotor");
+  study.parameters.drag = {0.05, 0.05};
+  return study;
+}
+
+model::System points_system(double speed, double drag) {
+  Study study = points_rotor();
+  study.speed.speed = speed;
+  study.parameters.drag = {drag, drag};
+  return study.system();
+}
+
+// Special points of the curve on which cycles of one of two swings become tori, near a double Hopf point.
+std::vector<SpecialPoint> of_tori(bool slow, const SliceAxis& speed, const SliceAxis& drag,
+                                  const Eigen::Vector2d& across) {
+  ChartSettings settings;
+  settings.x = speed;
+  settings.y = drag;
+  settings.boxes = 0;
+  const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
+  const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
+  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
+    for (const CurvePoint& p : curve.points) {
+      if ((p.frequency < 0.3) != slow || p.x < 2.0935) continue;
+      const CycleStart start{plane.place(p.x, p.y), across, Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8),
+                             p.frequency};
+      const CycleBranch branch =
+          cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+      for (const CycleCrossing& crossing : branch.crossings) {
+        if (crossing.change != CycleChange::torus) continue;
+        CycleCurve torus(plane, *plane.system(crossing.near.at), crossing);
+        if (torus.follow_from(crossing, nullptr, {})) return torus.specials();
+      }
+      if (!branch.places.empty()) break;
+    }
+  }
+  return {};
+}
+
+// Eigenvalues of the map over one period, by differences of whole trajectories.
+Eigen::VectorXcd by_differences(const model::System& system, const Eigen::VectorXd& z, double period, double step) {
+  Eigen::MatrixXd map(z.size(), z.size());
+  for (Eigen::Index k = 0; k < z.size(); ++k) {
+    const Eigen::VectorXd along = step * Eigen::VectorXd::Unit(z.size(), k);
+    map.col(k) = (*advance_state(system, z + along, period, 0.0, 1e-13) -
+                  *advance_state(system, z - along, period, 0.0, 1e-13)) /
+                 (2.0 * step);
+  }
+  return dense::eigenvalues(map);
+}
+
+TEST(CyclePoints, AtResonancesTheMapOverThreeOrFourTurnsHasTwoMoreMultipliersOfOne) {
+  int thirds = 0, quarters = 0;
+  for (const SpecialPoint& p :
+       of_tori(true, {"speed.final", 2.05, 2.15, 16}, {"balancer.drag", 0.00186, 0.003, 16}, {0.0, 1.0})) {
+    if (p.kind != SpecialKind::resonance_1_3 && p.kind != SpecialKind::resonance_1_4) continue;
+    const int turns = p.kind == SpecialKind::resonance_1_3 ? 3 : 4;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
+    const model::System system = points_system(p.x, p.y);
+    const double period = 2.0 * M_PI / p.frequency;
+    EXPECT_LT((*advance_state(system, z, period) - z).norm(), 1e-8);
+    double away[2];
+    for (const int part : {1, 2}) {
+      const Eigen::VectorXcd all = by_differences(system, z, period, 2e-5 / part);
+      double nearest = INFINITY;
+      for (const std::complex<double>& value : all)
+        if (value.imag() > 0.1) nearest = std::min(nearest, std::abs(std::pow(value, turns) - 1.0));
+      away[part - 1] = nearest;
+    }
+    // The differences' error falls with the square of their step.
+    EXPECT_LT(away[1], 1e-5) << p.x << " " << p.y;
+    EXPECT_LT(away[1], std::max(0.5 * away[0], 1e-7)) << p.x << " " << p.y;
+    ++(turns == 3 ? thirds : quarters);
+  }
+  EXPECT_GE(thirds, 1);
+  EXPECT_GE(quarters, 1);
+}
+
+TEST(CyclePoints, AtAFoldTorusPointAPairIsOnTheUnitCircleAndASecondMultiplierIsOne) {
+  int compared = 0;
+  for (const SpecialPoint& p :
+       of_tori(false, {"speed.final", 2.08, 2.11, 16}, {"balancer.drag", 0.001, 0.003, 16}, {0.6, 0.8})) {
+    if (p.kind != SpecialKind::fold_torus) continue;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
+    const Eigen::VectorXcd all = by_differences(points_system(p.x, p.y), z, 2.0 * M_PI / p.frequency, 1e-5);
+    Eigen::VectorXd from_one = (all.array() - 1.0).abs();
+    std::sort(from_one.begin(), from_one.end());
+    EXPECT_LT(from_one[0] * from_one[1], 1e-6) << p.x << " " << p.y;
+    double nearest = INFINITY;
+    for (const std::complex<double>& value : all)
+      if (value.imag() > 0.1) nearest = std::min(nearest, std::fabs(std::abs(value) - 1.0));
+    EXPECT_LT(nearest, 1e-6) << p.x << " " << p.y;
+    ++compared;
+  }
+  EXPECT_GE(compared, 1);
+}
+
+TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
+  ChartSettings settings;
+  settings.x = {"speed.final", 2.0, 2.1, 16};
+  settings.y = {"balancer.drag", 0.001, 0.004, 16};
+  settings.boxes = 0;
+  const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
+  const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
+  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  int compared = 0;
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::hopf || curve.of != of_balance || compared > 0) continue;
+    const auto p = std::find_if(curve.points.begin(), curve.points.end(),
+                                [](const CurvePoint& q) { return q.frequency < 0.1 && std::fabs(q.x - 2.05) < 0.01; });
+    if (p == curve.points.end()) continue;
+    const CycleStart start{plane.place(p->x, p->y), Eigen::Vector2d(0.0, 1.0),
+                           Eigen::Map<const Eigen::VectorXd>(p->state.data(), 8), p->frequency};
+    const CycleBranch branch =
+        cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+    ASSERT_FALSE(branch.places.empty());
+    const CyclePlace &last = branch.places.back(), &first = branch.places.front();
+    const model::System system = *plane.system(last.at);
+    // It has grown to the bound, nearly.
+    EXPECT_GT(last.shape.period, 0.7 * longest_period(system, last.shape, 2.0 * M_PI / p->frequency));
+    EXPECT_GT(last.shape.period, 1.5 * first.shape.period);
+    // It nearly comes to rest once, at a state that it leaves along a direction in which that grows.
+    std::vector<double> rates;
+    Eigen::VectorXd z = last.shape.nodes.front(), slowest = z;
+    double least = INFINITY;
+    constexpr int parts = 400;
+    for (int k = 0; k < parts; ++k) {
+      rates.push_back(model::rate(system, z).cwiseQuotient(system.scale()).norm());
+      if (rates.back() < least) least = rates.back(), slowest = z;
+      z = advance_state(system, z, last.shape.period / parts).value();
+    }
+    EXPECT_LT(least, 0.01 * *std::max_element(rates.begin(), rates.end()));
+    const auto rest = refine_equilibrium(system, slowest);
+    ASSERT_TRUE(rest);
+    EXPECT_LT((rest->state - slowest).cwiseQuotient(system.scale()).norm(), 0.1);
+    const auto unstable = (rest->eigenvalues.real().array() > 1e-9).count();
+    EXPECT_GE(unstable, 1);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 1);
+}
+
+TEST(CyclePoints, AStoppedChartSaysHowManyPlacesAreLeft) {
+  ChartSettings settings;
+  settings.x = {"speed.final", 2.0, 2.1, 4};
+  settings.y = {"balancer.drag", 0.01, 0.04, 4};
+  settings.boxes = 0;
+  BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
+  EXPECT_FALSE(holds(chart_text(chart), "PARTIAL"));
+  chart.complete = false;
+  EXPECT_TRUE(holds(chart_text(chart), "PARTIAL: stopped before all curves and boxes were done."));
+  chart.cycles_left = 2;
+  const std::string text = chart_text(chart);
+  EXPECT_TRUE(holds(text, "at least 2 places where cycles change were left.")) << text;
+  EXPECT_FALSE(holds(text, "before all curves"));
+}
+
+}  // namespace
+}  // namespace equipoise
