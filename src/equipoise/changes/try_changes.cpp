@@ -25,6 +25,7 @@ std::vector<TriedChange> tried(const Study& study, const RunOptions& options) {
     one.stop_asked = [spent] { return spent() > longest_for_changes; };
     one.cpu_target = options.cpu_target;
     one.transients = true;
+    one.few_starts = true;
     const BasinResult result = basin(changes[k].study, one);
     if (result.partial) break;
     if (auto judged = tried_change(changes[k].words, result)) done.push_back(*std::move(judged));
