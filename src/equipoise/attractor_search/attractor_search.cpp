@@ -27,8 +27,8 @@ constexpr std::size_t most_groups = 24;
 // For a part of a family, besides the motions that the whole had. Its halves search again; rare motions are left to
 // their starts.
 constexpr std::size_t most_groups_beside = 8;
-// For few starts, most of which come to a few motions.
-constexpr std::size_t most_groups_of_few = 6;
+// For few starts, most of which come to a few motions. With events each takes seconds.
+constexpr std::size_t most_groups_of_few = 6, most_eventful_groups_of_few = 2;
 // Windows longer by this factor show what chaos and tori are.
 constexpr double later_windows = 4.0;
 
@@ -154,9 +154,7 @@ class Discoverer {
       auto groups = group_records(s_.pilot.records(), *which, s_.balls(), tolerance);
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
-      groups.resize(std::min(groups.size(), s_.settings.few_starts               ? most_groups_of_few
-                                            : s_.drawn && s_.settings.warm_start ? most_groups_beside
-                                                                                 : most_groups));
+      groups.resize(std::min(groups.size(), groups_followed()));
       for (const MotionGroup& group : groups) {
         candidates_.push_back({group.members, group.features, group.range,
                                s_.pilot.state_on_section(group.members.front()),
@@ -166,6 +164,11 @@ class Discoverer {
     }
     if (s_.balance_box) drop_balanced_candidates();
     if (s_.settings.warm_start) recognise_candidates();
+  }
+
+  std::size_t groups_followed() const {
+    if (s_.settings.few_starts) return s_.system.smooth() ? most_groups_of_few : most_eventful_groups_of_few;
+    return s_.drawn && s_.settings.warm_start ? most_groups_beside : most_groups;
   }
 
   // Trajectories on a slow way to balance are followed on lanes first. To follow one to a motion may take for ever.

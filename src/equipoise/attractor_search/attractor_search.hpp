@@ -42,7 +42,8 @@ struct AttractorSearchSettings {
   bool brief = false;
   /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
   /// balance gets trapping regions, and windows decide the rest. Of starts that come to another motion one is followed
-  /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided.
+  /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided. With events none
+  /// is followed: its windows show its motion (MotionKind::measured).
   bool few_starts = false;
   WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, with warm_start
   SearchLog* notes = nullptr;              ///< log of the steps of searches, or null

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/attractor_search/search.hpp"
 #include "equipoise/attractors/motion_figures.hpp"
 #include "equipoise/classification/window_features.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
@@ -120,11 +121,12 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
       if (!start) return false;
       decided.unlisted.push_back(*std::move(start));
       fate.attractor = 0;
-      fate.by = DecidedBy::followed;
       const auto& motion = decided.unlisted.back().motion;
-      if (motion && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
+      const bool known = motion && motion->kind != MotionKind::measured;
+      fate.by = motion && !known ? DecidedBy::windows : DecidedBy::followed;
+      if (known && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
       if (motion && motion->set_valued) fate.unbalance = unbalance_of(system, motion->state.data());
-      if (batch.watched && motion && motion->stable)
+      if (batch.watched && known && motion->stable)
         end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).places);
     } else if (attracted) {
       if (system_.coasts()) fate.by = DecidedBy::followed;
@@ -218,6 +220,9 @@ std::optional<UnlistedStart> StartRunner::unlisted_of_few(Batch& batch, std::siz
                                   : nullptr;
   if (like)
     return UnlistedStart{i, when_recognised(batch, i, now), batch.came_to[static_cast<std::size_t>(like->attractor)]};
+  // To follow one past its strikes and stops takes longer than all starts together: its windows show the motion.
+  if (!system_.smooth() && !system_.coasts())
+    return UnlistedStart{i, when_recognised(batch, i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
   if (batch.came_to.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(batch, i, now), {}};
   std::optional<UnlistedStart> start = unlisted_start(batch, i, now, 0.0);
   if (!start) return start;

@@ -177,6 +177,7 @@ std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& stat
 int StartRunner::list(const UnlistedStart& start) {
   const bool stable = start.motion && start.motion->stable;
   if (!stable) return 0;
+  if (start.motion->kind == MotionKind::measured) return catalogue_.add(start.name, *start.motion);
   if (!family_ && !system_.coasts()) return catalogue_.add(study_.parameters, *start.motion);
   return catalogue_.add(family_ ? start.name : motion_name(study_.parameters, *start.motion), *start.motion);
 }
