@@ -89,7 +89,9 @@ TEST(FewStarts, DependNeitherOnThreadsNorOnTheirNumber) {
     EXPECT_EQ(one.names[i], two.names[i]);
     EXPECT_EQ(one.fates[i].time, two.fates[i].time);
     EXPECT_EQ(one.velocity(i), two.velocity(i));
-    if (i < 100) EXPECT_EQ(one.names[i], half.names[i]);
+    if (i < 100) {
+      EXPECT_EQ(one.names[i], half.names[i]);
+    }
   }
 }
 

@@ -240,12 +240,12 @@ TEST(Derivative, VanishesAtBalancedStates) {
 // With a slope for every variable that 16 balls on a rotor that tilts would have.
 template <bool tilt>
 MatrixXd widest_jacobian(const model::System& system, const VectorXd& y) {
-  constexpr int most = HWY_NAMESPACE::SmoothFlow<double, model::any_count, tilt>::dimension;
+  constexpr int most = equipoise::HWY_NAMESPACE::SmoothFlow<double, model::any_count, tilt>::dimension;
   using Dual = equipoise::Gradient<double, most>;
   const int size = system.dimension();
   std::vector<Dual> z(most), rate(most);
   for (int i = 0; i < size; ++i) z[i] = Dual(y[i], i);
-  HWY_NAMESPACE::SmoothFlow<Dual, model::any_count, tilt>(system, 0.0)(Dual(0.0), z.data(), rate.data());
+  equipoise::HWY_NAMESPACE::SmoothFlow<Dual, model::any_count, tilt>(system, 0.0)(Dual(0.0), z.data(), rate.data());
   MatrixXd result(size, size);
   for (int i = 0; i < size; ++i)
     for (int k = 0; k < size; ++k) result(i, k) = rate[i].slope[k];
