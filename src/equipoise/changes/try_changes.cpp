@@ -26,8 +26,10 @@ class Trials {
   std::vector<TriedChange> run() {
     for (std::size_t k = 0; k < changes_.size() && !is_over(); ++k) {
       if (options_.progress) options_.progress({k, changes_.size(), "changes", {}, false});
-      if (!look(k, starts_of_a_look)) break;
-      if (!surely_fails(done_.back().second) && !look(k, starts_of_a_change)) break;
+      // A look saves nothing where changes do not fail: then the next one is tried on all starts at once.
+      const bool looks = done_.empty() || surely_fails(done_.back().second);
+      if (looks && !look(k, starts_of_a_look)) break;
+      if ((!looks || !surely_fails(done_.back().second)) && !look(k, starts_of_a_change)) break;
       if (done_.back().second.decision == Decision::fit) return told();
     }
     look_closer();
