@@ -74,11 +74,6 @@ TEST(FewStarts, ComeToTheSameUnderGravity) {
   expect_same_ends(study_from(with(constant_speed, "damping = 0.5", "damping = 0.5\ngravity = 0.01")), 3);
 }
 
-TEST(FewStarts, ComeToTheSameWhereThreeBallsTouch) {
-  expect_same_ends(study_from(with(constant_speed, "balls = 2", "balls = 3\ncontact_angle = 0.3\nrestitution = 0.5")),
-                   3);
-}
-
 TEST(FewStarts, ComeToTheSameWhereBallsStick) {
   expect_same_ends(study_from(with(constant_speed, "drag = 0.05", "drag = 0.1\nrolling = 0.001\nstiction = 0.002")), 2);
 }
