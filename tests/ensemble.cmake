@@ -61,6 +61,7 @@ equipoise_test(library_face_test equivalence equivalence/library_face_test.cpp L
 equipoise_test(transients_test equivalence equivalence/transients_test.cpp)
 equipoise_test(verdict_test equivalence equivalence/verdict_test.cpp equivalence/standards_of_starts_test.cpp
   equivalence/capacity_goals_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
+equipoise_test(few_starts_test equivalence equivalence/few_starts_test.cpp)
 equipoise_test(without_balls_test equivalence equivalence/without_balls_test.cpp unit/limits_kept_test.cpp
   unit/no_balls_test.cpp LIBRARIES nlohmann_json::nlohmann_json)
 equipoise_test(hill_spin_up_test equivalence equivalence/hill_spin_up_test.cpp)

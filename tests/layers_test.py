@@ -92,7 +92,7 @@ ROOMS = {
     "decision": "statistics standards units study columns results drawing text",
     "answers": "types units study columns results drawing text decision",
     "design_words": "model study columns results drawing text",
-    "changes": "running model units study ensembles decision text",
+    "changes": "running model units study attractor_search ensembles decision text",
     "reports": "model mechanics proof units study results drawing text decision answers design_words",
     "plots": "units study echo results drawing text decision answers reports",
     "charts": "model mechanics units study echo results planes drawing text answers plots",

@@ -15,7 +15,7 @@ inline constexpr char starts[] = "number of starts";
 inline constexpr char seed[] = "seed of the starts";
 inline constexpr char zip[] = "the parameters vary together, step by step, instead of in all combinations";
 inline constexpr char set[] = "override a study key, e.g. speed.final=2.6; may be repeated";
-inline constexpr char no_changes[] = "do not try changes to a balancer that falls short (up to eight, 100 starts each)";
+inline constexpr char no_changes[] = "do not try changes to a balancer that falls short (up to eight, on up to 100 starts each)";
 inline constexpr char wide[] = "every column, without line breaks";
 inline constexpr char details[] = "also how starts were decided, and every figure of every outcome with its interval";
 inline constexpr char threads[] = "threads (default: all cores)";

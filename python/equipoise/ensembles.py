@@ -326,7 +326,7 @@ def basin(
         Gather peak displacement, force, settling time and other transients; default: if the study has limits, standards
         or physical units.
     changes : bool
-        If the balancer falls short, try changes to it, 100 starts each (at most half a minute of CPU time):
+        If the balancer falls short, try changes to it, on up to 100 starts each (at most half a minute of CPU time):
         ``verdict["tried"]``. The command line does so unless it is told ``--no-changes``.
     initial : State, or array_like (n, balls) or (n, 4 + 2 balls), optional
         Starts of your own in place of drawn ones: states, ball angles, or with `frame` rows of x, y, two velocities,

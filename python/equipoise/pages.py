@@ -63,7 +63,7 @@ def report(
     starts, seed : int, optional
         Default: the study's.
     changes : bool
-        Try changes to a balancer that falls short (up to eight, 100 starts each).
+        Try changes to a balancer that falls short (up to eight, on up to 100 starts each).
     threads, progress, cpu, within
         As for :func:`basin`.
 

@@ -199,6 +199,9 @@ TEST(Verdict, ChangesAreATableWithTheBestFirst) {
   EXPECT_EQ(table.rows[8][0].text, "as it is");
   EXPECT_EQ(table.header[1], "keep every limit");
   EXPECT_TRUE(table.caption.starts_with("Of 10 changes tried, each on 200 starts, best first."));
+  tried.back().starts = 32;
+  EXPECT_TRUE(changes_table(r, tried).caption.starts_with(
+      "Of 10 changes tried, each on 200 starts, or on 32 where that was enough to see it fail, best first."));
   tried.resize(2);
   EXPECT_TRUE(changes_table(r, tried).caption.starts_with("2 changes tried"));
   EXPECT_EQ(changes_table(ensemble(false), tried).header[1], "RMS velocity at the end, mm/s");
@@ -270,10 +273,46 @@ TEST(Changes, AreTriedUntilOneFits) {
   ASSERT_FALSE(tried.empty());
   ASSERT_EQ(tried.size(), again.size());
   for (std::size_t k = 0; k < tried.size(); ++k) {
-    EXPECT_EQ(tried[k].starts, starts_of_a_change);
+    EXPECT_EQ(tried[k].starts, again[k].starts);
     EXPECT_EQ(tried[k].kept->count, again[k].kept->count);
     EXPECT_EQ(tried[k].decision == Decision::fit, k + 1 == tried.size() && tried.size() < usual_changes(study).size());
   }
+}
+
+// On the first 32 starts a change can fail for sure, but cannot fit. The best is tried on all, and so is all that may
+// yet be better.
+TEST(Changes, AreTriedOnFewStartsWhereTheseTellThatTheyFail) {
+  const auto tried =
+      try_changes(parse_study(machine + "[limits]\nvelocity = \"5 mm/s\"\ndisplacement = \"0.7 mm\"\n", "machine"));
+  ASSERT_GT(tried.size(), 2u);
+  const TriedChange* best = &tried.front();
+  for (const TriedChange& t : tried)
+    if (serves_better(t, *best)) best = &t;
+  EXPECT_EQ(best->starts, starts_of_a_change);
+  std::size_t dropped = 0;
+  for (const TriedChange& t : tried) {
+    if (t.starts == starts_of_a_change) continue;
+    ++dropped;
+    EXPECT_EQ(t.starts, starts_of_a_look) << t.words;
+    EXPECT_TRUE(t.decision == Decision::change || t.decision == Decision::do_not_fit) << t.words;
+    EXPECT_FALSE(may_serve_better(t, *best)) << t.words;
+  }
+  EXPECT_GT(dropped, 0u);
+}
+
+TEST(Changes, MayServeBetterWhereIntervalsOverlap) {
+  const auto kept = [](std::uint64_t count, std::uint64_t of, Decision d = Decision::change) {
+    return TriedChange{"", {}, of, d, wilson_share(count, of), {}, {}};
+  };
+  EXPECT_TRUE(may_serve_better(kept(16, 32), kept(60, 100)));
+  EXPECT_FALSE(may_serve_better(kept(10, 32), kept(90, 100)));
+  EXPECT_TRUE(may_serve_better(kept(10, 32, Decision::open), kept(90, 100)));
+  EXPECT_FALSE(may_serve_better(kept(32, 32), kept(90, 100, Decision::open)));
+  const auto shakes = [](double low, double high) {
+    return TriedChange{"", {}, 32, Decision::change, {}, {0.5 * (low + high), low, high}, {}};
+  };
+  EXPECT_TRUE(may_serve_better(shakes(1.0, 3.0), shakes(0.5, 2.0)));
+  EXPECT_FALSE(may_serve_better(shakes(2.5, 3.0), shakes(0.5, 2.0)));
 }
 
 TEST(PlainNames, SayWhatBallsDo) {

@@ -12,7 +12,11 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/gradient.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/model/ball_count.hpp"
+#include "equipoise/model/smooth_flow-inl.hpp"
+#include "equipoise/model/system.hpp"
 #include "../support/parameters.hpp"
 
 namespace {
@@ -230,6 +234,42 @@ TEST(Derivative, VanishesAtBalancedStates) {
     for (double w : {0.5, 2.4, 6.0})
       // The balanced state's residual, 4e-15 of the masses, times w^2.
       EXPECT_LT(model::derivative(p, w, model::centred_state(p, phi.data()).data()).norm(), 1e-13) << n << " balls";
+  }
+}
+
+// With a slope for every variable that 16 balls on a rotor that tilts would have.
+template <bool tilt>
+MatrixXd widest_jacobian(const model::System& system, const VectorXd& y) {
+  constexpr int most = equipoise::HWY_NAMESPACE::SmoothFlow<double, model::any_count, tilt>::dimension;
+  using Dual = equipoise::Gradient<double, most>;
+  const int size = system.dimension();
+  std::vector<Dual> z(most), rate(most);
+  for (int i = 0; i < size; ++i) z[i] = Dual(y[i], i);
+  equipoise::HWY_NAMESPACE::SmoothFlow<Dual, model::any_count, tilt>(system, 0.0)(Dual(0.0), z.data(), rate.data());
+  MatrixXd result(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int k = 0; k < size; ++k) result(i, k) = rate[i].slope[k];
+  return result;
+}
+
+TEST(Jacobian, HasTheSameBitsWhateverTheWidthOfItsNumbers) {
+  const auto state = [](const model::System& system) {
+    VectorXd y(system.dimension());
+    for (int i = 0; i < y.size(); ++i) y[i] = 0.1 * std::sin(1.0 + 2.0 * i);
+    return y;
+  };
+  for (int n : {1, 2, 3, 6, 7, 16}) {
+    model::Parameters p = base_rotor(n);
+    p.gravity = 0.1;
+    const model::System plane(p, 2.4);
+    EXPECT_EQ(model::jacobian(plane, state(plane)), widest_jacobian<false>(plane, state(plane))) << n << " balls";
+    p.tilt.transverse_inertia = 0.4;
+    p.tilt.polar_inertia = 0.2;
+    p.tilt.stiffness = {{{0.1, 0.3}, {0.1, 0.3}}};
+    const model::System tilting(p, 2.4);
+    ASSERT_TRUE(tilting.tilts());
+    EXPECT_EQ(model::jacobian(tilting, state(tilting)), widest_jacobian<true>(tilting, state(tilting)))
+        << n << " balls";
   }
 }
 

@@ -14,8 +14,9 @@ namespace {
 
 // The search of a rotor, and the total count of each stage.
 struct Search {
-  Search(const model::Parameters& p, double speed) {
+  Search(const model::Parameters& p, double speed, bool few_starts = false) {
     AttractorSearchSettings settings{.threads = 2};
+    settings.few_starts = few_starts;
     settings.progress = [this](const Progress& at) {
       const std::string stage = at.what.substr(at.what.find(": ") + 2);
       if (stage != last_) totals[last_] += now_;
@@ -33,8 +34,9 @@ struct Search {
   std::uint64_t now_ = 0;
 };
 
-constexpr std::uint64_t scouts = PilotRun::random_scouts + PilotRun::coincident_scouts;
-constexpr std::uint64_t all = PilotRun::random_starts + PilotRun::coincident_scouts;
+constexpr PilotRun::Size pilot;
+constexpr std::uint64_t scouts = pilot.random_scouts + pilot.coincident_scouts;
+constexpr std::uint64_t all = pilot.random_starts + pilot.coincident_scouts;
 
 // Balls with so much drag that all of 20 000 starts balance: every scout does, and there is no box to audit.
 TEST(SearchWork, ScoutsSufficeWhereAllBalanceAndTheRestIsDear) {
@@ -70,6 +72,20 @@ TEST(SearchWork, OneTorusIsFollowedOnce) {
   }
   EXPECT_EQ(tori, 1);
   EXPECT_EQ(looks, 2);
+}
+
+// The full search makes trapping regions around V1 and the torus V2, too, and audits boxes.
+TEST(SearchWork, FewStartsHaveFewScoutsAndRegionsOfBalanceAlone) {
+  const Search few(base_rotor(2), 2.4, true), full(base_rotor(2), 2.4);
+  EXPECT_EQ(few.totals.at("pilot trajectories"), few_scouts);
+  EXPECT_EQ(full.totals.at("pilot trajectories"), scouts + all);
+  EXPECT_FALSE(few.found.rule.balanced.empty());
+  EXPECT_TRUE(few.found.rule.boxes.empty() && few.found.rule.cycles.empty());
+  EXPECT_EQ(few.found.rule.windowed.regions, nullptr);
+  EXPECT_FALSE(full.found.rule.cycles.empty());
+  EXPECT_NE(full.found.rule.windowed.regions, nullptr);
+  EXPECT_FALSE(few.found.rule.known.empty());
+  EXPECT_NE(search_key("", {.few_starts = true}), search_key("", {}));
 }
 
 }  // namespace

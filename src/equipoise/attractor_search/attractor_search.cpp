@@ -7,9 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "equipoise/attractor_search/search.hpp"
 #include "equipoise/attractor_search/search_regions.hpp"
 #include "equipoise/attractors/motion_bytes.hpp"
@@ -30,6 +27,8 @@ constexpr std::size_t most_groups = 24;
 // For a part of a family, besides the motions that the whole had. Its halves search again; rare motions are left to
 // their starts.
 constexpr std::size_t most_groups_beside = 8;
+// For few starts, most of which come to a few motions. With events each takes seconds.
+constexpr std::size_t most_groups_of_few = 6, most_eventful_groups_of_few = 2;
 // Windows longer by this factor show what chaos and tori are.
 constexpr double later_windows = 4.0;
 
@@ -45,6 +44,7 @@ class Discoverer {
     if (!s_.pilot.make()) return stopped();
     for (OwnRotor& rotor : s_.pilot.rotors()) s_.result.place(rotor);
     if (!follow_pilot(s_.pilot.scouts())) return stopped();
+    if (s_.settings.few_starts) return of_few_starts();
     if (!list_found(s_.settings.warm_start ? WarmStartStates::listed : WarmStartStates::new_ones)) return stopped();
     std::vector<Candidate> all = seeds_;
     all.insert(all.end(), found_.begin(), found_.end());
@@ -57,12 +57,7 @@ class Discoverer {
     }
     regions_.level_balanced();
     if (!list_found(WarmStartStates::listed)) return stopped();
-    if (s_.balance_box) ask_for_balance();
-    if (s_.drawn && !follow_chaos(s_, chaos_)) return stopped();
-    if (!s_.is_stopped()) s_.notes.finish();
-    s_.result.rule.blind = false;
-    s_.result.rule.at_horizon = s_.study.numerics.decide == ClassificationMode::horizon;
-    return std::move(s_.result);
+    return finished();
   }
 
   AttractorSearch balance_alone() {
@@ -75,6 +70,22 @@ class Discoverer {
   }
 
  private:
+  // The scouts are all that is looked at.
+  AttractorSearch of_few_starts() {
+    if (!list_found(WarmStartStates::listed)) return stopped();
+    if (s_.study.numerics.decide == ClassificationMode::proof) regions_.level_balanced();
+    return finished();
+  }
+
+  AttractorSearch finished() {
+    if (s_.balance_box) ask_for_balance();
+    if (s_.drawn && !follow_chaos(s_, chaos_)) return stopped();
+    if (!s_.is_stopped()) s_.notes.finish();
+    s_.result.rule.blind = false;
+    s_.result.rule.at_horizon = s_.study.numerics.decide == ClassificationMode::horizon;
+    return std::move(s_.result);
+  }
+
   AttractorSearch stopped() {
     s_.result.stopped = true;
     return std::move(s_.result);
@@ -143,7 +154,7 @@ class Discoverer {
       auto groups = group_records(s_.pilot.records(), *which, s_.balls(), tolerance);
       std::stable_sort(groups.begin(), groups.end(),
                        [](const MotionGroup& a, const MotionGroup& b) { return a.members.size() > b.members.size(); });
-      groups.resize(std::min(groups.size(), s_.drawn && s_.settings.warm_start ? most_groups_beside : most_groups));
+      groups.resize(std::min(groups.size(), groups_followed()));
       for (const MotionGroup& group : groups) {
         candidates_.push_back({group.members, group.features, group.range,
                                s_.pilot.state_on_section(group.members.front()),
@@ -153,6 +164,11 @@ class Discoverer {
     }
     if (s_.balance_box) drop_balanced_candidates();
     if (s_.settings.warm_start) recognise_candidates();
+  }
+
+  std::size_t groups_followed() const {
+    if (s_.settings.few_starts) return s_.system.smooth() ? most_groups_of_few : most_eventful_groups_of_few;
+    return s_.drawn && s_.settings.warm_start ? most_groups_beside : most_groups;
   }
 
   // Trajectories on a slow way to balance are followed on lanes first. To follow one to a motion may take for ever.
@@ -253,7 +269,8 @@ class Discoverer {
 
   // Where rotors differ, chaos that lasts this long counts as lasting.
   double patience() const {
-    return s_.drawn ? std::min(followed_for(s_.system), lasting_chaos) : followed_for(s_.system);
+    const double longest = followed_for(s_.system, s_.settings.few_starts);
+    return s_.drawn ? std::min(longest, lasting_chaos) : longest;
   }
 
   // A state of the pilot becomes a candidate again if it came to no motion, or to one that looks different each time.
@@ -362,23 +379,6 @@ AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
                                const AttractorSearchSettings& settings) {
   const DrawnSource source(family, box, settings.stop);
   return Discoverer(source.middle(), source, settings, search_key(box, settings), &source).balance_alone();
-}
-
-double followed_for(const model::System& system) { return is_dear(system) ? 0.25 * motion_patience : motion_patience; }
-
-std::string attractor_search_subject(const Study& study) { return to_toml(at_final_speed(study)); }
-
-std::string search_key(const std::string& subject, const AttractorSearchSettings& settings) {
-  std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.warm_start);
-  if (settings.brief) key += "\nbrief";
-  for (const WarmStartLevel& h : settings.warm_start_levels.levels)
-    key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
-  for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
-  return key;
-}
-
-std::string search_key(const FamilyBox& part, const AttractorSearchSettings& settings) {
-  return search_key(fmt::format("{}\n{} to {}", settings.family, part.low, part.high), settings);
 }
 
 AttractorSearch search_attractors(const Study& study, const AttractorSearchSettings& settings) {

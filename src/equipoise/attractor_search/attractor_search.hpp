@@ -2,6 +2,7 @@
 // recognises them early.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -39,6 +40,11 @@ struct AttractorSearchSettings {
   bool warm_start = false;
   /// For a first look: where a pilot start is dear, an eighth of the pilot.
   bool brief = false;
+  /// For an ensemble of one chunk (256 starts), which costs less than a search. The pilot has few_scouts starts, only
+  /// balance gets trapping regions, and windows decide the rest. Of starts that come to another motion one is followed
+  /// for all that look like it, and no more than most_followed_of_few in all: others stay undecided. With events none
+  /// is followed: its windows show its motion (MotionKind::measured).
+  bool few_starts = false;
   WarmStartLevels warm_start_levels = {};  ///< of the neighbour's search, with warm_start
   SearchLog* notes = nullptr;              ///< log of the steps of searches, or null
   std::string family{};                    ///< tells a family's notes from those of others
@@ -77,8 +83,10 @@ struct AttractorSearchCache {
 inline constexpr double lasting_chaos = 10000.0;
 
 /// How long a trajectory is followed to its motion (motion_from()). Many touching balls make each time unit a hundred
-/// times as costly, and patience with a motion that does not come back gains nothing.
-double followed_for(const model::System& system);
+/// times as costly, and patience with a motion that does not come back gains nothing. `few_starts`: as in the settings;
+/// then motions with events are followed for an eighth.
+double followed_for(const model::System& system, bool few_starts = false);
+inline constexpr std::size_t few_scouts = 32, most_followed_of_few = 8;
 
 /// The part of a study that its search depends on, as text: studies that agree in it share one.
 std::string attractor_search_subject(const Study& study);

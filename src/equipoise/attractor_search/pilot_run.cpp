@@ -23,7 +23,7 @@ namespace {
 // A seed apart from the study's, on which the rule then does not depend.
 constexpr std::uint64_t pilot_seed = 0x9e3779b97f4a7c15;
 // Lanes seldom wait for the last start of a large chunk; several threads need several chunks.
-std::size_t chunk_for(int threads) { return threads == 1 ? PilotRun::random_starts : 256; }
+std::size_t chunk_for(int threads) { return threads == 1 ? PilotRun::Size().random_starts : 256; }
 
 }  // namespace
 
@@ -72,14 +72,14 @@ bool PilotRun::add(std::size_t first, std::size_t count) {
 
 bool PilotRun::make() {
   const int balls = system_.balls();
-  const std::size_t scouting = random_scouts / part_, all = random_starts / part_;
+  const auto [scouting, coincident, all] = wanted_;
   if (!add(0, scouting)) return false;
   random_ones_ = begin_.size() / system_.dimension();
-  std::vector<InitialState> in_one_place(coincident_scouts, initial_);
-  for (std::size_t k = 0; k < coincident_scouts; ++k)
+  std::vector<InitialState> in_one_place(coincident, initial_);
+  for (std::size_t k = 0; k < coincident; ++k)
     for (int i = 0; i < balls; ++i)
-      in_one_place[k].phi[i] =
-          two_pi * static_cast<double>(k) / coincident_scouts + side_by_side * system_.parameters().contact_angle * i;
+      in_one_place[k].phi[i] = two_pi * static_cast<double>(k) / static_cast<double>(coincident) +
+                               side_by_side * system_.parameters().contact_angle * i;
   SpunUp together;
   if (!source_.follow(in_one_place, together)) return false;
   append(together);

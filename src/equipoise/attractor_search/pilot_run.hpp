@@ -25,17 +25,26 @@ class PilotRun {
  public:
   /// Scouts find the motions. With trapping regions in place, the whole pilot then shows how far regions and boxes can
   /// be trusted. Where starts are dear, the pilot runs on for that purpose alone.
-  static constexpr std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
+  struct Size {
+    std::size_t random_scouts = 1024, coincident_scouts = 32, random_starts = 4096;
 
-  /// `initial`: initial values that starts do not draw. `part`: only one in this many random starts is made. `drawn`:
-  /// the source, if it draws rotors.
-  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, std::size_t part = 1,
+    /// One in this many random starts.
+    Size part(std::size_t of) const { return {random_scouts / of, coincident_scouts, random_starts / of}; }
+  };
+
+  /// `initial`: initial values that starts do not draw. `drawn`: the source, if it draws rotors.
+  PilotRun(const model::System& system, const SpinUp& source, const InitialState& initial, const Size& wanted,
            const DrawnSource* drawn = nullptr)
-      : system_(system), source_(source), drawn_(drawn), initial_(initial), part_(part), task_(source.last_task()) {}
+      : system_(system),
+        source_(source),
+        drawn_(drawn),
+        initial_(initial),
+        wanted_(wanted),
+        task_(source.last_task()) {}
 
-  /// Makes random starts, starts with all balls together, and more random ones. With a motor every other start is free
-  /// from the beginning, at speeds from rest to the no-load speed: a slow rotor may stay slow, and one that has passed
-  /// resonance may return to it. False if stopped.
+  /// Makes random scouts, scouts with all balls together, and more random starts. With a motor every other start is
+  /// free from the beginning, at speeds from rest to the no-load speed: a slow rotor may stay slow, and one that has
+  /// passed resonance may return to it. False if stopped.
   bool make();
   /// How many starts are scouts.
   std::size_t scouts() const { return scouts_; }
@@ -74,7 +83,7 @@ class PilotRun {
   const SpinUp& source_;
   const DrawnSource* drawn_;
   InitialState initial_;
-  const std::size_t part_;
+  const Size wanted_;
   const BatchTask task_;
   std::vector<double> begin_, states_;
   std::vector<OwnRotor> rotors_;  // each start's own, or none

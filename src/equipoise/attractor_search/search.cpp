@@ -11,11 +11,13 @@ namespace equipoise {
 
 namespace {
 
-// One start in this many. A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if
-// two balls touch as if they pass each other, and fifty times if many do.
-std::size_t pilot_part(const model::System& system, const AttractorSearchSettings& settings) {
-  if (is_dear(system)) return settings.brief ? 128 : 16;
-  return settings.warm_start || system.events().contact ? 4 : 1;
+// A quarter is enough if a neighbour's motions are known. A start costs thirty times as much if two balls touch as if
+// they pass each other, and fifty times if many do.
+PilotRun::Size pilot_size(const model::System& system, const AttractorSearchSettings& settings) {
+  if (settings.few_starts) return {few_scouts, 0, few_scouts};
+  const PilotRun::Size whole;
+  if (is_dear(system)) return whole.part(settings.brief ? 128 : 16);
+  return whole.part(settings.warm_start || system.events().contact ? 4 : 1);
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
              .stop = asked.stop,
              .progress = &stages,
              .notes = &notes},
-      pilot(system, source, s.initial, pilot_part(system, asked), drawing) {
+      pilot(system, source, s.initial, pilot_size(system, asked), drawing) {
   result.catalogue = Catalogue(drawing != nullptr);
 }
 

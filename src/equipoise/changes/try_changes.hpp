@@ -14,7 +14,8 @@ namespace equipoise {
 inline constexpr double seconds_for_changes = 30.0, longest_for_changes = 45.0;
 
 /// The usual changes tried on the study's first starts, in their order; stops after the first that makes the balancer
-/// fit. Stopped, it returns what is done. Progress counts changes.
+/// fit. Each has starts_of_a_change starts or, where it surely fails and is not the best, starts_of_a_look. Stopped, it
+/// returns what is done. Progress counts changes.
 std::vector<TriedChange> try_changes(const Study& study, const RunOptions& options = {});
 /// The same of a result's study, if its verdict asks for it: none for a balancer that does what is asked, is not needed
 /// or is not judged yet, nor for a result that was stopped.

@@ -11,6 +11,8 @@ namespace equipoise {
 
 /// Starts on which each change is tried: if all keep the limits, 96 % surely do.
 inline constexpr std::uint64_t starts_of_a_change = 100;
+/// The first of them. A change that surely fails on these is tried on all only if it may still be the best.
+inline constexpr std::uint64_t starts_of_a_look = 32;
 
 /// A study with one thing changed, of so many random starts, and what the change is: "twice the drag".
 struct Change {

@@ -214,6 +214,12 @@ bool serves_better(const TriedChange& a, const TriedChange& b) {
   return a.peak.value < b.peak.value;
 }
 
+bool may_serve_better(const TriedChange& a, const TriedChange& b) {
+  if (standing(a.decision) != standing(b.decision)) return standing(a.decision) < standing(b.decision);
+  if (a.kept && b.kept) return a.kept->high >= b.kept->low;
+  return !(a.end_velocity.low > b.end_velocity.high);
+}
+
 Tone tone_of(Decision decision) {
   return decision == Decision::fit || decision == Decision::not_needed ? Tone::good
          : decision == Decision::do_not_fit                            ? Tone::bad
@@ -247,9 +253,14 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
          limited ? number_cell(t.kept ? share_with_interval(*t.kept) : "-") : number(t.end_velocity, velocity),
          number(t.peak, length)});
   }
-  table.caption = fmt::format(words::decision::changes_tried, tried.size() > most ? words::decision::of : "",
-                              tried.size(), tried.front().starts,
-                              limited ? words::decision::shares_and_peak : words::decision::velocity_and_peak);
+  const auto [fewest, all] = std::minmax_element(
+      tried.begin(), tried.end(), [](const TriedChange& a, const TriedChange& b) { return a.starts < b.starts; });
+  const std::string starts = fewest->starts == all->starts
+                                 ? fmt::format(words::decision::each_on, all->starts)
+                                 : fmt::format(words::decision::on_fewer_starts, all->starts, fewest->starts);
+  table.caption =
+      fmt::format(words::decision::changes_tried, tried.size() > most ? words::decision::of : "", tried.size(), starts,
+                  limited ? words::decision::shares_and_peak : words::decision::velocity_and_peak);
   return table;
 }
 

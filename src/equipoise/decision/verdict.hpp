@@ -58,6 +58,8 @@ struct TriedChange {
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& with_it);
 /// Whether `a` serves better: by decision, then by the share that keeps the limits, else by velocity at the end.
 bool serves_better(const TriedChange& a, const TriedChange& b);
+/// Whether more starts might show that `a` does: their intervals overlap, or its decision stands higher.
+bool may_serve_better(const TriedChange& a, const TriedChange& b);
 
 /// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
 /// the verdict's last line tells the best of them.

@@ -52,6 +52,7 @@ struct BasinOptions : RunOptions {
   bool warm_start = false;  ///< these states are all of a neighbouring study: a shorter search
   const WarmStartLevels* warm_start_levels = nullptr;  ///< levels of its trapping regions, or null
   bool brief_search = false;  ///< for a first look: a smaller pilot where its starts are dear (AttractorSearchSettings)
+  bool few_starts = false;    ///< the search costs less than a hundred starts (AttractorSearchSettings)
   int search_threads = 0;     ///< for the attractor search; 0: as `threads`
   /// The helpers for starts sampled by this method (ensembles/chunks.hpp), or null. Asked before each sample.
   std::function<ChunkHelp*(SamplingMethod)> help;

@@ -45,6 +45,7 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
           .progress = options.progress,
           .warm_start = options.warm_start,
           .brief = options.brief_search,
+          .few_starts = options.few_starts,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
           .notes = options.notes};
 }

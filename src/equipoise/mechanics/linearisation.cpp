@@ -1,6 +1,8 @@
 // Jacobians from the equations of motion, run on dual numbers.
 #include "equipoise/mechanics/linearisation.hpp"
 
+#include <type_traits>
+
 #include "equipoise/math/gradient.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
@@ -14,16 +16,22 @@ namespace kernels = HWY_NAMESPACE;
 constexpr kernels::Terms autonomous{false, false, false};
 
 Segment constant_speed(double speed) { return {0.0, 0.0, 0.0, speed, 0.0, false}; }
-}  // namespace
 
-Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
-  constexpr int most = dimension(max_balls);
-  using Dual = Gradient<double, most>;
-  const int size = dimension(p.balls);
-  const kernels::FreeFlow<Dual, any_count, autonomous> flow(p, constant_speed(speed));
+// A dual number has a slope for each variable. Two balls in a plane have 8 variables; 16 are those of four balls on a
+// rotor that tilts, or of six in a plane. Slopes do not mix, so the width moves no bit of a result.
+template <int most, class Use>
+Eigen::MatrixXd at_width(int size, const Use& use) {
+  if (size <= 8) return use(std::integral_constant<int, 8>());
+  if (size <= 16) return use(std::integral_constant<int, 16>());
+  return use(std::integral_constant<int, most>());
+}
+
+// `most`: the room that `flow` needs.
+template <int most, class Dual, class Flow>
+Eigen::MatrixXd slopes_of(const Flow& flow, const double* y, int size) {
   Dual state[most], rate[most];
   for (int i = 0; i < size; ++i) {
-    state[i] = Dual(z[i]);
+    state[i] = Dual(y[i]);
     state[i].slope[i] = 1.0;
   }
   flow(Dual(0.0), state, rate);
@@ -31,6 +39,16 @@ Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
   for (int i = 0; i < size; ++i)
     for (int column = 0; column < size; ++column) result(i, column) = rate[i].slope[column];
   return result;
+}
+}  // namespace
+
+Eigen::MatrixXd jacobian(const Parameters& p, double speed, const double* z) {
+  constexpr int most = dimension(max_balls);
+  const int size = dimension(p.balls);
+  return at_width<most>(size, [&](auto width) {
+    using Dual = Gradient<double, width>;
+    return slopes_of<most, Dual>(kernels::FreeFlow<Dual, any_count, autonomous>(p, constant_speed(speed)), z, size);
+  });
 }
 
 Eigen::VectorXd derivative(const Parameters& p, double speed, const double* z, double psi) {
@@ -55,28 +73,16 @@ Eigen::VectorXd rate(const System& system, const Eigen::VectorXd& y, double psi)
   return rate;
 }
 
-namespace {
-template <bool tilt>
-Eigen::MatrixXd smooth_jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
-  constexpr int most = kernels::SmoothFlow<double, any_count, tilt>::dimension;
-  using Dual = Gradient<double, most>;
-  const int size = system.dimension();
-  Dual z[most], dz[most];
-  for (int i = 0; i < size; ++i) {
-    z[i] = Dual(y[i]);
-    z[i].slope[i] = 1.0;
-  }
-  kernels::SmoothFlow<Dual, any_count, tilt>(system, psi)(Dual(0.0), z, dz);
-  Eigen::MatrixXd result(size, size);
-  for (int i = 0; i < size; ++i)
-    for (int column = 0; column < size; ++column) result(i, column) = dz[i].slope[column];
-  return result;
-}
-}  // namespace
-
 Eigen::MatrixXd jacobian(const System& system, const Eigen::VectorXd& y, double psi) {
   if (system.plain() && system.autonomous()) return jacobian(system.parameters(), system.speed(), y.data());
-  return kernels::with_tilt(system, [&](auto tilt) { return smooth_jacobian<tilt>(system, y, psi); });
+  const int size = system.dimension();
+  return kernels::with_tilt(system, [&](auto tilt) {
+    constexpr int most = kernels::SmoothFlow<double, any_count, tilt>::dimension;
+    return at_width<most>(size, [&](auto width) {
+      using Dual = Gradient<double, width>;
+      return slopes_of<most, Dual>(kernels::SmoothFlow<Dual, any_count, tilt>(system, psi), y.data(), size);
+    });
+  });
 }
 
 Eigen::VectorXd centred_state(const Parameters& p, const double* phi) {

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/attractor_search/search.hpp"
 #include "equipoise/attractors/motion_figures.hpp"
+#include "equipoise/classification/window_features.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
@@ -37,6 +39,7 @@ StartRunner::Batch StartRunner::new_batch(bool watched) const {
 // Applies the rule to all starts that are not over; the others keep their fates.
 bool StartRunner::decide(Batch& batch) const {
   batch.fates = batch.starts.fates;
+  if (few_starts_) batch.records.emplace(batch.starts.size());
   std::vector<std::vector<std::size_t>> cells(family_ ? mesh_.cells.size() : 1);
   for (std::size_t i = 0; i < batch.starts.size(); ++i) {
     if (batch.starts.is_over(i) || !(batch.starts.begin(i, source_->settled()) < batch.end(i))) continue;
@@ -112,16 +115,18 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
     if (attracted && fate.attractor <= 0) {
       // A watched trajectory has gone on since it was decided.
       const double now = batch.watched ? batch.table.rows[i].end : fate.time;
-      std::optional<UnlistedStart> start =
-          fate.attractor < 0 ? met_again(batch, i, fate) : unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
+      std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(batch, i, fate)
+                                           : few_starts_      ? unlisted_of_few(batch, i, now)
+                                                         : unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
       if (!start) return false;
       decided.unlisted.push_back(*std::move(start));
       fate.attractor = 0;
-      fate.by = DecidedBy::followed;
       const auto& motion = decided.unlisted.back().motion;
-      if (motion && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
+      const bool known = motion && motion->kind != MotionKind::measured;
+      fate.by = motion && !known ? DecidedBy::windows : DecidedBy::followed;
+      if (known && !system.prescribed()) fate.mean_speed = static_cast<float>(motion->speed);
       if (motion && motion->set_valued) fate.unbalance = unbalance_of(system, motion->state.data());
-      if (batch.watched && motion && motion->stable)
+      if (batch.watched && known && motion->stable)
         end = motion_figures(system.parameters(), *motion, batch.table.settings_of(i).shaft);
     } else if (attracted) {
       if (system_.coasts()) fate.by = DecidedBy::followed;
@@ -204,6 +209,28 @@ std::optional<UnlistedStart> StartRunner::unlisted_start(const Batch& batch, std
     if (start->motion) start->name = motion_name(system.parameters(), *start->motion);
   }
   if (start) start->place = i;
+  return start;
+}
+
+// A start that looks like one followed before has come to the same motion.
+std::optional<UnlistedStart> StartRunner::unlisted_of_few(Batch& batch, std::size_t i, double now) const {
+  const PilotRecord& record = (*batch.records)[i];
+  const KnownFeatures* like = record.finished_window
+                                  ? nearest_met(record.features, batch.looks, system_.balls(), search_.rule.sameness)
+                                  : nullptr;
+  if (like)
+    return UnlistedStart{i, when_recognised(batch, i, now), batch.came_to[static_cast<std::size_t>(like->attractor)]};
+  // To follow one past its strikes and stops takes longer than all starts together: its windows show the motion.
+  if (!system_.smooth() && !system_.coasts())
+    return UnlistedStart{i, when_recognised(batch, i, now), measured_motion(), {name_of(MotionKind::measured), "", 0}};
+  if (batch.came_to.size() >= most_followed_of_few) return UnlistedStart{i, when_recognised(batch, i, now), {}};
+  std::optional<UnlistedStart> start = unlisted_start(batch, i, now, 0.0);
+  if (!start) return start;
+  if (record.finished_window)
+    batch.looks.push_back({.features = record.features,
+                           .attractor = static_cast<int>(batch.came_to.size()),
+                           .chaotic = !start->motion || never_repeats(start->motion->kind)});
+  batch.came_to.push_back(start->motion);
   return start;
 }
 

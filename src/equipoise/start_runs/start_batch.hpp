@@ -17,6 +17,9 @@ struct StartRunner::Batch {
   TransientTable table;
   std::vector<Fate> fates;
   std::optional<std::vector<PilotRecord>> records;  // of all starts, if requested
+  // Of few starts: what those that were followed look like (`attractor`: their place here), and what they came to.
+  std::vector<KnownFeatures> looks;
+  std::vector<std::optional<Motion>> came_to;
 
   const Study& study(std::size_t i) const { return own.empty() ? runner->study_ : own[i].own.study; }
   const model::System& system(std::size_t i) const { return own.empty() ? runner->system_ : starts.rotors[i].system; }

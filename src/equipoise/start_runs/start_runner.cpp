@@ -20,6 +20,7 @@ namespace equipoise {
 StartRunner::StartRunner(const Study& study, const AttractorSearchSettings& settings, bool transients)
     : study_(with_horizon(study)),
       gathers_(transients),
+      few_starts_(settings.few_starts && study.uncertain.empty()),
       stop_(settings.stop),
       system_(study.system()),
       transients_(transient_settings(study)),
@@ -168,7 +169,7 @@ std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& stat
   if (search_.coasting)
     start.motion = search_.coasting->lasting_motion(z, stop_);
   else
-    start.motion = motion_from(system_, z, followed_for(system_), stop_);
+    start.motion = motion_from(system_, z, followed_for(system_, few_starts_), stop_);
   if (is_set(stop_)) return std::nullopt;  // its motion may have been cut short
   return start;
 }
@@ -176,6 +177,7 @@ std::optional<UnlistedStart> StartRunner::follow(const std::vector<double>& stat
 int StartRunner::list(const UnlistedStart& start) {
   const bool stable = start.motion && start.motion->stable;
   if (!stable) return 0;
+  if (start.motion->kind == MotionKind::measured) return catalogue_.add(start.name, *start.motion);
   if (!family_ && !system_.coasts()) return catalogue_.add(study_.parameters, *start.motion);
   return catalogue_.add(family_ ? start.name : motion_name(study_.parameters, *start.motion), *start.motion);
 }

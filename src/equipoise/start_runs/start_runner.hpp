@@ -134,6 +134,7 @@ class StartRunner {
   bool classify_some(Batch& batch, const std::vector<std::size_t>& places, const ClassificationRule& rule) const;
   bool finish(Batch& batch, Decided& decided) const;
   std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now, double patience) const;
+  std::optional<UnlistedStart> unlisted_of_few(Batch& batch, std::size_t i, double now) const;
   UnlistedStart met_again(const Batch& batch, std::size_t i, const Fate& fate) const;
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
   bool note_last_speeds(Batch& batch) const;
@@ -144,7 +145,7 @@ class StartRunner {
   KnownEnd end_of(int attractor) const;
 
   Study study_;
-  bool gathers_ = false;
+  bool gathers_ = false, few_starts_ = false;
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;

@@ -81,12 +81,14 @@ inline constexpr std::array<std::pair<const char*, const char*>, 11> plain_words
     {"hanging", "balls stay below the shaft"},
 }};
 
-// The table of changes. Caption: "Of " or nothing, changes, starts of each, how to read the figures.
+// The table of changes. Caption: "Of " or nothing, changes, how many starts each had, how to read the figures.
 inline constexpr char as_it_is[] = "as it is";
 inline constexpr char keep_limits[] = "keep every limit";
 inline constexpr char velocity_column[] = "RMS velocity at the end, {}";
 inline constexpr char peak_column[] = "peak displacement, {}";
-inline constexpr char changes_tried[] = "{}{} changes tried, each on {} starts, best first. {}.";
+inline constexpr char changes_tried[] = "{}{} changes tried, {}, best first. {}.";
+inline constexpr char each_on[] = "each on {} starts";
+inline constexpr char on_fewer_starts[] = "each on {} starts, or on {} where that was enough to see it fail";
 inline constexpr char of[] = "Of ";
 inline constexpr char shares_and_peak[] = "Shares with their 95 % intervals; peak: 90 % of starts below";
 inline constexpr char velocity_and_peak[] = "Velocity and peak: 90 % of starts below";
