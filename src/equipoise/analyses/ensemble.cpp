@@ -40,7 +40,7 @@ Ensemble::Ensemble(const Study& study, const EnsembleOptions& options) : gathers
   study_ = as_sampled(study, study.sampling.method.value_or(SamplingMethod::random));
   AttractorSearchCache own;
   runner_ = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
-    return lasting_runner(study_, o, gathers_, options.searches ? *options.searches : own);
+    return lasting_runner(study_, o, gathers_, options.searches ? *options.searches : own, options.few_starts);
   });
 }
 

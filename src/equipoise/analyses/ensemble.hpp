@@ -17,6 +17,7 @@ namespace equipoise {
 
 struct EnsembleOptions : RunOptions {
   bool transients = false;                   ///< gather every start's transient
+  bool few_starts = false;                   ///< the search costs less than a hundred starts (AttractorSearchSettings)
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive ensembles with the same final speed
 };
 

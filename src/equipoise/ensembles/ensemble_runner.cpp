@@ -56,14 +56,18 @@ std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOpti
 }
 
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
-                                            AttractorSearchCache& found) {
+                                            AttractorSearchCache& found, bool few_starts) {
   const int threads = thread_count(options.threads);
-  const AttractorSearchSettings search{
-      .threads = threads, .stop = options.stop, .cache = &found, .progress = options.progress};
+  const AttractorSearchSettings search{.threads = threads,
+                                       .stop = options.stop,
+                                       .cache = &found,
+                                       .progress = options.progress,
+                                       .few_starts = few_starts};
   const bool searches = study.uncertain.empty();
   if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
     throw RunError(words::runs::stopped_before_attractors);
-  return std::make_unique<StartRunner>(study, AttractorSearchSettings{.threads = threads, .cache = &found}, transients);
+  return std::make_unique<StartRunner>(
+      study, AttractorSearchSettings{.threads = threads, .cache = &found, .few_starts = few_starts}, transients);
 }
 
 bool classify_chunk(const StartRunner& runner, Chunk& chunk) {

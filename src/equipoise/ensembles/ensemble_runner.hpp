@@ -25,9 +25,10 @@ std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOpti
                                              AttractorSearchCache& searches);
 
 /// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
-/// first and finds the result again in `found`. Study as above. Throws RunError if stopped.
+/// first and finds the result again in `found`. Study as above; `few_starts`: AttractorSearchSettings. Throws RunError if
+/// stopped.
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
-                                            AttractorSearchCache& found);
+                                            AttractorSearchCache& found, bool few_starts = false);
 
 /// Decides a chunk, or completes one from another process. Thread-safe; false if stopped early.
 bool classify_chunk(const StartRunner& runner, Chunk& chunk);
