@@ -9,7 +9,7 @@ set(equipoise_public_headers
     base/error.hpp base/stop_flag.hpp
     running/run_options.hpp
     drives/full_state.hpp drives/motor.hpp drives/speed.hpp drives/spin_up_shape.hpp drives/torque_curve.hpp
-    model/ball_mode.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
+    model/ball_mode.hpp model/bearings.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
     types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
       types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp
     mechanics/balance_grade.hpp mechanics/balanced_state.hpp mechanics/energy.hpp mechanics/whirl.hpp
@@ -23,7 +23,7 @@ set(equipoise_public_headers
     periodic_orbits/orbit.hpp
     attractors/catalogue.hpp attractors/motion.hpp
     proof/certificate.hpp proof/member_certificate.hpp
-    columns/column.hpp columns/slice_figures.hpp columns/standard_levels.hpp columns/transient_figures.hpp
+    columns/column.hpp columns/slice_figures.hpp columns/standard_levels.hpp columns/transient_figures.hpp columns/watched_shaft.hpp
     results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp results/branch.hpp
       results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp results/comparison_result.hpp
       results/design_result.hpp results/explanation.hpp results/inspection.hpp results/machine_page.hpp

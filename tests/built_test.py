@@ -69,7 +69,9 @@ def main(arguments):
         root = Path(__file__).resolve().parent.parent
         missed = list(unbuilt(root, [build], "equipoise_program"))
         assert any(line.startswith("bench/main.cpp:") for line in missed), missed
-        assert not any(line.startswith("apps/") for line in missed), missed
+        # A program with MPI leaves its stand-in out, and one without MPI what joins processes.
+        of_either = ("apps/equipoise/no_team.cpp:", "apps/equipoise/team.cpp:", "apps/equipoise/post.cpp:")
+        assert not any(line.startswith("apps/") and not line.startswith(of_either) for line in missed), missed
         return 0
     root = Path(arguments[0]).resolve()
     faults = list(left_out(root))

@@ -38,6 +38,7 @@ inline OwnRotor own_rotor(const model::System& system, double psi = 0.0) {
 
 inline std::vector<const OwnRotor*> pointers_to(const std::vector<OwnRotor>& rotors) {
   std::vector<const OwnRotor*> pointers;
+  pointers.reserve(rotors.size());
   for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
   return pointers;
 }
