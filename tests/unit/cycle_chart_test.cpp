@@ -13,7 +13,6 @@
 #include "equipoise/charts/chart_plot.hpp"
 #include "equipoise/charts/chart_report.hpp"
 #include "equipoise/curves/balance_plane.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/curves/cycle_curve.hpp"
 #include "equipoise/curves/hopf_form.hpp"
 #include "equipoise/cycles/cycle_branch.hpp"
@@ -23,22 +22,14 @@
 #include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/stability/plane_studies.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
-#include "../support/studies.hpp"
+#include "../support/charted_plane.hpp"
 
 namespace equipoise {
 namespace {
 
-Study cycle_rotor() {
-  Study study = parse_study(constant_speed, "rotor");
-  study.parameters.drag = {0.05, 0.05};
-  return study;
-}
-
 ChartSettings cycle_settings(double low_speed, double high_speed, double low_drag, double high_drag) {
-  ChartSettings settings;
-  settings.x = {"speed.final", low_speed, high_speed, 16};
-  settings.y = {"balancer.drag", low_drag, high_drag, 16};
-  settings.boxes = 0;
+  ChartSettings settings =
+      ChartedPlane::settings({"speed.final", low_speed, high_speed, 16}, {"balancer.drag", low_drag, high_drag, 16});
   settings.cycles = true;
   return settings;
 }
@@ -48,7 +39,7 @@ const BifurcationChart& around_generalised() {
   static const BifurcationChart chart = [] {
     ChartSettings settings = cycle_settings(1.84, 2.0, 0.008, 0.03);
     settings.threads = 2;
-    return bifurcation_chart(cycle_rotor(), settings);
+    return bifurcation_chart(charted_rotor(), settings);
   }();
   return chart;
 }
@@ -56,22 +47,15 @@ const BifurcationChart& around_generalised() {
 // one's, too.
 const std::vector<CurvePlace>& torus_places() {
   static const std::vector<CurvePlace> places = [] {
-    ChartSettings settings = cycle_settings(2.08, 2.11, 0.001, 0.003);
-    settings.cycles = false;
-    const BifurcationChart chart = bifurcation_chart(cycle_rotor(), settings);
-    const PlaneStudies studies(cycle_rotor(), chart.plane.x, chart.plane.y);
-    const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
-    for (const ChartCurve& curve : chart.curves) {
+    const ChartedPlane charted({"speed.final", 2.08, 2.11, 16}, {"balancer.drag", 0.001, 0.003, 16});
+    for (const ChartCurve& curve : charted.chart.curves) {
       if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
       for (const CurvePoint& p : curve.points) {
         if (p.frequency < 0.5 || p.x < 2.0935) continue;
-        const CycleStart start{plane.place(p.x, p.y), Eigen::Vector2d(0.6, 0.8),
-                               Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8), p.frequency};
-        const CycleBranch branch =
-            cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+        const CycleBranch branch = charted.born_at(p, {0.6, 0.8});
         for (const CycleCrossing& crossing : branch.crossings)
           if (crossing.change == CycleChange::torus) {
-            CycleCurve torus(plane, *plane.system(crossing.near.at), crossing);
+            CycleCurve torus(charted.plane, *charted.plane.system(crossing.near.at), crossing);
             if (torus.follow_from(crossing, nullptr, {})) return torus.places();
           }
         if (!branch.places.empty()) break;
@@ -82,13 +66,6 @@ const std::vector<CurvePlace>& torus_places() {
   return places;
 }
 
-model::System cycle_system(double speed, double drag) {
-  Study study = cycle_rotor();
-  study.speed.speed = speed;
-  study.parameters.drag = {drag, drag};
-  return study.system();
-}
-
 const ChartCurve* curve_of(const BifurcationChart& chart, CurveKind kind) {
   const auto found =
       std::find_if(chart.curves.begin(), chart.curves.end(), [&](const ChartCurve& c) { return c.kind == kind; });
@@ -97,20 +74,6 @@ const ChartCurve* curve_of(const BifurcationChart& chart, CurveKind kind) {
 
 Eigen::VectorXd state_of(const CurvePoint& p) {
   return Eigen::Map<const Eigen::VectorXd>(p.state.data(), static_cast<Eigen::Index>(p.state.size()));
-}
-
-// Eigenvalues of the map over one period, by differences of whole trajectories: without variational equations.
-Eigen::VectorXcd multipliers_by_differences(const model::System& system, const Eigen::VectorXd& z, double period,
-                                            double step = 1e-5) {
-  const Eigen::Index size = z.size();
-  Eigen::MatrixXd map(size, size);
-  for (Eigen::Index k = 0; k < size; ++k) {
-    const Eigen::VectorXd along = step * Eigen::VectorXd::Unit(size, k);
-    map.col(k) = (*advance_state(system, z + along, period, 0.0, 1e-13) -
-                  *advance_state(system, z - along, period, 0.0, 1e-13)) /
-                 (2.0 * step);
-  }
-  return dense::eigenvalues(map);
 }
 
 std::vector<const CurvePoint*> some_points(const ChartCurve& curve, std::size_t count) {
@@ -126,7 +89,7 @@ TEST(CycleChart, AtFoldsTwoMultipliersAreOneByDifferencesOfTrajectories) {
   ASSERT_TRUE(fold);
   EXPECT_LT(fold->error, 1e-9);
   for (const CurvePoint* p : some_points(*fold, 5)) {
-    const model::System system = cycle_system(p->x, p->y);
+    const model::System system = charted_system(p->x, p->y);
     const double period = 2.0 * M_PI / p->frequency;
     const Eigen::VectorXd z = state_of(*p);
     EXPECT_LT((*advance_state(system, z, period) - z).norm(), 1e-9);
@@ -154,7 +117,7 @@ std::vector<PeriodicOrbit> orbits_near(const model::System& system, const CurveP
   std::vector<Eigen::VectorXd> nodes{state_of(p)};
   Eigen::VectorXd middle = nodes[0] / 8.0;
   for (int k = 1; k < 8; ++k) {
-    nodes.push_back(advance_state(cycle_system(p.x, p.y), nodes.back(), period / 8.0).value());
+    nodes.push_back(advance_state(charted_system(p.x, p.y), nodes.back(), period / 8.0).value());
     middle += nodes.back() / 8.0;
   }
   std::vector<PeriodicOrbit> found;
@@ -176,7 +139,8 @@ TEST(CycleChart, TwoCyclesExistOnOneSideOfAFoldAndNoneOnTheOther) {
     if (p->others > 0 || p->swing < 0.045) continue;
     // Nearer to the fold than the Hopf curve is, where one of the two ends.
     const double off = 2e-6;
-    auto two = orbits_near(cycle_system(p->x, p->y + off), *p), none = orbits_near(cycle_system(p->x, p->y - off), *p);
+    auto two = orbits_near(charted_system(p->x, p->y + off), *p),
+         none = orbits_near(charted_system(p->x, p->y - off), *p);
     const double side = two.size() > none.size() ? 1.0 : -1.0;
     if (side < 0.0) two.swap(none);
     ASSERT_EQ(two.size(), 2u) << p->x << " " << p->y;
@@ -185,7 +149,7 @@ TEST(CycleChart, TwoCyclesExistOnOneSideOfAFoldAndNoneOnTheOther) {
     // The stable one holds a trajectory. From the same state none is held on the other side.
     const PeriodicOrbit& held = two[0].stable() ? two[0] : two[1];
     const auto change = [&](double drag) {
-      const model::System system = cycle_system(p->x, drag);
+      const model::System system = charted_system(p->x, drag);
       const Eigen::VectorXd z = advance_state(system, held.nodes[0], 2000 * held.period).value();
       const auto swing = [&](const Eigen::VectorXd& from) {
         return cycle_swing(system, {held.period, std::vector<Eigen::VectorXd>{from}});
@@ -224,7 +188,7 @@ TEST(CycleChart, FoldsBeginAtGeneralisedHopfPointsAlongTheHopfCurve) {
   EXPECT_GE(compared, 2);
   // It is tangent to the Hopf curve: balance's pair grows by the fourth power of the swing only.
   const auto growth = [&](const CurvePoint& p) {
-    Study study = cycle_rotor();
+    Study study = charted_rotor();
     study.speed.speed = p.x;
     study.parameters.drag = {p.y, p.y};
     return std::fabs(nearest_pair(balance_spectrum(study)->rates, {0.0, p.frequency * p.frequency, {}})->mean) /
@@ -238,7 +202,7 @@ TEST(CycleChart, FoldsBeginAtGeneralisedHopfPointsAlongTheHopfCurve) {
 
 TEST(CycleChart, SmallCyclesSwingAsTheNormalFormSays) {
   const BifurcationChart& chart = around_generalised();
-  const PlaneStudies studies(cycle_rotor(), chart.plane.x, chart.plane.y);
+  const PlaneStudies studies(charted_rotor(), chart.plane.x, chart.plane.y);
   const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
   int compared = 0;
   for (const ChartCurve& curve : chart.curves) {
@@ -267,7 +231,7 @@ TEST(CycleChart, AtTorusPointsAPairIsOnTheUnitCircleAndCrossesIt) {
   int compared = 0;
   for (const CurvePoint* p : some_points(torus, 8)) {
     const double period = 2.0 * M_PI / p->frequency;
-    const Eigen::VectorXcd all = multipliers_by_differences(cycle_system(p->x, p->y), state_of(*p), period);
+    const Eigen::VectorXcd all = multipliers_by_differences(charted_system(p->x, p->y), state_of(*p), period);
     double nearest = INFINITY;
     for (const std::complex<double>& value : all)
       if (value.imag() > 0.01) nearest = std::min(nearest, std::fabs(std::abs(value) - 1.0));
@@ -277,8 +241,8 @@ TEST(CycleChart, AtTorusPointsAPairIsOnTheUnitCircleAndCrossesIt) {
     const CurvePoint& q = *(p + 1);
     const double wide = 0.03, high = 0.002, norm = std::hypot((q.x - p->x) / wide, (q.y - p->y) / high);
     const auto outside = [&](double side) {
-      const auto orbit = near_cycle(cycle_system(p->x - side * wide * (q.y - p->y) / high / norm,
-                                                 p->y + side * high * (q.x - p->x) / wide / norm),
+      const auto orbit = near_cycle(charted_system(p->x - side * wide * (q.y - p->y) / high / norm,
+                                                   p->y + side * high * (q.x - p->x) / wide / norm),
                                     *p);
       return orbit ? unstable_multipliers(orbit->decays()) : -1;
     };
@@ -293,31 +257,23 @@ TEST(CycleChart, AtTorusPointsAPairIsOnTheUnitCircleAndCrossesIt) {
 }
 
 TEST(CycleChart, AtAPeriodDoublingAMultiplierIsMinusOne) {
-  ChartSettings settings;
-  settings.x = {"speed.final", 1.1, 1.6, 16};
-  settings.y = {"rotor.eccentricity", 0.005, 0.05, 16};
-  settings.boxes = 0;
-  const BifurcationChart chart = bifurcation_chart(cycle_rotor(), settings);
-  const PlaneStudies studies(cycle_rotor(), chart.plane.x, chart.plane.y);
-  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  const ChartedPlane charted({"speed.final", 1.1, 1.6, 16}, {"rotor.eccentricity", 0.005, 0.05, 16});
   int compared = 0;
-  for (const ChartCurve& curve : chart.curves) {
+  for (const ChartCurve& curve : charted.chart.curves) {
     if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
     const auto p = std::find_if(curve.points.begin(), curve.points.end(), [](const CurvePoint& q) {
       return std::fabs(q.x - 1.54) < 0.01 && std::fabs(q.frequency - 0.205) < 0.01;
     });
     if (p == curve.points.end()) continue;
-    const CycleStart start{plane.place(p->x, p->y), Eigen::Vector2d(0.8, -0.6), state_of(*p), p->frequency};
-    const CycleBranch branch =
-        cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+    const CycleBranch branch = charted.born_at(*p, {0.8, -0.6});
     const StopFlag at_once{true};  // the first place is enough
     for (const CycleCrossing& crossing : branch.crossings) {
       if (crossing.change != CycleChange::flip) continue;
-      CycleCurve flip(plane, *plane.system(crossing.near.at), crossing);
+      CycleCurve flip(charted.plane, *charted.plane.system(crossing.near.at), crossing);
       flip.follow_from(crossing, &at_once, {});
       ASSERT_FALSE(flip.places().empty());
       const CurvePoint& q = flip.places()[0].point;
-      const model::System system = *plane.system(flip.places()[0].at);
+      const model::System system = *charted.plane.system(flip.places()[0].at);
       const auto nearest = [&](double step) {
         const auto all = multipliers_by_differences(system, state_of(q), 2.0 * M_PI / q.frequency, step);
         Eigen::Index k = 0;
@@ -339,7 +295,7 @@ TEST(CycleChart, AtAPeriodDoublingAMultiplierIsMinusOne) {
 TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.cycles = false;
-  const BifurcationChart without = bifurcation_chart(cycle_rotor(), settings);
+  const BifurcationChart without = bifurcation_chart(charted_rotor(), settings);
   EXPECT_FALSE(without.curves.empty());
   for (const ChartCurve& curve : without.curves) EXPECT_FALSE(is_of_cycles(curve.kind));
   EXPECT_FALSE(holds(chart_text(without), "fold of cycles"));
@@ -367,7 +323,7 @@ std::vector<double> numbers_of(std::string row) {
 TEST(CycleChart, TheScriptForJuliaHasStatesAtWhichTheEquationsRest) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.cycles = false;
-  const BifurcationChart chart = bifurcation_chart(cycle_rotor(), settings);
+  const BifurcationChart chart = bifurcation_chart(charted_rotor(), settings);
   const std::string script = chart_julia(chart);
   EXPECT_TRUE(holds(script, "const keys_of_study = (\"speed.speed\", \"balancer.drag\")"));
   const auto rows_after = [&](const std::string& name) {
@@ -407,7 +363,7 @@ TEST(CycleChart, SaysWhyItTellsNothingOfCycles) {
 TEST(CycleChart, ThreadsMakeNoDifference) {
   ChartSettings settings = cycle_settings(1.84, 2.0, 0.008, 0.03);
   settings.threads = 1;
-  EXPECT_EQ(chart_csv(around_generalised()), chart_csv(bifurcation_chart(cycle_rotor(), settings)));
+  EXPECT_EQ(chart_csv(around_generalised()), chart_csv(bifurcation_chart(charted_rotor(), settings)));
 }
 
 }  // namespace

@@ -11,23 +11,13 @@
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/continuation/branch_events.hpp"
 #include "equipoise/continuation/branch_follower.hpp"
-#include "equipoise/curves/balance_plane.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/curves/cycle_curve.hpp"
-#include "equipoise/cycles/cycle_branch.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/stability/plane_studies.hpp"
-#include "../support/studies.hpp"
+#include "../support/charted_plane.hpp"
 
 namespace equipoise {
 namespace {
-
-Study line_rotor() {
-  Study study = parse_study(constant_speed, "rotor");
-  study.parameters.drag = {0.05, 0.05};
-  return study;
-}
 
 // A plane, and where cycles are born that change across it.
 struct BirthOfCycles {
@@ -41,27 +31,18 @@ struct BirthOfCycles {
 class PlaceOnCurve {
  public:
   explicit PlaceOnCurve(const BirthOfCycles& birth) : x_(birth.x.key), y_(birth.y.key) {
-    ChartSettings settings;
-    settings.x = birth.x;
-    settings.y = birth.y;
-    settings.boxes = 0;
-    const BifurcationChart chart = bifurcation_chart(line_rotor(), settings);
-    const PlaneStudies studies(line_rotor(), birth.x, birth.y);
-    const BalancePlane plane(studies, birth.x, birth.y);
-    for (const ChartCurve& curve : chart.curves) {
+    const ChartedPlane charted(birth.x, birth.y);
+    for (const ChartCurve& curve : charted.chart.curves) {
       if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
       const auto p = std::find_if(curve.points.begin(), curve.points.end(), [&](const CurvePoint& q) {
         return std::fabs(q.x - birth.hopf_x) < 0.01 && std::fabs(q.frequency / birth.frequency - 1.0) < 0.05;
       });
       if (p == curve.points.end()) continue;
-      const CycleStart start{plane.place(p->x, p->y), birth.across.normalized(),
-                             Eigen::Map<const Eigen::VectorXd>(p->state.data(), 8), p->frequency};
-      const CycleBranch branch =
-          cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+      const CycleBranch branch = charted.born_at(*p, birth.across.normalized());
       const StopFlag at_once{true};  // one place is enough
       for (const CycleCrossing& crossing : branch.crossings) {
         if (crossing.change != birth.change || found_) continue;
-        CycleCurve place(plane, *plane.system(crossing.near.at), crossing);
+        CycleCurve place(charted.plane, *charted.plane.system(crossing.near.at), crossing);
         place.follow_from(crossing, &at_once, {});
         if (place.places().empty()) continue;
         found_ = true;
@@ -75,7 +56,7 @@ class PlaceOnCurve {
   double value(bool along_x) const { return along_x ? point_.x : point_.y; }
   // Through the place, `off` to either side.
   ParameterLine line(bool along_x, double off) const {
-    const Study study = study_with(line_rotor(), along_x ? y_ : x_, along_x ? point_.y : point_.x);
+    const Study study = study_with(charted_rotor(), along_x ? y_ : x_, along_x ? point_.y : point_.x);
     const double at = value(along_x);
     return {study, fmt::format("{}={:.12g}:{:.12g}:{:.12g}", along_x ? x_ : y_, at - off, at + off, 2.0 * off)};
   }

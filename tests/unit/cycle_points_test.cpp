@@ -6,72 +6,34 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/charts/chart_report.hpp"
-#include "equipoise/curves/balance_plane.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/curves/cycle_curve.hpp"
-#include "equipoise/cycles/cycle_branch.hpp"
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/stability/plane_studies.hpp"
-#include "../support/studies.hpp"
+#include "../support/charted_plane.hpp"
 
 namespace equipoise {
 namespace {
 
-Study points_rotor() {
-  Study study = parse_study(constant_speed, "rotor");
-  study.parameters.drag = {0.05, 0.05};
-  return study;
-}
-
-model::System points_system(double speed, double drag) {
-  Study study = points_rotor();
-  study.speed.speed = speed;
-  study.parameters.drag = {drag, drag};
-  return study.system();
-}
-
 // Special points of the curve on which cycles of one of two swings become tori, near a double Hopf point.
 std::vector<SpecialPoint> of_tori(bool slow, const SliceAxis& speed, const SliceAxis& drag,
                                   const Eigen::Vector2d& across) {
-  ChartSettings settings;
-  settings.x = speed;
-  settings.y = drag;
-  settings.boxes = 0;
-  const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
-  const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
-  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
-  for (const ChartCurve& curve : chart.curves) {
+  const ChartedPlane charted(speed, drag);
+  for (const ChartCurve& curve : charted.chart.curves) {
     if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
     for (const CurvePoint& p : curve.points) {
       if ((p.frequency < 0.3) != slow || p.x < 2.0935) continue;
-      const CycleStart start{plane.place(p.x, p.y), across, Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8),
-                             p.frequency};
-      const CycleBranch branch =
-          cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+      const CycleBranch branch = charted.born_at(p, across);
       for (const CycleCrossing& crossing : branch.crossings) {
         if (crossing.change != CycleChange::torus) continue;
-        CycleCurve torus(plane, *plane.system(crossing.near.at), crossing);
+        CycleCurve torus(charted.plane, *charted.plane.system(crossing.near.at), crossing);
         if (torus.follow_from(crossing, nullptr, {})) return torus.specials();
       }
       if (!branch.places.empty()) break;
     }
   }
   return {};
-}
-
-// Eigenvalues of the map over one period, by differences of whole trajectories.
-Eigen::VectorXcd by_differences(const model::System& system, const Eigen::VectorXd& z, double period, double step) {
-  Eigen::MatrixXd map(z.size(), z.size());
-  for (Eigen::Index k = 0; k < z.size(); ++k) {
-    const Eigen::VectorXd along = step * Eigen::VectorXd::Unit(z.size(), k);
-    map.col(k) = (*advance_state(system, z + along, period, 0.0, 1e-13) -
-                  *advance_state(system, z - along, period, 0.0, 1e-13)) /
-                 (2.0 * step);
-  }
-  return dense::eigenvalues(map);
 }
 
 TEST(CyclePoints, AtResonancesTheMapOverThreeOrFourTurnsHasTwoMoreMultipliersOfOne) {
@@ -81,12 +43,12 @@ TEST(CyclePoints, AtResonancesTheMapOverThreeOrFourTurnsHasTwoMoreMultipliersOfO
     if (p.kind != SpecialKind::resonance_1_3 && p.kind != SpecialKind::resonance_1_4) continue;
     const int turns = p.kind == SpecialKind::resonance_1_3 ? 3 : 4;
     const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
-    const model::System system = points_system(p.x, p.y);
+    const model::System system = charted_system(p.x, p.y);
     const double period = 2.0 * M_PI / p.frequency;
     EXPECT_LT((*advance_state(system, z, period) - z).norm(), 1e-8);
     double away[2];
     for (const int part : {1, 2}) {
-      const Eigen::VectorXcd all = by_differences(system, z, period, 2e-5 / part);
+      const Eigen::VectorXcd all = multipliers_by_differences(system, z, period, 2e-5 / part);
       double nearest = INFINITY;
       for (const std::complex<double>& value : all)
         if (value.imag() > 0.1) nearest = std::min(nearest, std::abs(std::pow(value, turns) - 1.0));
@@ -107,7 +69,8 @@ TEST(CyclePoints, AtAFoldTorusPointAPairIsOnTheUnitCircleAndASecondMultiplierIsO
        of_tori(false, {"speed.final", 2.08, 2.11, 16}, {"balancer.drag", 0.001, 0.003, 16}, {0.6, 0.8})) {
     if (p.kind != SpecialKind::fold_torus) continue;
     const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
-    const Eigen::VectorXcd all = by_differences(points_system(p.x, p.y), z, 2.0 * M_PI / p.frequency, 1e-5);
+    const Eigen::VectorXcd all =
+        multipliers_by_differences(charted_system(p.x, p.y), z, 2.0 * M_PI / p.frequency, 1e-5);
     Eigen::VectorXd from_one = (all.array() - 1.0).abs();
     std::sort(from_one.begin(), from_one.end());
     EXPECT_LT(from_one[0] * from_one[1], 1e-6) << p.x << " " << p.y;
@@ -121,26 +84,17 @@ TEST(CyclePoints, AtAFoldTorusPointAPairIsOnTheUnitCircleAndASecondMultiplierIsO
 }
 
 TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
-  ChartSettings settings;
-  settings.x = {"speed.final", 2.0, 2.1, 16};
-  settings.y = {"balancer.drag", 0.001, 0.004, 16};
-  settings.boxes = 0;
-  const BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
-  const PlaneStudies studies(points_rotor(), chart.plane.x, chart.plane.y);
-  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  const ChartedPlane charted({"speed.final", 2.0, 2.1, 16}, {"balancer.drag", 0.001, 0.004, 16});
   int compared = 0;
-  for (const ChartCurve& curve : chart.curves) {
+  for (const ChartCurve& curve : charted.chart.curves) {
     if (curve.kind != CurveKind::hopf || curve.of != of_balance || compared > 0) continue;
     const auto p = std::find_if(curve.points.begin(), curve.points.end(),
                                 [](const CurvePoint& q) { return q.frequency < 0.1 && std::fabs(q.x - 2.05) < 0.01; });
     if (p == curve.points.end()) continue;
-    const CycleStart start{plane.place(p->x, p->y), Eigen::Vector2d(0.0, 1.0),
-                           Eigen::Map<const Eigen::VectorXd>(p->state.data(), 8), p->frequency};
-    const CycleBranch branch =
-        cycle_branch([&](const Eigen::VectorXd& at) { return plane.system(at); }, start, nullptr);
+    const CycleBranch branch = charted.born_at(*p, {0.0, 1.0});
     ASSERT_FALSE(branch.places.empty());
     const CyclePlace &last = branch.places.back(), &first = branch.places.front();
-    const model::System system = *plane.system(last.at);
+    const model::System system = *charted.plane.system(last.at);
     // It has grown to the bound, nearly.
     EXPECT_GT(last.shape.period, 0.7 * longest_period(system, last.shape, 2.0 * M_PI / p->frequency));
     EXPECT_GT(last.shape.period, 1.5 * first.shape.period);
@@ -166,11 +120,7 @@ TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
 }
 
 TEST(CyclePoints, AStoppedChartSaysHowManyPlacesAreLeft) {
-  ChartSettings settings;
-  settings.x = {"speed.final", 2.0, 2.1, 4};
-  settings.y = {"balancer.drag", 0.01, 0.04, 4};
-  settings.boxes = 0;
-  BifurcationChart chart = bifurcation_chart(points_rotor(), settings);
+  BifurcationChart chart = ChartedPlane({"speed.final", 2.0, 2.1, 4}, {"balancer.drag", 0.01, 0.04, 4}).chart;
   EXPECT_FALSE(holds(chart_text(chart), "PARTIAL"));
   chart.complete = false;
   EXPECT_TRUE(holds(chart_text(chart), "PARTIAL: stopped before all curves and boxes were done."));
