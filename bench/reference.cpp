@@ -66,9 +66,7 @@ void follow_long(const Problem& problem, double* row) {
 void follow_double(const Problem& problem, double* row) {
   using Flow = kernels::FreeFlow<double, 2, terms>;
   const Flow flow(problem.parameters, problem.segment);
-  kernels::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = 1e-14;
-  kernels::set_state_scale(problem.parameters, 1, scale);
+  const auto scale = kernels::error_scale<Flow::dimension>(problem.parameters, 1e-14);
   kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale);
   if (integrator.advance(problem.segment.begin, problem.end, row, [](double, double, const auto&) {}) !=
       IntegrationStatus::done)

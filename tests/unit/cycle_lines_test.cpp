@@ -145,8 +145,8 @@ TEST(CycleLines, ABranchAlongSpeedEndsWhereTheCurveOfFoldsIs) {
       if (!orbit || !orbit->stable()) continue;
       const Advance way = follower.advance(describe_orbit(line.system_at(from), *orbit), from, to);
       EXPECT_FALSE(way.arrived);
-      // It ends with the curve's swing, at a multiplier of 1. Branches take a cycle so close to balance for one that
-      // shrinks to it, so that their cause is not asked for.
+      // It ends with the curve's swing, at a multiplier of 1: near balance, but not in it.
+      EXPECT_EQ(cause_of_end(follower, way), BranchCause::fold);
       EXPECT_NEAR(cycle_swing(line.system_at(way.value), {way.motion.orbit.period, way.motion.orbit.nodes}),
                   place.point().swing, 0.05 * place.point().swing);
       EXPECT_GT(place.point().swing, 0.02);

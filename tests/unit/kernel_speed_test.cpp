@@ -54,8 +54,7 @@ double scalar_nanoseconds() {
     ++evaluations;
     flow(t, z, dz);
   };
-  kernels::ErrorScale<8> scale{.tolerance = 1e-6};
-  kernels::set_state_scale(p, 1, scale);
+  const auto scale = kernels::error_scale<8>(p, 1e-6);
   kernels::AdaptiveIntegrator<decltype(counted), 8> integrator(counted, scale);
   constexpr int count = 16;
   std::vector<double> states = starts(count);

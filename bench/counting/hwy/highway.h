@@ -13,6 +13,9 @@
 #define HWY_INLINE inline
 #define HWY_NOINLINE inline
 #define HWY_ATTR
+#define HWY_TARGET 1  // the only one, and not portable code
+#define HWY_TARGETS HWY_TARGET
+#define HWY_SCALAR 2
 #define HWY_CAPPED(T, N) hwy::N_COUNTING::Tag<T>
 #define HWY_LANES(T) 1
 #define HWY_NATIVE_FMA 1

@@ -61,9 +61,7 @@ MotionFigures followed(const Watched& watched, const Flow& flow, const Motion& m
   std::copy_n(motion.state.data(), motion.state.size(), z.begin());
   watch.begin(sample(0.0, z.data()));
   if (duration > 0.0) {
-    kernels::ErrorScale<Flow::dimension> scale;
-    scale.tolerance = figure_tolerance;
-    kernels::set_system_scale(system, 1, scale);
+    const auto scale = kernels::error_scale<Flow::dimension>(system, figure_tolerance);
     kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
     integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
       watch.step_to(to, [&](double t) {

@@ -36,9 +36,7 @@ IntegrationStatus follow_balls(const model::System& system, Eigen::VectorXd& z, 
                                MotionStatistics* statistics, std::vector<Eigen::VectorXd>* samples,
                                const StopFlag* stop) {
   using Flow = typename Source::Flow;
-  kernels::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = tolerance;
-  kernels::set_system_scale(system, 1, scale);
+  const auto scale = kernels::error_scale<Flow::dimension>(system, tolerance);
   const Flow flow = Source::make(system);
   kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
   if (!statistics && !samples)

@@ -57,10 +57,13 @@ class Trials {
     std::optional<TriedChange> judged = tried_change(changes_[k].words, result);
     if (!judged) return false;
     const auto before = std::find_if(done_.begin(), done_.end(), [&](const auto& d) { return d.first == k; });
-    if (before == done_.end())
+    if (before == done_.end()) {
       done_.emplace_back(k, *std::move(judged));
-    else
-      before->second = *std::move(judged);
+      return true;
+    }
+    judged->seconds += before->second.seconds;
+    judged->cpu_seconds += before->second.cpu_seconds;
+    before->second = *std::move(judged);
     return true;
   }
 

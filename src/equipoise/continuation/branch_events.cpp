@@ -69,14 +69,30 @@ BranchEvent stability_change(const BranchContinuation& follower, const BranchPoi
   return event;
 }
 
-// Whether the periodic motion is about to end in an equilibrium: all of it is near one.
-bool has_shrunk(const model::System& system, const Motion& motion) {
+long growing_ways(const Equilibrium& equilibrium) {
+  constexpr double surely = 1e-7;  // of a continuum's eigenvalues, which are zero, rounding makes less
+  return std::count_if(equilibrium.eigenvalues.begin(), equilibrium.eigenvalues.end(),
+                       [](std::complex<double> value) { return value.real() > surely; });
+}
+
+// Whether the periodic motion ends in an equilibrium: all of it is near one, whose stability changes there too. (Where two
+// small orbits meet in a fold, it does not.)
+bool shrinks_to_equilibrium(const ParameterLine& line, const Advance& end) {
   constexpr double near = 0.2;  // in natural sizes
-  const auto centre = system.autonomous() ? refine_equilibrium(system, motion.state) : std::nullopt;
+  const Motion& motion = end.motion;
+  const model::System system = line.system_at(end.value);
+  if (motion.kind != MotionKind::periodic || !system.autonomous()) return false;
+  const auto centre = refine_equilibrium(system, motion.state);
   if (!centre) return false;
   const StateDifference difference(system);
-  return std::all_of(motion.orbit.nodes.begin(), motion.orbit.nodes.end(),
-                     [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; });
+  if (!std::all_of(motion.orbit.nodes.begin(), motion.orbit.nodes.end(),
+                   [&](const Eigen::VectorXd& node) { return difference.distance(node, centre->state) < near; }))
+    return false;
+  // The smallest orbits are not told from the equilibrium: the change may come a little later.
+  const double later = end.refused + std::copysign(coarse * line.step(), end.refused - end.value);
+  const double beyond = std::clamp(later, line.values().front(), line.values().back());
+  const auto after = refine_equilibrium(line.system_at(beyond), centre->state);
+  return after && growing_ways(*centre) != growing_ways(*after);
 }
 
 // Whether the torus grew out of the periodic motion: nearly the same means, slightly wider extremes.
@@ -161,8 +177,7 @@ BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end)
     if (halved) return BranchCause::period_doubling;
   }
   if (end.beyond && end.beyond->kind == last.kind && end.beyond->copies < last.copies) return BranchCause::pitchfork;
-  if (last.kind == MotionKind::periodic && has_shrunk(follower.line().system_at(end.value), last))
-    return BranchCause::hopf;
+  if (shrinks_to_equilibrium(follower.line(), end)) return BranchCause::hopf;
   return folds(follower, end) ? BranchCause::fold : BranchCause::unresolved;
 }
 

@@ -196,7 +196,9 @@ std::optional<TriedChange> tried_change(std::string words, const BasinResult& r)
                      verdict->decision,
                      kept_of(all),
                      all.sure_end_velocity[ninety],
-                     all.figure(&TransientRow::peak_radial).quantiles[ninety]};
+                     all.figure(&TransientRow::peak_radial).quantiles[ninety],
+                     r.seconds,
+                     r.cpu_seconds};
 }
 
 namespace {
@@ -290,6 +292,8 @@ nlohmann::ordered_json verdict_json(const BalancerVerdict& v, std::span<const Tr
     if (t.kept) one["kept"] = sure_share_json(*t.kept);
     one["rms_velocity_90"] = figure(t.end_velocity, study::Dimension::velocity);
     one["peak_radial_90"] = figure(t.peak, study::Dimension::length);
+    one["seconds"] = t.seconds;
+    one["cpu_seconds"] = t.cpu_seconds;
     json["tried"].push_back(one);
   }
   return json;

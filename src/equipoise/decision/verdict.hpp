@@ -53,6 +53,7 @@ struct TriedChange {
   std::optional<Share> kept;           ///< of starts that keep every limit; empty without limits
   QuantileEstimate end_velocity;       ///< RMS, 90 % of starts below; R omega_c
   QuantileEstimate peak;               ///< displacement, 90 % of starts below; R
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< search included
 };
 /// What is told of a result with the change, if it can be judged.
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& with_it);

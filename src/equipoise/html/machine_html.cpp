@@ -322,7 +322,9 @@ class MachineDocument {
             : fmt::format(words::pages::starts_followed, basin_.starts, starts_words(study_, drawn_keys(study_)),
                           shown_.text(study_.numerics.horizon.value_or(0.0), Dimension::time));
     if (study_.parameters.balls > 0) text += on_one_line(sampling_text(basin_));
-    text += model_words(study_, {basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds});
+    RunWords run{basin_.cpu_target, basin_.threads, basin_.seconds, basin_.cpu_seconds};
+    for (const TriedChange& t : tried_) run.seconds += t.seconds, run.cpu_seconds += t.cpu_seconds;
+    text += model_words(study_, run);
     if (basin_.resumed_from > 0) text += fmt::format(words::pages::starts_from_file, basin_.resumed_from);
     add(Paragraph{text + "."});
     add_study(document_, study_);

@@ -38,12 +38,14 @@ inline constexpr double smallest_share = 0.01;
 // The scale of a state with free balls, for every `stride`-th component: relative, but absolute for angles and small
 // values.
 template <int dimension>
-void set_state_scale(const model::Parameters& p, int stride, ErrorScale<dimension>& scale) {
+ErrorScale<dimension> error_scale(const model::Parameters& p, double tolerance, int stride = 1) {
+  ErrorScale<dimension> scale{.tolerance = tolerance};
   for (int i = 0; i < model::dimension(p.balls); ++i) {
     const bool rotor = i < 4, angle = !rotor && i < 4 + p.balls;
     scale.floor[stride * i] = rotor ? smallest_share * p.all_unbalances() : angle ? 1.0 : smallest_share;
     scale.absolute[stride * i] = scale.angle[stride * i] = angle;
   }
+  return scale;
 }
 
 // `System`: callable (t, y, dy) with `size` components, `dimension` at most, smooth over every interval passed to

@@ -7,6 +7,7 @@
 #define EQUIPOISE_KERNELS_KERNEL_INL
 #endif
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -137,11 +138,10 @@ template <BatchKind kind>
 bool run_job(const BatchJob& job) {
   const int balls = job.task.parameters->balls;
   // Deciding takes most of the time. Unrolling it for five and six balls too makes evaluations 22 and 9 % cheaper.
-  constexpr int most = kind >= BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
+  constexpr int most = seldom_run || kind >= BatchKind::hybrid ? 0 : kind == BatchKind::smooth ? 4 : 6;
   if (job.rule) return model::with_ball_count<most>(balls, [&](auto room) { return classify_balls<room, kind>(job); });
-  return model::with_ball_count < most < 4 ? most
-                                           : 4 > (
-                                                     balls, [&](auto room) { return advance_balls<room, kind>(job); });
+  constexpr int most_advanced = std::min(most, 4);
+  return model::with_ball_count<most_advanced>(balls, [&](auto room) { return advance_balls<room, kind>(job); });
 }
 
 }  // namespace HWY_NAMESPACE

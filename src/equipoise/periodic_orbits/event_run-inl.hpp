@@ -152,11 +152,9 @@ class EventRun {
   mutable ModeEquations equations_;  // keeps to the machine's mode
 };
 
-// Relative errors as in set_system_scale(), for a machine's state.
+// Relative errors as in error_scale() of a system, for a machine's state.
 inline EventRun::Machine::Scale event_scale(const model::System& system, double tolerance) {
-  EventRun::Machine::Scale scale;
-  scale.tolerance = tolerance;
-  set_state_scale(system.parameters(), 1, scale);
+  auto scale = error_scale<EventRun::Machine::dimension>(system.parameters(), tolerance);
   const int n = system.balls(), psi = model::machine_layout(n).psi;
   for (int i = psi; i < model::machine_layout(n).size; ++i) scale.floor[i] = smallest_share;
   scale.floor[psi] = 1.0;

@@ -91,8 +91,8 @@ class TangentFlow {
 
 // For every `stride`-th component of the system's state.
 template <int dimension>
-void set_system_scale(const model::System& system, int stride, ErrorScale<dimension>& scale) {
-  set_state_scale(system.parameters(), stride, scale);
+ErrorScale<dimension> error_scale(const model::System& system, double tolerance, int stride = 1) {
+  auto scale = error_scale<dimension>(system.parameters(), tolerance, stride);
   for (int i = model::dimension(system.balls()); i < system.dimension(); ++i) scale.floor[stride * i] = smallest_share;
   if (const int tilt = system.layout().tilt; tilt >= 0)
     for (int i = tilt; i < tilt + 4; ++i) scale.floor[stride * i] = scale.floor[0];
@@ -100,6 +100,7 @@ void set_system_scale(const model::System& system, int stride, ErrorScale<dimens
     scale.floor[stride * angle.place] = 1.0;
     scale.absolute[stride * angle.place] = scale.angle[stride * angle.place] = true;
   }
+  return scale;
 }
 
 // With `vectors` tangents; those beyond `start`'s columns stay zero.
@@ -110,9 +111,7 @@ std::optional<TangentFlight> follow_at_width(const model::System& system, const 
   using Flow = TangentFlow<Source, width>;
   const int size = system.dimension(), stride = 1 + vectors, count = static_cast<int>(start.cols());
   const Eigen::VectorXd unit = system.scale();
-  ErrorScale<Flow::dimension> scale;
-  scale.tolerance = tolerance;
-  set_system_scale(system, stride, scale);
+  auto scale = error_scale<Flow::dimension>(system, tolerance, stride);
   double y[Flow::dimension] = {};
   for (int i = 0; i < size; ++i) y[stride * i] = state[i];
   for (int k = 0; k < vectors; ++k) {
@@ -161,9 +160,7 @@ template <class Source>
 std::optional<Eigen::VectorXd> advance(const model::System& system, const Eigen::VectorXd& state, double duration,
                                        double psi, double tolerance) {
   using Flow = typename Source::template Flow<double>;
-  ErrorScale<Source::dimension> scale;
-  scale.tolerance = tolerance;
-  set_system_scale(system, 1, scale);
+  const auto scale = error_scale<Source::dimension>(system, tolerance);
   const Flow flow = Source::template make<double>(system, psi);
   AdaptiveIntegrator<Flow, Source::dimension> integrator(flow, scale, system.dimension());
   Eigen::VectorXd end = state;

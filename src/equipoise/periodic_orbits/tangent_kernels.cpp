@@ -15,7 +15,10 @@ namespace HWY_NAMESPACE {
 
 template <class Source, int... widths>
 std::optional<TangentFlight> run_source(const TangentJob& j) {
-  return follow<Source, widths...>(j.system, j.state, j.vectors, j.duration, j.tolerance, j.psi, j.stop);
+  if constexpr (seldom_run)
+    return follow<Source, Source::dimension>(j.system, j.state, j.vectors, j.duration, j.tolerance, j.psi, j.stop);
+  else
+    return follow<Source, widths...>(j.system, j.state, j.vectors, j.duration, j.tolerance, j.psi, j.stop);
 }
 
 // Most machines have two balls.

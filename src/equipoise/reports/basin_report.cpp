@@ -74,11 +74,14 @@ std::string stopped_basin_text(const BasinResult& r) {
   return fmt::format(words::reports::partial_basin, r.starts, r.asked > 0 ? fmt::format(" of {}", r.asked) : "");
 }
 
-std::string run_text(const BasinResult& r) {
+std::string run_text(const BasinResult& r, std::span<const TriedChange> tried) {
   const std::string seed = r.own_starts ? "" : fmt::format(", seed {}", r.study.sampling.seed);
   if (r.study.parameters.balls == 0) return fmt::format("{}; equipoise {}\n", computed_text(r), version_string);
-  return fmt::format("{} starts{}; {}, {:.0f} starts/s; equipoise {}\n", r.starts, seed, computed_text(r),
-                     static_cast<double>(r.starts - r.resumed_from) / r.seconds, version_string);
+  double seconds = 0.0, cpu_seconds = 0.0;
+  for (const TriedChange& t : tried) seconds += t.seconds, cpu_seconds += t.cpu_seconds;
+  const std::string more = tried.empty() ? "" : fmt::format(words::reports::changes_took, seconds, cpu_seconds);
+  return fmt::format("{} starts{}; {}, {:.0f} starts/s{}; equipoise {}\n", r.starts, seed, computed_text(r),
+                     static_cast<double>(r.starts - r.resumed_from) / r.seconds, more, version_string);
 }
 
 // The rotor alone.
@@ -184,8 +187,8 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   std::string text;
   if (const auto verdict = verdict_of(r, tried)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
-  if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r), style);
-  if (r.starts == 0) return text + words::reports::partial_no_shares + run_text(r);
+  if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r, tried), style);
+  if (r.starts == 0) return text + words::reports::partial_no_shares + run_text(r, tried);
   text += outcome_text(r, style);
   for (const std::vector<Block>& group : balancer_blocks(r)) text += blocks_text(group, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);
@@ -197,7 +200,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (r.met) notes += contact_text(*r.met);
   if (!r.note.empty()) notes += fmt::format("Note: {}.\n", r.note);
   if (r.partial) notes += stopped_basin_text(r);
-  return text + lines_filled(notes + run_text(r), style);
+  return text + lines_filled(notes + run_text(r, tried), style);
 }
 
 std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried) {

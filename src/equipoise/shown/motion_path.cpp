@@ -97,9 +97,7 @@ void follow_tilting(const model::System& system, const Motion& motion, double du
                     const StopFlag* stop) {
   using Flow = kernels::SmoothFlow<double, model::any_count, true>;
   const Flow flow(system, 0.0);
-  kernels::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = path_tolerance;
-  kernels::set_system_scale(system, 1, scale);
+  const auto scale = kernels::error_scale<Flow::dimension>(system, path_tolerance);
   std::array<double, Flow::dimension> y{};
   std::copy_n(motion.state.data(), motion.state.size(), y.begin());
   taker.take(y.data());

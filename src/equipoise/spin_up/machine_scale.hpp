@@ -14,9 +14,7 @@ namespace HWY_NAMESPACE {
 template <int dimension>
 ErrorScale<dimension> machine_scale(const model::Parameters& p, double tolerance) {
   const model::StateLayout layout = model::machine_layout(p);
-  ErrorScale<dimension> scale;
-  scale.tolerance = tolerance;
-  set_state_scale(p, 1, scale);
+  auto scale = error_scale<dimension>(p, tolerance);
   scale.floor[layout.psi] = scale.floor[layout.speed] = scale.floor[layout.error] = 1.0;
   scale.absolute[layout.psi] = scale.angle[layout.psi] = true;
   if (layout.tilt >= 0) std::fill_n(&scale.floor[layout.tilt], 4, scale.floor[model::index::x]);

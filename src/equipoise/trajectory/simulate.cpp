@@ -76,9 +76,7 @@ void simulate_free(const Task& task, const std::vector<model::Segment>& segments
   using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
   const model::Parameters& p = task.study.parameters;
   const std::vector<double>& times = task.times;
-  kernels::ErrorScale<Flow::dimension> scale;
-  scale.tolerance = task.tolerance;
-  kernels::set_state_scale(p, 1, scale);
+  const auto scale = kernels::error_scale<Flow::dimension>(p, task.tolerance);
   for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
     const model::Segment& segment = segments[k];
     for (; next < times.size() && times[next] == segment.begin; ++next)
