@@ -44,7 +44,7 @@ def commands(name, study, values, folder):
     if name in ("row", "gravity", "centrifuge", "washer"):
         limit = "rotor.unbalance" if name in PHYSICAL_DRAG else "rotor.eccentricity"
         between = {"centrifuge": "4 kg mm:12 kg mm", "washer": "80 kg mm:200 kg mm"}.get(name, "0.005:0.05")
-        yield "capacity", ["capacity", *given, "--of", limit, "--between", between, "--precision", "0.05", *starts, *runs, "-o",
+        yield "capacity", ["capacity", *given, "--wide", "--of", limit, "--between", between, "--precision", "0.05", *starts, *runs, "-o",
                            file("capacity.nc"), "--csv", file("capacity.csv"), "--report", file("capacity.html")], [
                                "capacity.nc", "capacity.csv", "capacity.html"]
         yield "capacity-json", [

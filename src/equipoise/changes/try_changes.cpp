@@ -28,8 +28,8 @@ class Trials {
       if (options_.progress) options_.progress({k, changes_.size(), "changes", {}, false});
       // A look saves nothing where changes do not fail: then the next one is tried on all starts at once.
       const bool looks = done_.empty() || surely_fails(done_.back().second);
-      if (looks && !look(k, starts_of_a_look)) break;
-      if ((!looks || !surely_fails(done_.back().second)) && !look(k, starts_of_a_change)) break;
+      if (looks && !look(k, starts_of_a_look)) continue;
+      if ((!looks || !surely_fails(done_.back().second)) && !look(k, starts_of_a_change)) continue;
       if (done_.back().second.decision == Decision::fit) return told();
     }
     look_closer();
@@ -40,12 +40,14 @@ class Trials {
   double spent() const { return cpu_seconds() - begin_; }
   bool is_over() const { return is_set(options_.stop) || spent() > seconds_for_changes; }
 
-  // Judges change `k`, in place of an earlier look. False if it could not.
+  // Judges change `k`, in place of an earlier look. False if it could not, or took too long.
   bool look(std::size_t k, std::uint64_t starts) {
     BasinOptions one;
     one.threads = options_.threads;
     one.stop = options_.stop;
-    one.stop_asked = [this] { return spent() > longest_for_changes; };
+    one.stop_asked = [this, begin = spent()] {
+      return spent() > longest_for_changes || spent() - begin > longest_for_a_change;
+    };
     one.cpu_target = options_.cpu_target;
     one.transients = true;
     one.few_starts = true;

@@ -41,8 +41,8 @@ inline constexpr char no_contact[] =
 // Share, interval.
 inline constexpr char contact[] = "Contact: balls touched in {} of all starts ({}) before the outcome was known.\n";
 
-// Of the changes tried: seconds, CPU seconds.
-inline constexpr char changes_took[] = "; the changes tried: {:.2f} s, {:.2f} s CPU";
+// Of the changes that were not given up: seconds, CPU seconds.
+inline constexpr char changes_took[] = "; the changes judged: {:.2f} s, {:.2f} s CPU";
 
 // Basin: stopped runs.
 
