@@ -119,6 +119,97 @@ TEST(LockedStates, AreAtRestAndAllThatRandomStartsFind) {
   }
 }
 
+// The last of the speeds that are looked at is the motor's highest: rounding must not lose it (here 80 s/80 > s).
+TEST(LockedStates, AtAMotorsHighestSpeedAreFound) {
+  const Study study = study_of(R"([rotor]
+eccentricity = 0.07561111111111112
+damping = 0.3
+inertia = 0.6
+[balancer]
+balls = 2
+mass = 0.03
+drag = 0.05
+[speed]
+profile = "torque"
+torque = { stall = 0.028388888888888887, no_load_speed = 4.0 }
+load = { quadratic = 0.002, at = 2.0 }
+)");
+  const model::System system = study.system();
+  double fastest = 0.0;
+  for (const LockedKind& kind : locked_kinds(study.parameters))
+    for (const Eigen::VectorXd& z : locked_states(system, kind))
+      fastest = std::max(fastest, z[system.layout().speed]);
+  EXPECT_NEAR(fastest, 3.2295, 1e-3);  // where trajectories stay: Newton's method on equations written otherwise
+}
+
+// A control whose torque is limited holds no state that needs more: zeta Omega rho^2 is 9.6e-5 in the least.
+TEST(LockedStates, NeedNoMoreThanTheLimitOfTheTorque) {
+  const auto count = [](const char* limit) {
+    const Study study = study_of(std::string(R"([rotor]
+eccentricity = 0.05
+damping = 0.3
+inertia = 0.6
+[balancer]
+balls = 2
+mass = 0.02
+drag = 0.05
+[speed]
+profile = "torque"
+initial = 2.5
+torque = { gain = 0.2, integral = 0.02, limit = )") + limit +
+                                 R"(, target = { profile = "constant", speed = 2.5 } }
+)");
+    std::size_t states = 0;
+    for (const LockedKind& kind : locked_kinds(study.parameters))
+      states += locked_states(study.system(), kind).size();
+    return states;
+  };
+  EXPECT_EQ(count("0.00005"), 0u);
+  EXPECT_EQ(count("0.0005"), 1u);
+  EXPECT_EQ(count("0.05"), 3u);
+}
+
+// One ball as heavy as the unbalance: one of the two states on the line is balance.
+TEST(LockedStates, OfWhichOneIsBalanceAreTheOthers) {
+  const Study study = study_of(R"([rotor]
+eccentricity = 0.03
+damping = 0.3
+[balancer]
+balls = 1
+mass = 0.03
+drag = 0.05
+[speed]
+profile = "constant"
+speed = 2.4
+)");
+  const auto states = locked_states(study.system(), locked_kinds(study.parameters).front());
+  ASSERT_EQ(states.size(), 1u);
+  EXPECT_GT(states.front().head(2).norm(), 0.01);
+}
+
+// Where three unlike balls in line just reach, two real rates cross 0 together: no pair swings.
+TEST(LockedChart, TwoEqualRealRatesAreNoPair) {
+  const BifurcationChart chart = chart_of(R"([rotor]
+eccentricity = 0.02
+damping = 0.3
+[balancer]
+balls = 3
+mass = [0.03, 0.02, 0.01]
+drag = 0.05
+[speed]
+profile = "constant"
+speed = 2.4
+)",
+                                          {"speed.final", 3.0, 6.0, 8}, {"rotor.eccentricity", 0.05, 0.07, 8});
+  ASSERT_FALSE(chart.curves.empty());
+  for (const ChartCurve& curve : chart.curves) EXPECT_NE(curve.kind, CurveKind::hopf) << curve.of;
+}
+
+// Gravity comes with the axis, though the study has none.
+TEST(LockedChart, WhatAnAxisBringsIsRefusedToo) {
+  EXPECT_THROW(chart_of(constant_speed, {"speed.final", 1.2, 2.0, 4}, {"rotor.gravity", 0.0, 0.1, 4}), InputError);
+}
+
 TEST(LockedChart, EveryPointHasTheEigenvaluesThatItsCurveStates) {
   int seen[5] = {};
   for (const BifurcationChart* chart : {&over_unbalance(), &of_motor()})

@@ -250,6 +250,54 @@ speed = "12 rad/s"
   }
 }
 
+// Two balls of mass 0.05 cancel an unbalance of 0.1 at most. There a real eigenvalue is 0 as well, but the state ends.
+TEST(Stability, BalanceEndsWhereTheBallsJustReach) {
+  StabilitySettings settings;
+  settings.x = {"rotor.eccentricity", 0.0, 0.2, 3};
+  settings.y = {"balancer.drag", 0.1, 0.5, 2};
+  const StabilityPlane plane = stability(paper_rotor(5.0, 0.3), settings);
+  const BalanceBoundary* end = boundary(plane, true, true);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->change, BalanceBoundary::Change::existence);
+  EXPECT_NEAR(end->value, 0.1, 1e-9);
+}
+
+// A load above the hump of its torque: the motor falls back to another speed, and rates jump without crossing 0.
+TEST(Stability, AMotorThatFallsBackIsNoEigenvalueThatCrosses) {
+  const Study study = parse_study(R"([rotor]
+eccentricity = 0.01
+damping = 0.3
+inertia = 0.6
+[balancer]
+balls = 2
+mass = 0.02
+drag = 0.05
+[speed]
+profile = "torque"
+torque = { speeds = [0.0, 1.0, 2.0, 3.0], values = [0.004, 0.001, 0.006, 0.0] }
+load = { constant = 0.002 }
+)",
+                                  "motor");
+  StabilitySettings settings;
+  settings.x = {"rotor.damping", 0.1, 0.5, 3};
+  settings.y = {"speed.load.constant", 0.0005, 0.007, 3};
+  const StabilityPlane plane = stability(study, settings);
+  const BalanceBoundary* back = boundary(plane, false, true);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->change, BalanceBoundary::Change::jump);
+  EXPECT_NEAR(back->value, 0.006, 1e-6);
+  EXPECT_LT(balance_at(study_with(study, "speed.load.constant", 0.00599)).growth, -1e-3);
+}
+
+// Unbalance stated in planes makes a couple that does not depend on inertias; the model has it as an angle.
+TEST(Stability, InertiasOfARotorWithACoupleAreRefused) {
+  const Study washer = read_study(EQUIPOISE_SOURCE_DIR "/studies/tilting-washer.toml");
+  ASSERT_NE(washer.parameters.tilt.misalignment, 0.0);
+  for (const char* key : {"rotor.tilt.polar_inertia", "rotor.tilt.transverse_inertia", "rotor.damping"})
+    EXPECT_THROW(study_with(washer, key, 0.5), InputError) << key;
+  EXPECT_NO_THROW(study_with(washer, "balancer.drag", 2.0 * washer.parameters.drag[0]));
+}
+
 TEST(Stability, ValuesPutInTheirPlacesMakeTheStudyThatReadingMakes) {
   const Study study = parse_study(ramp_speed, "rotor");
   for (const auto& [x, y] :

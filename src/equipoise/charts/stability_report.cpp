@@ -95,6 +95,7 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
                                              PageQuantities(plane.study).text(b.frequency, study::Dimension::speed))
                            : b.change == Change::zero ? words::stability::at_zero
                            : b.change == Change::lost ? words::stability::at_loss
+                           : b.change == Change::jump ? words::stability::at_jump
                            : existed                  ? words::stability::at_existence_end
                                                       : words::stability::at_existence_begin;
   return fmt::format(words::stability::change_at, way, key_words(key), at, what);

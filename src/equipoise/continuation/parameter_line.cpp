@@ -13,6 +13,7 @@
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/words/machine.hpp"
 #include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
@@ -95,7 +96,22 @@ double* initial_value(InitialState& start, int balls, const std::string& key) {
   return nullptr;
 }
 
+namespace {
+// A study in physical units has become dimensionless here. Numbers that follow from several of its values do not change
+// as they would if one of those were given otherwise.
+void refuse_if_derived(const Study& study, const std::string& key) {
+  if (!study.scales || !study.parameters.tilts()) return;
+  const auto is = [&](const char* name) { return key == name; };
+  if (study.parameters.tilt.misalignment != 0.0 &&
+      (is("rotor.tilt.transverse_inertia") || is("rotor.tilt.polar_inertia")))
+    throw InputError(study.name, key, "", words::sweeps::inertia_of_a_couple);
+  if (!study.bearings.empty() && (is("rotor.damping") || is("rotor.stiffness")))
+    throw InputError(study.name, key, "", words::machine::bearings_state_it);
+}
+}  // namespace
+
 Study study_with(const Study& original, const std::string& key, double value) {
+  refuse_if_derived(original, key);
   Study study = original;
   if (key.starts_with("initial.phi_"))  // of one ball: no key of a study file
     if (double* initial = initial_value(study.initial, study.parameters.balls, key)) {

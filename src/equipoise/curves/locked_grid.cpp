@@ -160,7 +160,8 @@ class LockedSearch {
     const auto nearest = std::min_element(found->rates.begin(), found->rates.end(), [](const auto& p, const auto& q) {
       return std::fabs(p.real()) < std::fabs(q.real());
     });
-    if (nearest->imag() != 0.0)
+    constexpr double turns = 1e-6;  // of two equal real rates rounding makes a pair, slower than this
+    if (std::fabs(nearest->imag()) > turns)
       follow(CurveKind::hopf, kind, same, found->state, {0.0, std::norm(*nearest), {}});
     else if (!symmetries_[kind].partings().empty())
       follow(CurveKind::pitchfork, kind, same, found->state, {});

@@ -97,7 +97,8 @@ class FedStates {
     const double critical = std::sqrt(p.stiffness[0] / (1.0 + p.total_mass()));
     constexpr int wide = 80, narrow = 80;  // looks over all speeds, and near the critical one
     std::vector<double> speeds;
-    for (int k = 1; k <= wide; ++k) speeds.push_back(top * k / wide);
+    for (int k = 1; k < wide; ++k) speeds.push_back(top * k / wide);
+    speeds.push_back(top);
     for (int k = 0; k < narrow; ++k) speeds.push_back(critical * (0.7 + 0.6 * (k + 0.5) / narrow));
     speeds.erase(std::remove_if(speeds.begin(), speeds.end(), [&](double s) { return s > top; }), speeds.end());
     std::sort(speeds.begin(), speeds.end());
@@ -145,12 +146,20 @@ class FedStates {
       auto at = state(speed, root);
       if (!at || (kind_.own_mirror && root == 0)) continue;
       const auto place = system_.layout().speed, error = system_.layout().error;
-      const double without = model::rate(system_, *at)[place];
-      (*at)[error] = 1.0;
-      const double with = model::rate(system_, *at)[place];
-      if (with == without) continue;
-      (*at)[error] = -without / (with - without);
-      found.push_back(*at);
+      const auto gain_with = [&](double integral) {
+        (*at)[error] = integral;
+        return model::rate(system_, *at)[place];
+      };
+      // In proportion to the integral as long as the torque is below its limit. A state that needs more is not held.
+      const double without = gain_with(0.0);
+      constexpr double even = 1e-6;
+      double part = 1.0;
+      while (part > 1e-9 && std::fabs(gain_with(part) + without - 2.0 * gain_with(0.5 * part)) >
+                                even * std::fabs(gain_with(part) - without))
+        part *= 0.5;
+      const double more = gain_with(part) - without;
+      if (more != 0.0 && std::fabs(gain_with(-part * without / more)) <= even * std::fabs(without))
+        found.push_back(*at);
     }
     return found;
   }
@@ -215,8 +224,11 @@ std::vector<VectorXd> locked_states(const model::System& system, const LockedKin
   if (!system.prescribed()) return FedStates(system, kind).run();
   std::vector<VectorXd> found;
   if (system.speed() == 0.0) return found;
+  // Where all balls in line just cancel the unbalance: that state is balance itself.
+  const double balanced = 1e-12 * system.parameters().all_unbalances();
   for (const OnLine& line : on_line(system.parameters(), kind.moment(system.parameters()), system.speed()))
-    if (!kind.own_mirror || line.reach > 0.0) found.push_back(state_on_line(system, kind, line, system.speed()));
+    if ((!kind.own_mirror || line.reach > 0.0) && std::fabs(line.reach) > balanced)
+      found.push_back(state_on_line(system, kind, line, system.speed()));
   return found;
 }
 

@@ -74,13 +74,14 @@ struct BalanceBoundary {
     zero,       ///< a real eigenvalue crosses
     existence,  ///< the balanced state ends or begins
     lost,       ///< it is not found any more, or is marginal
+    jump,       ///< balance is another motion there, as where a motor comes to hold another speed
   };
   bool along_x = true, upwards = true;
   Change change = Change::none;
   double value = 0.0;      ///< of the parameter; without a change the last that was looked at
   double frequency = 0.0;  ///< of a pair
 };
-inline constexpr std::array<const char*, 5> boundary_change_names{"none", "hopf", "zero", "existence", "lost"};
+inline constexpr std::array<const char*, 6> boundary_change_names{"none", "hopf", "zero", "existence", "lost", "jump"};
 
 /// The point of the plane that is the study itself.
 struct OwnPoint {

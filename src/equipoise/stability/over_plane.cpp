@@ -57,19 +57,21 @@ class WayToBoundary {
     double same = begin;
     for (int k = 1; k <= looks; ++k) {
       const double value = begin + (end - begin) * k / looks;
-      if (at(value).kind != own_.point.kind) return between(same, value, boundary);
+      if (at(value).kind != own_.point.kind) return between(same, value, merging * (end - begin), boundary);
       same = value;
     }
     return boundary;
   }
 
  private:
+  static constexpr double merging = 1e-6;  // so near, as a share of the way
+
   BalancePoint at(double value) const {
     return balance_at(along_x_ ? studies_.at(value, own_.y) : studies_.at(own_.x, value));
   }
 
   // Bisection, to the last digits that rates have.
-  BalanceBoundary between(double same, double other, BalanceBoundary boundary) const {
+  BalanceBoundary between(double same, double other, double little, BalanceBoundary boundary) const {
     using Change = BalanceBoundary::Change;
     for (int k = 0; k < 48; ++k) {
       const double middle = 0.5 * (same + other);
@@ -80,13 +82,15 @@ class WayToBoundary {
     const BalancePoint& known = std::isfinite(before.growth) ? before : after;
     boundary.frequency = known.swings() ? known.frequency : 0.0;
     const auto either = [&](BalanceKind kind) { return before.kind == kind || after.kind == kind; };
-    // Where two states merge an eigenvalue is 0, to the root of rounding, before they are gone.
-    constexpr double merging = 1e-12;
-    boundary.change = either(BalanceKind::none) || (!known.swings() && std::fabs(known.margin) < merging)
-                          ? Change::existence
-                      : either(BalanceKind::unknown) ? Change::lost
-                      : known.swings()               ? Change::hopf
-                                                     : Change::zero;
+    // Where two states merge an eigenvalue is 0, to rounding, before they are gone.
+    const auto gone = [&] {
+      return !known.swings() && std::fabs(known.growth) < merging && at(other + little).kind == BalanceKind::none;
+    };
+    boundary.change = either(BalanceKind::none) || gone() ? Change::existence
+                      : either(BalanceKind::unknown)      ? Change::lost
+                      : std::fabs(known.growth) > merging ? Change::jump
+                      : known.swings()                    ? Change::hopf
+                                                          : Change::zero;
     return boundary;
   }
 

@@ -54,6 +54,7 @@ inline constexpr char at_hopf[] = "a pair of eigenvalues crosses (Hopf), at freq
 inline constexpr char at_zero[] = "a real eigenvalue crosses zero";
 inline constexpr char at_existence_end[] = "the balanced state ends";
 inline constexpr char at_existence_begin[] = "a balanced state begins to exist";
+inline constexpr char at_jump[] = "there it jumps, as where a motor comes to hold another speed";
 inline constexpr char at_loss[] = "beyond it no balanced motion is found";
 
 // Axes: letter, key, ends, points.

@@ -47,6 +47,9 @@ inline constexpr char line_form[] =
 // The form.
 inline constexpr char line_key[] =
     "KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; {}";
+inline constexpr char inertia_of_a_couple[] =
+    "here only the inertia would change and the angle of the couple unbalance stay, so that another couple would act; "
+    "\"equipoise sweep\" reads the whole study anew for each value";
 inline constexpr char nothing_turns[] = "nothing turns; the final speed must not be 0";
 inline constexpr char values_searched[] = "values searched";
 inline constexpr char branches_followed[] = "branches followed";
