@@ -50,8 +50,13 @@ py::dict limits_of(const Study& study) {
 }
 
 py::dict parameters_of(const Study& uncertain) {
-  py::dict parameters;
-  for (const char* table : {"rotor", "balancer"}) add_values(table, with_medians(uncertain), parameters);
+  const Study study = with_medians(uncertain);
+  py::dict parameters, tilt;
+  for (const char* table : {"rotor", "balancer"}) add_values(table, study, parameters);
+  if (study.parameters.tilts()) {
+    add_values("rotor.tilt", study, tilt);
+    parameters["tilt"] = tilt;
+  }
   return parameters;
 }
 

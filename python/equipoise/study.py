@@ -189,7 +189,8 @@ class Study:
     @property
     def parameters(self) -> dict[str, Any]:
         """What the equations are computed with: the keys of [rotor] and [balancer], dimensionless whatever the units of
-        the study; pairs [x, y], or lists with one a ball. Uncertain values at their medians."""
+        the study; pairs [x, y], or lists with one a ball. "tilt": a dictionary of the keys of [rotor.tilt]; None of a
+        rotor that does not tilt. Uncertain values at their medians."""
         return self._core.parameters
 
     @property

@@ -120,6 +120,8 @@ def test_a_run_becomes_tables_and_files(study, tmp_path):
 
 def test_a_rotor_that_tilts_has_its_slopes_in_every_form(tmp_path):
     study = eq.Study.from_file(studies / "long-rotor.toml")
+    assert study.parameters["tilt"]["transverse_inertia"] == study["rotor.tilt"]["transverse_inertia"] == 3.25
+    assert eq.Study.from_file(studies / "paper" / "table-2-omega-2.4.toml").parameters["tilt"] is None
     run = eq.simulate(study, t=np.linspace(0.0, 20.0, 11))
     assert np.abs(run.tilt_x).max() > 1e-4
     dataset = run.to_xarray()
