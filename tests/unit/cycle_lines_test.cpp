@@ -162,6 +162,38 @@ TEST(CycleLines, ABranchAlongSpeedEndsWhereTheCurveOfFoldsIs) {
   EXPECT_EQ(compared, 1);
 }
 
+// Beyond a soft loss of balance a stable cycle grows out of it: followed back, it ends in balance.
+TEST(CycleLines, ACycleThatShrinksToBalanceEndsInAHopfBifurcation) {
+  const Study study = parse_study(R"([rotor]
+eccentricity = 0.03
+damping = 0.05
+[balancer]
+balls = 1
+mass = 0.03
+drag = 0.05
+[speed]
+profile = "constant"
+speed = 1.485
+)",
+                                  "one ball");
+  const ParameterLine line(study, "speed.final=1.485:1.495:0.01");
+  const BranchContinuation follower(line, 0, nullptr);
+  const model::System system = line.system_at(1.485);
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(6);
+  z[4] = M_PI + 0.1;  // the ball beside the light side, from where it comes to the cycle
+  z = advance_state(system, z, 4000.0).value();
+  const double period = 2.0 * M_PI / 0.4;  // of the pair that crosses
+  constexpr int count = 16;
+  std::vector<Eigen::VectorXd> nodes{z};
+  for (int k = 1; k < count; ++k) nodes.push_back(advance_state(system, nodes.back(), period / count).value());
+  const auto orbit = refine_orbit(system, nodes, period);
+  ASSERT_TRUE(orbit && orbit->stable());
+  const Advance way = follower.advance(describe_orbit(system, *orbit), 1.485, 1.495);
+  EXPECT_FALSE(way.arrived);
+  EXPECT_NEAR(way.value, 1.48994, 1e-4);  // where the pair crosses: balance is stable beyond
+  EXPECT_EQ(cause_of_end(follower, way), BranchCause::hopf);
+}
+
 TEST(CycleLines, ABranchAlongDragBecomesATorusWhereTheCurveOfToriIs) {
   crosses({CycleChange::torus,
            {"speed.final", 2.05, 2.15, 16},
