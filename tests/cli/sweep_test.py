@@ -136,7 +136,7 @@ with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
                       [v.attrs["units"] + v.attrs["long_name"] for v in left]]))
 """
         nc, parts = self.path("s.nc"), self.path("p.nc")
-        common = ["sweep", ROW, "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
+        common = ["sweep", ROW, "--set", "balancer.drag=0.1", "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
         sweep = answer(*common, "--starts", "60", "-o", nc)
         values, dimensions, words = with_xarray(look, nc)
         for q in range(4):
@@ -203,8 +203,8 @@ class Inspect(Case):
     def test_every_kind_of_file_is_told(self):
         path = self.path("x.nc")
         for kind, command in (
-            ("basin", ["basin", ROW, "--starts", "50", "--quiet"]),
-            ("map", ["map", ROW, "--size", "8x8", "--quiet"]),
+            ("basin", ["basin", *EASY, "--starts", "50", "--quiet"]),
+            ("map", ["map", *EASY, "--size", "8x8", "--quiet"]),
             ("trajectory", ["simulate", ROW, "--every", "1", "--until", "5", "--set", "initial.phi=[1.0, 2.0]"]),
         ):
             done = run(*command, "-o", path)
