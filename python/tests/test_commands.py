@@ -23,7 +23,7 @@ starts = 100
 trajectories = 4000
 [design.vary]
 "release.time" = [0.0, 150.0]
-"balancer.drag" = [0.02, 0.2]
+"balancer.drag" = [0.1, 0.2]
 """
 
 
@@ -86,8 +86,8 @@ def test_a_design_within_a_time_is_partial(designed):
 
 
 def test_a_machine_is_judged_as_by_the_program(program):
-    answer = eq.basin(eq.Study.from_file(MACHINE), 200, changes=True)
-    assert timeless(answer._core.json()) == timeless(told(program, "basin", MACHINE, "--starts", 200, "--quiet"))
+    answer = eq.basin(eq.Study.from_file(MACHINE), 60, changes=True)
+    assert timeless(answer._core.json()) == timeless(told(program, "basin", MACHINE, "--starts", 60, "--quiet"))
     assert answer.verdict["decision"] == "change" and len(answer.verdict["tried"]) > 1
     untried = eq.basin(eq.Study.from_file(MACHINE), 200)
     assert timeless(untried._core.json()) == timeless(
