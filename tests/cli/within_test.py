@@ -50,13 +50,13 @@ class Within(unittest.TestCase):
                     self.assertTrue(json.loads(limited(0.3, *arguments, "--json")[0].stdout)["partial"])
 
     def test_what_ends_before_its_time_says_nothing_of_it(self):
-        done = run("basin", ROW, "--starts", "200", "--within", "1h", "--quiet")
+        done = run("basin", *EASY, "--starts", "200", "--within", "1h", "--quiet")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertNotIn("PARTIAL", done.stdout)
 
     def test_units(self):
         for text in ("3600", "60 min", "1.5h", "90s"):
-            done = run("basin", ROW, "--starts", "100", "--within", text, "--quiet")
+            done = run("basin", *EASY, "--starts", "100", "--within", text, "--quiet")
             self.assertEqual(done.returncode, 0, text + done.stderr)
 
     def test_without_a_file_it_says_which_option_keeps_what_is_done(self):
