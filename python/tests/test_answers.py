@@ -57,16 +57,16 @@ def test_states_of_the_wrong_shape_are_refused(study):
 
 def test_branches(program, tmp_path):
     study = eq.Study.from_file(PAPER)
-    branches = eq.follow(study, "speed.final", 2.2, 2.6, 0.2, starts=300)
-    same = told(program, "attractors", PAPER, "--along", "speed.final=2.2:2.6:0.2", "--starts", 300, "--quiet")
+    branches = eq.follow(study, "speed.final", 2.9, 2.95, 0.05, starts=300)
+    same = told(program, "attractors", PAPER, "--along", "speed.final=2.9:2.95:0.05", "--starts", 300, "--quiet")
     assert without_times(branches.data)["branches"] == without_times(same)["branches"]
     balanced = branches["balanced"]
-    np.testing.assert_allclose(balanced.value, [2.2, 2.4, 2.6])
+    np.testing.assert_allclose(balanced.value, [2.9, 2.95])
     assert balanced.stable.all() and balanced.growth_rate.max() < 0
     assert branches.parameter == "speed.final" and len(branches.to_pandas()) == sum(len(b.value) for b in branches)
     assert pickle.loads(pickle.dumps(branches))["balanced"].stable.all()
     with pytest.raises(eq.StudyError, match=r"\(n, 8\)"):
-        eq.follow(study, "speed.final", 2.2, 2.6, 0.2, states=[[1.0, 2.0]])
+        eq.follow(study, "speed.final", 2.9, 2.95, 0.05, states=[[1.0, 2.0]])
     branches.save(tmp_path / "branches.nc")
     assert (tmp_path / "branches.nc").stat().st_size > 1000
 
@@ -106,8 +106,8 @@ def test_maps(program, tmp_path):
     made.save(tmp_path / "again.nc")
     with xarray.open_dataset(tmp_path / "again.nc") as stored:
         np.testing.assert_array_equal(made.outcome, stored.outcome.values)
-    diagonal = eq.map(study, "initial.phi_1", "speed.final", 6, y_range=(2.0, 3.0), tie="phi_2=phi_1+pi")
-    assert diagonal.outcome.shape == (6, 6)
+    diagonal = eq.map(study, "initial.phi_1", "speed.final", 3, y_range=(2.0, 3.0), tie="phi_2=phi_1+pi")
+    assert diagonal.outcome.shape == (3, 3)
     for wrong in (dict(x="initial.phi_9"), dict(refine=3), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
         with pytest.raises(eq.StudyError):
             eq.map(study, **{"size": 4, **wrong})
@@ -144,15 +144,14 @@ def test_chart(program, tmp_path):
     study = eq.Study.from_file(PAPER)
     file = tmp_path / "chart.nc"
     axes = ("--x", "speed.final=0.5:6", "--y", "balancer.drag=0.01:0.3", "--size", "24x24", "--undecided", "2")
-    run = program("chart", PAPER, *axes, "-o", file, "--quiet")
-    assert run.returncode == 0, run.stderr
+    same = told(program, "chart", PAPER, *axes, "-o", file, "--quiet")
     ranges = dict(x_range=(0.5, 6.0), y_range=(0.01, 0.3))
     made = eq.chart(study, size=24, undecided=2.0, **ranges)
     with xarray.open_dataset(file) as stored:
         np.testing.assert_array_equal(np.concatenate([c.x for c in made.curves]), stored.point_x.values)
         np.testing.assert_array_equal(np.concatenate([c.lyapunov for c in made.curves]), stored.lyapunov.values)
         np.testing.assert_array_equal(made.box_kind, stored.box_kind.values)
-    assert without_times(made.data) == without_times(told(program, "chart", PAPER, *axes))
+    assert without_times(made.data) == without_times(same)
     assert sum(made.proved.values()) == pytest.approx(1.0) and made.proved["open"] <= 0.02
     curves = eq.curve(study, size=24, **ranges)
     assert [c.kind for c in curves] == [c.kind for c in made.curves]

@@ -97,7 +97,7 @@ class Design(Case):
         self.assertNotIn("[design]", bare)
 
         def told(text):
-            done = run("design", self.file("study.toml", text), "--within", "3s", "--json", "--quiet")
+            done = run("design", self.file("study.toml", text), "--within", "1s", "--json", "--quiet")
             self.assertEqual(done.returncode, 4, done.stderr)
             return json.loads(done.stdout)
 

@@ -14,7 +14,7 @@ import unittest
 import zlib
 from html.parser import HTMLParser
 
-from program import ROW, WASHER, Case, answer, content, interrupted, run, started, text_of
+from program import EASY, ROW, WASHER, Case, answer, content, interrupted, run, started, text_of
 
 
 class Page(HTMLParser):
@@ -50,8 +50,8 @@ class HeldBalls(Case):
     def test_every_page_begins_with_until_when_balls_are_held(self):
         ramp = "speed={profile='ramp', final=2.4, duration=8.0}"
         file = self.path("page.html")
-        for command in (["basin", ROW, "--starts", "50", "--no-changes"], ["sweep", ROW, "--over", "balancer.drag=0.05", "--starts", "20"],
-                        ["map", ROW, "--size", "2x2"]):
+        for command in (["basin", *EASY, "--starts", "50", "--no-changes"], ["sweep", ROW, "--over", "balancer.drag=0.25", "--starts", "20"],
+                        ["map", *EASY, "--size", "2x2"]):
             for release, said in (("{}", True), ("{time=0.0}", False)):
                 with self.subTest(command=command[0], release=release):
                     done = run(*command, "--quiet", "--set", ramp, "--set", f"release={release}", "--report", file)
@@ -228,7 +228,7 @@ class OtherPages(Case):
         self.assertIn("One of 2 x 2 points is drawn", large.text)
 
     def test_drawn_values_are_said_in_the_first_sentence(self):
-        drawn = ["--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
+        drawn = [*EASY[1:], "--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
         both = "With rotor damping and eccentricity drawn anew for every start, "
         for command in (["basin", ROW, "--starts", "20"],
                         ["sweep", ROW, "--over", "speed.final=2.6,2.8", "--starts", "20"]):

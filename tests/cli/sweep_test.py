@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import PROGRAM, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
+from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
 
 XARRAY = """
 import json, sys, xarray
@@ -45,13 +45,13 @@ class Sweep(Case):
     def test_a_log_gets_a_line_in_ten_seconds(self):
         begin = time.monotonic()
         usual = {key: value for key, value in os.environ.items() if key != "EQUIPOISE_PROGRESS"}
-        done = run("sweep", ROW, "--over", "balancer.drag=0.05:0.06:0.002", "--starts", "10", env=usual)  # six cells
+        done = run("sweep", ROW, "--over", "balancer.drag=0.25:0.26:0.002", "--starts", "10", env=usual)  # six cells
         elapsed = time.monotonic() - begin
         self.assertEqual(done.returncode, 0)
         # One line for the first cell, and at most two more, for cells and progress, every ten seconds.
         self.assertTrue(1 <= done.stderr.count("\n") <= 1 + 2 * int(elapsed / 10), (elapsed, done.stderr))
 
-        often = run("sweep", ROW, "--over", "balancer.drag=0.05:0.06:0.002", "--starts", "10",
+        often = run("sweep", ROW, "--over", "balancer.drag=0.25:0.26:0.002", "--starts", "10",
                     env=usual | {"EQUIPOISE_PROGRESS": "0.1"})
         self.assertGreater(often.stderr.count("\n"), done.stderr.count("\n"))
         for wrong in ("0", "x", "1 s", "-1"):
@@ -136,7 +136,7 @@ with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
                       [v.attrs["units"] + v.attrs["long_name"] for v in left]]))
 """
         nc, parts = self.path("s.nc"), self.path("p.nc")
-        common = ["sweep", ROW, "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
+        common = ["sweep", ROW, "--set", "balancer.drag=0.1", "--set", "balancer.rolling=1e-3", "--over", "balancer.stiction=2e-3,4e-3"]
         sweep = answer(*common, "--starts", "60", "-o", nc)
         values, dimensions, words = with_xarray(look, nc)
         for q in range(4):
@@ -203,8 +203,8 @@ class Inspect(Case):
     def test_every_kind_of_file_is_told(self):
         path = self.path("x.nc")
         for kind, command in (
-            ("basin", ["basin", ROW, "--starts", "50", "--quiet"]),
-            ("map", ["map", ROW, "--size", "8x8", "--quiet"]),
+            ("basin", ["basin", *EASY, "--starts", "50", "--quiet"]),
+            ("map", ["map", *EASY, "--size", "8x8", "--quiet"]),
             ("trajectory", ["simulate", ROW, "--every", "1", "--until", "5", "--set", "initial.phi=[1.0, 2.0]"]),
         ):
             done = run(*command, "-o", path)
