@@ -16,7 +16,7 @@ inline constexpr char these_results[] = "this chart of this study";
 inline constexpr char file_title[] = "curves in a plane of two parameters on which balance and locked states change";
 
 // The answer: how balance is lost on Hopf curves. Percent.
-inline constexpr char no_loss[] = "No line on which a stable balance loses its stability crosses the plane.";
+inline constexpr char no_loss[] = "No line on which a stable balance loses its stability was found.";
 inline constexpr char softly[] =
     "Where balance loses its stability it does so softly: beyond the line the balls swing about their places, little "
     "at "
