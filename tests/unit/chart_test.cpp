@@ -464,6 +464,13 @@ TEST(Chart, SaysWhyNothingIsProved) {
               !bifurcation_chart(machine, by_unbalance).boxes.empty());
 }
 
+TEST(Chart, SaysWhichCurvesEndInsideThePlaneForNoReason) {
+  BifurcationChart chart = wide_chart();
+  EXPECT_FALSE(holds(chart_text(chart), "end inside the plane"));
+  chart.curves[1].ends[0] = CurveEnd::lost;
+  EXPECT_TRUE(holds(chart_text(chart), "because no next point was found, by number: 2."));
+}
+
 TEST(Chart, SaysWhetherMoreBoxesWouldDecideMore) {
   const auto text = [](std::uint64_t boxes) {
     return chart_text(bifurcation_chart(chart_rotor(2.4, 0.05), over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, boxes)));

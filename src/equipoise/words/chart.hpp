@@ -131,6 +131,10 @@ inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}
 // Why.
 inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
 
+// Numbers of curves of states at rest.
+inline constexpr char curves_lost[] =
+    "Curves that end inside the plane because no next point was found, by number: {}.\n";
+
 // How curves of cycles end: the places, each with the numbers of the curves.
 inline constexpr char cycles_end[] = "Curves of cycles end, by number: {}.\n";
 inline constexpr char cycles_end_at[] = "{} ({})";
