@@ -411,6 +411,43 @@ TEST(Chart, SaysHowBalanceIsLost) {
   EXPECT_FALSE(holds(both, "No line")) << both;
 }
 
+// Every point of a curve of balance has a pair on the imaginary axis; what it loses is told.
+void has_a_line_of_loss(const BifurcationChart& chart, int fewest) {
+  int compared = 0;
+  for (const ChartCurve& curve : chart.curves)
+    for (std::size_t k = 0; curve.kind == CurveKind::hopf && k < curve.points.size(); k += 5) {
+      const CurvePoint& p = curve.points[k];
+      const auto spectrum = balance_spectrum(at(p.x, p.y));
+      EXPECT_NEAR(nearest_pair(spectrum->rates, {0.0, p.frequency * p.frequency, {}})->mean, 0.0, 1e-10);
+      ++compared;
+    }
+  EXPECT_GE(compared, fewest);
+  EXPECT_FALSE(holds(chart_answer(chart), "No line on which")) << chart_answer(chart);
+}
+
+TEST(Chart, FindsTheLineNextToTheStudyThatLiesBelowTheGrid) {
+  // Drags of the grid are 1.25 and more; the study is stable and loses that with a smaller speed.
+  const BifurcationChart chart = balance_chart(chart_rotor(2.4, 0.05), over_speed_and_drag(1.6, 3.0, 0.0, 10.0, 4));
+  ASSERT_EQ(chart.plane.count(BalanceKind::stable), chart.plane.points.size());
+  has_a_line_of_loss(chart, 10);
+  bool next_to_own = false;
+  for (const BalanceBoundary& b : chart.plane.own->boundaries)
+    for (const ChartCurve& curve : chart.curves)
+      for (const CurvePoint& p : curve.points)
+        next_to_own = next_to_own || (b.along_x && std::fabs(p.x - b.value) < 0.01 && std::fabs(p.y - 0.05) < 0.1);
+  EXPECT_TRUE(next_to_own);
+}
+
+TEST(Chart, FindsTheLineBetweenBoxesProvedStableAndUnstable) {
+  // The study's own values lie outside the plane.
+  const BifurcationChart chart =
+      balance_chart(chart_rotor(8.0, 0.05), over_speed_and_drag(1.0, 3.0, 0.0, 10.0, 4, 20000));
+  ASSERT_EQ(chart.plane.count(BalanceKind::stable), chart.plane.points.size());
+  EXPECT_GT(chart.proved(ProvedKind::unstable), 0.0);
+  has_a_line_of_loss(chart, 10);
+  EXPECT_TRUE(holds(chart_answer(chart), "stable at every point of the grid")) << chart_answer(chart);
+}
+
 TEST(Chart, SaysWhyNothingIsProved) {
   const ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 6, 1000);
   const Study four = parse_study(with(constant_speed, "balls = 2\nmass = 0.05", "balls = 4\nmass = 0.02"), "rotor");
@@ -425,6 +462,13 @@ TEST(Chart, SaysWhyNothingIsProved) {
   by_unbalance.y.key = "rotor.eccentricity";
   EXPECT_TRUE(holds(chart_text(bifurcation_chart(machine, by_unbalance)), "Nothing is proved") ||
               !bifurcation_chart(machine, by_unbalance).boxes.empty());
+}
+
+TEST(Chart, SaysWhichCurvesEndInsideThePlaneForNoReason) {
+  BifurcationChart chart = wide_chart();
+  EXPECT_FALSE(holds(chart_text(chart), "end inside the plane"));
+  chart.curves[1].ends[0] = CurveEnd::lost;
+  EXPECT_TRUE(holds(chart_text(chart), "because no next point was found, by number: 2."));
 }
 
 TEST(Chart, SaysWhetherMoreBoxesWouldDecideMore) {

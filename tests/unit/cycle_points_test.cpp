@@ -119,6 +119,56 @@ TEST(CyclePoints, LongCyclesStayNearAStateAtRestFromWhichOneDirectionLeads) {
   EXPECT_EQ(compared, 1);
 }
 
+TEST(CyclePoints, AClosedFoldHasItsCuspsAndToriEndOnItWhereASecondMultiplierIsOne) {
+  Study study = charted_rotor();
+  study.parameters.mass = {0.03, 0.025};
+  ChartSettings settings =
+      ChartedPlane::settings({"speed.final", 1.35, 1.49, 8}, {"rotor.eccentricity", 0.006, 0.0085, 8});
+  settings.cycles = true;
+  settings.threads = 2;
+  const BifurcationChart chart = bifurcation_chart(study, settings);
+  const auto count = [&](auto holds_for) {
+    return std::count_if(chart.specials.begin(), chart.specials.end(), holds_for);
+  };
+  const auto apart = [](double x, double y, const auto& q) { return std::hypot((x - q.x) / 0.14, (y - q.y) / 0.0025); };
+  EXPECT_EQ(count([](const SpecialPoint& p) { return p.kind == SpecialKind::fold_torus; }), 0);
+  ASSERT_EQ(count([](const SpecialPoint& p) { return p.kind == SpecialKind::resonance_1_1; }), 2);
+  ASSERT_EQ(count([](const SpecialPoint& p) { return p.kind == SpecialKind::cycle_cusp; }), 2);
+  // As found in a plane in which the curve begins elsewhere.
+  for (const auto& [x, y] : {std::pair{1.46847, 0.006267}, {1.38436, 0.007379}})
+    EXPECT_EQ(count([&, x = x, y = y](const SpecialPoint& p) {
+                return p.kind == SpecialKind::cycle_cusp && apart(x, y, p) < 5e-4;
+              }),
+              1)
+        << x << " " << y;
+  for (const SpecialPoint& p : chart.specials) {
+    if (!is_of_cycles(chart.curves[p.curve].kind)) continue;
+    study.speed.speed = p.x;
+    study.parameters.eccentricity = p.y;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8);
+    const Eigen::VectorXcd all = multipliers_by_differences(study.system(), z, 2.0 * M_PI / p.frequency);
+    Eigen::VectorXd from_one = (all.array() - 1.0).abs();
+    std::sort(from_one.begin(), from_one.end());
+    // With that of the shift in time two are 1, or three: each to a root of an error, their product to the error.
+    if (p.kind == SpecialKind::resonance_1_1)
+      EXPECT_LT(from_one[0] * from_one[1] * from_one[2], 1e-7) << p.x << " " << p.y;
+    else
+      EXPECT_LT(from_one[0] * from_one[1], 1e-6) << p.x << " " << p.y;
+  }
+  int ended = 0;
+  for (const ChartCurve& curve : chart.curves) {
+    if (curve.kind != CurveKind::cycle_torus || curve.ends[1] != CurveEnd::resonance) continue;
+    const CurvePoint& end = curve.points.back();
+    EXPECT_EQ(count([&](const SpecialPoint& p) {
+                return p.kind == SpecialKind::resonance_1_1 && apart(end.x, end.y, p) < 1e-7;
+              }),
+              1)
+        << end.x << " " << end.y;
+    ++ended;
+  }
+  EXPECT_EQ(ended, 2);
+}
+
 TEST(CyclePoints, AStoppedChartSaysHowManyPlacesAreLeft) {
   BifurcationChart chart = ChartedPlane({"speed.final", 2.0, 2.1, 4}, {"balancer.drag", 0.01, 0.04, 4}).chart;
   EXPECT_FALSE(holds(chart_text(chart), "PARTIAL"));

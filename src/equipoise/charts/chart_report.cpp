@@ -178,6 +178,16 @@ std::string cycles_end_text(const BifurcationChart& chart) {
   return parts.empty() ? "" : fmt::format(w::cycles_end, fmt::join(parts, "; "));
 }
 
+// Of all that are not of cycles.
+std::string lost_curves_text(const BifurcationChart& chart) {
+  std::vector<std::size_t> which;
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
+    const ChartCurve& c = chart.curves[k];
+    if (!is_of_cycles(c.kind) && (c.ends[0] == CurveEnd::lost || c.ends[1] == CurveEnd::lost)) which.push_back(k + 1);
+  }
+  return which.empty() ? "" : fmt::format(words::chart::curves_lost, fmt::join(which, ", "));
+}
+
 std::string chart_notes(const BifurcationChart& chart) {
   std::string text;
   if (chart.curves.empty()) {
@@ -188,7 +198,7 @@ std::string chart_notes(const BifurcationChart& chart) {
     for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
     text += fmt::format(words::chart::precise, std::max(error, 1e-16));
   }
-  text += cycles_end_text(chart);
+  text += lost_curves_text(chart) + cycles_end_text(chart);
   if (chart.study.parameters.balls_collide()) text += words::chart::contact_bound;
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)

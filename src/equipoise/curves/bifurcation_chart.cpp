@@ -1,4 +1,4 @@
-// The grid, then the curves and regions, then the proof.
+// The grid, then curves and regions, then the proof and curves that it shows, then cycles.
 #include "equipoise/curves/bifurcation_chart.hpp"
 
 #include <chrono>
@@ -40,9 +40,10 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     const BalancePlane plane(studies, settings.x, settings.y);
     add_curves(plane, settings.stop, chart);
     add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
-    if (settings.cycles) add_cycles(studies, plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
+    add_curves_between_boxes(plane, settings.stop, chart);
+    if (settings.cycles) add_cycles(studies, plane, chart.plane.threads, settings.stop, chart);
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);
   chart.threads = chart.plane.threads;

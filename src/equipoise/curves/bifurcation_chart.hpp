@@ -18,8 +18,9 @@ struct ChartSettings : RunOptions {
   std::string output;            ///< NetCDF, written at the end; an existing file must hold the same chart. Empty: none
 };
 
-/// Curves begin where neighbours of the grid differ; one that passes between points without such a difference is not
-/// found. Throws InputError as stability() does, and for a study without curves (model::ResultKind::curves).
+/// Curves begin where neighbours of the grid differ, at the changes next to the study's own values, and between boxes
+/// that are proved to be stable and unstable; one that passes between all these is not found. Throws InputError as
+/// stability() does, and for a study without curves (model::ResultKind::curves).
 BifurcationChart bifurcation_chart(const Study& study, const ChartSettings& settings);
 
 }  // namespace equipoise

@@ -1,8 +1,9 @@
-// Bisection between neighbours, and what an eigenvalue does there; curves that are known already are passed by.
+// Bisection between places that differ, and what an eigenvalue does there; curves that are known already are passed by.
 #include "equipoise/curves/curve_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "equipoise/curves/balance_curve.hpp"
 
@@ -30,9 +31,69 @@ class CurveSearch {
         if (column + 1 < grid_.x.pixels) look(column, row, column + 1, row);
         if (row + 1 < grid_.y.pixels) look(column, row, column, row + 1);
       }
+    if (!grid_.own) return;
+    for (const BalanceBoundary& boundary : grid_.own->boundaries) {
+      if (is_set(stop_)) return;
+      begin_at(boundary);
+    }
+  }
+
+  // Along rows and columns through boxes that are proved to be stable or unstable.
+  void run_between_boxes() {
+    const std::vector<ProvedKind> kinds = proved_kinds();
+    const auto look_along = [&](bool along_x) {
+      for (int line = 0; line < lines; ++line) {
+        int last = -1;
+        for (int k = 0; k < lines; ++k) {
+          if (is_set(stop_)) return;
+          const int here = along_x ? line * lines + k : k * lines + line;
+          const auto kind = [&](int cell) { return kinds[static_cast<std::size_t>(cell)]; };
+          if (kind(here) == ProvedKind::open || kind(here) == ProvedKind::none) continue;
+          if (last >= 0 && kind(last) != kind(here)) look_between(centre_of(last), centre_of(here));
+          last = here;
+        }
+      }
+    };
+    look_along(true);
+    look_along(false);
   }
 
  private:
+  static constexpr int lines = 128;  // each way
+
+  static VectorXd centre_of(int cell) {
+    return Eigen::Vector2d((cell % lines + 0.5) / lines, (cell / lines + 0.5) / lines);
+  }
+
+  // At the places where the lines cross, rows from below.
+  std::vector<ProvedKind> proved_kinds() const {
+    std::vector<ProvedKind> kinds(static_cast<std::size_t>(lines) * lines, ProvedKind::open);
+    const auto first_from = [](double part) { return std::max(0, static_cast<int>(std::ceil(part * lines - 0.5))); };
+    for (const ProofBox& box : chart_.boxes) {
+      if (box.kind != ProvedKind::stable && box.kind != ProvedKind::unstable) continue;
+      const VectorXd low = plane_.place(box.x[0], box.y[0]), high = plane_.place(box.x[1], box.y[1]);
+      for (int row = first_from(low[1]); row < lines && row + 0.5 <= high[1] * lines; ++row)
+        for (int column = first_from(low[0]); column < lines && column + 0.5 <= high[0] * lines; ++column)
+          kinds[static_cast<std::size_t>(row * lines + column)] = box.kind;
+    }
+    return kinds;
+  }
+
+  void look_between(const VectorXd& from, const VectorXd& to) {
+    const auto a = plane_.spectrum(from), b = plane_.spectrum(to);
+    if (a && b && a->unstable() != b->unstable()) rates_cross(from, to, a->unstable());
+  }
+
+  void begin_at(const BalanceBoundary& b) {
+    const VectorXd at = b.along_x ? plane_.place(b.value, grid_.own->y) : plane_.place(grid_.own->x, b.value);
+    if (b.change == BalanceBoundary::Change::hopf) follow({CurveKind::hopf, at, {0.0, b.frequency * b.frequency, {}}});
+    if (b.change == BalanceBoundary::Change::zero) follow({CurveKind::zero, at, {}});
+    constexpr double rounding = 1e-9;  // elsewhere balance ends for want of room
+    const auto margin = plane_.margin(at);
+    if (b.change == BalanceBoundary::Change::existence && margin && std::fabs(*margin) < rounding)
+      follow({CurveKind::existence, at, {}});
+  }
+
   VectorXd place(int column, int row) const { return plane_.place(grid_.x.centre(column), grid_.y.centre(row)); }
 
   void look(int column, int row, int next_column, int next_row) {
@@ -133,6 +194,10 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
 
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart) {
   CurveSearch(plane, stop, chart).run();
+}
+
+void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart) {
+  CurveSearch(plane, stop, chart).run_between_boxes();
 }
 
 }  // namespace equipoise

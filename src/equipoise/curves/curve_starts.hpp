@@ -1,4 +1,4 @@
-// Where curves begin to be followed: between neighbours of a grid that differ; each curve once.
+// Where curves begin to be followed: between places that differ; each curve once.
 #pragma once
 
 #include <string>
@@ -19,8 +19,11 @@ bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKin
 void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of, const FollowedCurve& curve,
                BifurcationChart& chart);
 
-/// All curves of balance in the chart's plane, with their special points.
+/// Curves of balance between neighbours of the chart's grid, and where it changes along a parameter from the study's
+/// own values on; with their special points.
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+/// Those that are not known yet, between boxes that are proved to be stable and unstable.
+void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
 
 /// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
 /// curve begins, unless it is known. For a chart that has all other curves.

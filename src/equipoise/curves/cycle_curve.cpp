@@ -136,12 +136,19 @@ double CycleCurve::turn_at(const CurvePlace& place) const {
                          place.right[shooting_.dimension()]);
 }
 
-// Between these places the curve may turn back in the plane.
+// Between places k - 1 and k the curve may turn back in the plane. Behind the last place of a closed curve come those
+// behind the first.
 bool CycleCurve::may_turn(std::size_t k) const {
-  const auto chord = [&](std::size_t to) { return VectorXd((places_[to].at - places_[to - 1].at).head(2)); };
-  for (std::size_t a = std::max<std::size_t>(k, 3) - 2; a <= k; ++a)
-    for (std::size_t b = a + 1; b <= std::min(a + 2, places_.size() - 1); ++b)
-      if (b >= k && chord(a).dot(chord(b)) < 0.0) return true;
+  const auto count = static_cast<long>(places_.size()) - 1;
+  const bool closed = ends_[0] == CurveEnd::closed;
+  const auto chord = [&](long to) {
+    const auto end = static_cast<std::size_t>(closed ? (to - 1 + count) % count + 1 : to);
+    return VectorXd((places_[end].at - places_[end - 1].at).head(2));
+  };
+  const auto here = static_cast<long>(k);
+  for (long a = closed ? here - 2 : std::max(here - 2, 1L); a <= here; ++a)
+    for (long b = std::max(a + 1, here); b <= (closed ? a + 2 : std::min(a + 2, count)); ++b)
+      if (chord(a).dot(chord(b)) < 0.0) return true;
   return false;
 }
 
@@ -165,15 +172,21 @@ bool CycleCurve::too_far(const CurvePlace& before, const CurvePlace& place) cons
 // The secant's rule that halves the weight of an end that stays.
 template <class Value>
 std::optional<CurvePlace> CycleCurve::zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const {
-  double low = 0.0, high = 1.0, at_low = value(a), at_high = value(b);
-  const double size = std::max(std::fabs(at_low), std::fabs(at_high));
+  // Values of a turn have errors of 1e-9, which may be more than the least: then places no longer differ. A pole, at
+  // which a value changes its sign too, is none.
+  constexpr double least = 1e-7, pole = 1e-3;
+  double low = 0.0, high = 1.0, at_low = value(a), at_high = value(b), last = INFINITY;
+  const double size = std::max(std::fabs(at_low), std::fabs(at_high)), length = (b.at - a.at).norm();
   int side = 0;
-  for (int k = 0; k < 16; ++k) {
+  for (int k = 0; k < 24; ++k) {
     const double part = low + (high - low) * at_low / (at_low - at_high);
     auto place = between(a, b, part);
+    if (!place) place = between(b, a, 1.0 - part);
     if (!place) return std::nullopt;
     const double here = value(*place);
-    if (std::fabs(here) < 1e-7 * size) return place;
+    const bool stays = std::fabs(part - last) * length < cycle_limits.precise;
+    last = part;
+    if (std::fabs(here) < (stays ? pole : least) * size) return place;
     if (here * at_low > 0.0) {
       low = part, at_low = here;
       if (side == -1) at_high *= 0.5;
@@ -213,8 +226,11 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
 void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
   if (a.point.others == b.point.others) return;
   // The multiplier, or pair, that crosses: how far it is outside.
+  const auto all_at = [](const CurvePlace& p) {
+    return VectorXcd(Eigen::Map<const VectorXcd>(p.point.rates.data(), static_cast<Index>(p.point.rates.size())));
+  };
   const auto crossing = [&](const CurvePlace& p) {
-    const VectorXcd all = Eigen::Map<const VectorXcd>(p.point.rates.data(), static_cast<Index>(p.point.rates.size()));
+    const VectorXcd all = all_at(p);
     const auto own = own_multipliers(all, change_, p.pair);
     std::complex<double> nearest(INFINITY, 0.0);
     for (Index k = 0; k < all.size(); ++k)
@@ -227,6 +243,10 @@ void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, st
   if (!place) return;
   const std::complex<double> at = crossing(*place);
   const bool complex = at.imag() != 0.0;
+  // Rounding turns a double real multiplier, the curve's own and this, into a pair: a zero of double_zero, too.
+  if (const VectorXcd all = all_at(*place);
+      complex && change_ != CycleChange::torus && all[own_multipliers(all, change_, place->pair)[0]] == std::conj(at))
+    return;
   std::optional<SpecialKind> kind;
   if (complex)
     kind = change_ == CycleChange::fold   ? SpecialKind::fold_torus
@@ -262,8 +282,9 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
         if (const auto place = zero_of(a, b, sign.value)) found.push_back(special(sign.kind, *place));
     add_changed_others(a, b, found);
   }
+  constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more
   for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
-    if (end == CurveEnd::resonance)
+    if (end == CurveEnd::resonance && std::fabs(std::fabs(place->pair.mean) - 1.0) < located)
       found.push_back(
           special(place->pair.mean > 0.0 ? SpecialKind::resonance_1_1 : SpecialKind::resonance_1_2, *place));
   return found;

@@ -109,7 +109,7 @@ FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& to
     const VectorXd back = from.at - next->point;
     farthest = std::max(farthest, back.norm());
     if (back.norm() < 1.5 * step && farthest > 6.0 * step && back.dot(next->tangent) > 0.0) {
-      way.places.push_back(from);
+      way.places.push_back(described(from.at).value_or(from));  // with eigenvectors as they have come round
       way.end = CurveEnd::closed;
       return way;
     }

@@ -148,9 +148,8 @@ std::optional<CycleShooting::Change> CycleShooting::by_parameter(const model::Sy
     const MatrixXd bend = unit_.cwiseInverse().asDiagonal() * (high->tangents - low->tangents) / difference;
     change.test += vectors.left[here].real().dot(bend.col(0)) - vectors.left[here].imag().dot(bend.col(1));
     if (k + 1 == count_)
-      change.test += weights->shift *
-                     weights->left.real().dot(
-                         (model::rate(above, high->end) - model::rate(below, low->end)).cwiseQuotient(unit_)) /
+      change.test += weights->of_rate(weights->left)
+                         .dot((model::rate(above, high->end) - model::rate(below, low->end)).cwiseQuotient(unit_)) /
                      difference;
   }
   return change;
@@ -185,8 +184,8 @@ std::optional<RowVectorXd> CycleShooting::test_slopes(const model::System& syste
     const double by_time = period_weight_ / static_cast<double>(count_);
     const VectorXcd end = arcs.slopes[here].cast<std::complex<double>>() * right;
     result[0] += by_time * (left.real().dot(jacobian * end.real()) - left.imag().dot(jacobian * end.imag()));
-    if (k + 1 == count_ && weights.shift != 0.0) {
-      const RowVectorXd pull = weights.shift * left.real().transpose() * jacobian;
+    if (k + 1 == count_ && weights.shift != std::complex<double>(0.0)) {
+      const RowVectorXd pull = weights.of_rate(left).transpose() * jacobian;
       slope += pull * arcs.slopes[here];
       result[0] += by_time * pull.dot(arcs.rates[here]);
     }

@@ -1,6 +1,7 @@
 // Equations of a cycle by multiple shooting, as one vector of unknowns of size 1 for curves and branches of cycles.
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <vector>
 
@@ -32,11 +33,15 @@ struct CycleArcs {
   Eigen::MatrixXd monodromy() const;
 };
 
-/// By how much a change of the arcs' slopes changes a test function: Re(left' change(monodromy) right) + shift left'
-/// change(rate at the last end). In units of System::scale().
+/// By how much a change of the arcs' slopes changes a test function: Re(left' change(monodromy) right + shift left'
+/// change(rate at the last end)). In units of System::scale().
 struct CycleWeights {
   Eigen::VectorXcd left, right;
-  double shift = 0.0;
+  std::complex<double> shift = 0.0;
+
+  Eigen::VectorXd of_rate(const Eigen::VectorXcd& left_there) const {
+    return shift.real() * left_there.real() - shift.imag() * left_there.imag();
+  }
 };
 
 class CycleShooting {

@@ -66,7 +66,9 @@ bool CycleTest::begin(const CycleArcs& arcs, const VectorXd& phase) {
 }
 
 std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
-  const MatrixXd monodromy = arcs.monodromy();
+  // Wielandt's deflation: the shift's multiplier becomes 0, all others stay.
+  const VectorXd &rate = arcs.rates.back(), share = phase_ / phase_.dot(rate);
+  const MatrixXd monodromy = arcs.monodromy() - rate * share.transpose();
   const VectorXcd values = dense::eigenvalues(monodromy);
   // A pair is complex, or two real multipliers: its half sum and its product are smooth where the two meet.
   Value found;
@@ -94,7 +96,9 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
   adjugate << within(1, 1), -within(0, 1), -within(1, 0), within(0, 0);
   const MatrixXd weighted = dual * adjugate.transpose();
   const std::complex<double> unit(0.0, 1.0);
-  found.weights = {weighted.col(0) - unit * weighted.col(1), right->col(0) + unit * right->col(1)};
+  const VectorXcd directions = right->col(0) + unit * right->col(1);
+  found.weights = {weighted.col(0) - unit * weighted.col(1), directions,
+                   -std::complex<double>(share.dot(right->col(0)), share.dot(right->col(1)))};
   return found;
 }
 

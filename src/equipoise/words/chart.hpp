@@ -16,7 +16,7 @@ inline constexpr char these_results[] = "this chart of this study";
 inline constexpr char file_title[] = "curves in a plane of two parameters on which balance and locked states change";
 
 // The answer: how balance is lost on Hopf curves. Percent.
-inline constexpr char no_loss[] = "No line on which a stable balance loses its stability crosses the plane.";
+inline constexpr char no_loss[] = "No line on which a stable balance loses its stability was found.";
 inline constexpr char softly[] =
     "Where balance loses its stability it does so softly: beyond the line the balls swing about their places, little "
     "at "
@@ -130,6 +130,10 @@ inline constexpr char no_locked[] = "Of other states at rest nothing is told: {}
 
 // Why.
 inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
+
+// Numbers of curves of states at rest.
+inline constexpr char curves_lost[] =
+    "Curves that end inside the plane because no next point was found, by number: {}.\n";
 
 // How curves of cycles end: the places, each with the numbers of the curves.
 inline constexpr char cycles_end[] = "Curves of cycles end, by number: {}.\n";

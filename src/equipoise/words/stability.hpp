@@ -19,7 +19,7 @@ inline constexpr char these_results[] = "this plane of this study";
 inline constexpr char file_title[] = "where balance is stable in a plane of two parameters";
 
 // The answer. Keys in words.
-inline constexpr char everywhere[] = "Over {} and {}, balance is {} everywhere.";
+inline constexpr char everywhere[] = "Over {} and {}, balance is {} at every point of the grid.";
 inline constexpr char by_parts[] = "Over {} and {}, balance is {}.";
 // What it is, percent.
 inline constexpr char part[] = "{} in {}";
