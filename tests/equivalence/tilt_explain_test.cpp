@@ -210,7 +210,7 @@ TEST(TiltExplain, WarnsBetweenAndLittleAboveWhirlSpeeds) {
   EXPECT_FALSE(warned(at(0.0, 1.43), little));
 }
 
-// Of the balls of each plane, by what they have to cancel: 2 kg mm at the front plane are 96 kg mm of what its balls can.
+// Of the balls of each plane, by what they have to cancel: two balls of 200 g at 240 mm cancel up to 96 kg mm.
 TEST(TiltExplain, WarnsOfUnbalance) {
   const auto of = [](const std::string& what) { return explained(drum, {"rotor.tilt.unbalance=[" + what + "]"}); };
   EXPECT_TRUE(of("{at='0.15 m', size='50 kg mm', angle=0}, {at='-0.15 m', size='50 kg mm', angle=0}").warnings.empty());

@@ -14,8 +14,8 @@ inline constexpr char little_isolation[] =
     "eccentricity unless damping is strong{}";
 // Of a rotor that tilts: its highest critical speed, then often_unstable_too or nothing.
 inline constexpr char little_isolation_of_tilt[] =
-    "the final speed is less than sqrt(2) times the highest critical speed, {}: without balls, whirl of that kind is more "
-    "than twice as wide as at high speeds, if the unbalance excites it and damping is not strong{}";
+    "the final speed is less than sqrt(2) times the highest critical speed, {}: without balls, whirl of that kind is "
+    "more than twice as wide as at high speeds, if the unbalance excites it and damping is not strong{}";
 // The highest, then adds_to_whirl or nothing.
 inline constexpr char between_critical_speeds[] =
     "the final speed lies between critical speeds, below the highest, {}: whirl of that kind is not yet passed{}";
