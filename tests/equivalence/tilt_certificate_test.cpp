@@ -20,6 +20,7 @@
 #include "equipoise/proof/certificate.hpp"
 #include "equipoise/reports/certificate_json.hpp"
 #include "equipoise/reports/certify_report.hpp"
+#include "equipoise/words/proof.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
@@ -119,6 +120,11 @@ TEST(TiltCertificate, SaysWhyThereIsNone) {
   EXPECT_NE(reason({"rotor.stiffness=[1, 1.1]"}).find("need equal values in x and y"), std::string::npos);
   EXPECT_NE(reason({"balancer.mass=0.001"}).find("no balanced state exists"), std::string::npos);
   EXPECT_NE(reason({"speed.speed=1"}).find("not linearly stable"), std::string::npos);
+  // The reasons of one plane's continuum are not those of a rotor that tilts.
+  EXPECT_EQ(proofs({"balancer.plane=[2, 2, -2, -2]", "rotor.eccentricity=0", "rotor.tilt.misalignment=0"}).note,
+            words::proof::plane_with_nothing_to_cancel);
+  EXPECT_EQ(proofs({"balancer.balls=6", "balancer.plane=[2, 2, 2, -2, -2, -2]", "initial.phi=[0, 1, 2, 3, 4, 5]"}).note,
+            words::proof::two_planes_of_two);
   // No form makes an unstable state one that attracts.
   const CertifyResult unstable = proofs({"speed.speed=1"});
   EXPECT_FALSE(unstable.proved());

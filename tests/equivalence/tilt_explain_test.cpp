@@ -190,6 +190,52 @@ TEST(TiltExplain, WarnsNearWhirlSpeeds) {
   EXPECT_TRUE(warned(explained(drum, {"speed.speed=50 rpm"}), below));
 }
 
+TEST(TiltExplain, WarnsBetweenAndLittleAboveWhirlSpeeds) {
+  const char *between = "lies between critical speeds", *little = "sqrt(2) times the highest critical speed";
+  const std::vector<std::string> stiffer{
+      "rotor.tilt.bearings.1={at='0.3 m', stiffness='9 kN/m', damping='300 N s/m'}",
+      "rotor.tilt.bearings.2={at='-0.3 m', stiffness='9 kN/m', damping='300 N s/m'}"};
+  const auto at = [&](double part, double of_highest) {
+    const Explanation far = explained(drum, stiffer);
+    const double rpm = far.study.scales->frequency * 30.0 / 3.141592653589793;
+    const double speed = part * far.critical_with_balls[0] + of_highest * far.critical_alone[1];
+    std::vector<std::string> changes = stiffer;
+    changes.push_back("speed.speed=" + std::to_string(speed * rpm) + " rpm");
+    return explained(drum, changes);
+  };
+  EXPECT_TRUE(warned(at(0.5, 0.5), between));
+  EXPECT_FALSE(warned(at(0.5, 0.5), little));
+  EXPECT_TRUE(warned(at(0.0, 1.39), little));
+  EXPECT_FALSE(warned(at(0.0, 1.39), between));
+  EXPECT_FALSE(warned(at(0.0, 1.43), little));
+}
+
+// Of the balls of each plane, by what they have to cancel: two balls of 200 g at 240 mm cancel up to 96 kg mm.
+TEST(TiltExplain, WarnsOfUnbalance) {
+  const auto of = [](const std::string& what) { return explained(drum, {"rotor.tilt.unbalance=[" + what + "]"}); };
+  EXPECT_TRUE(of("{at='0.15 m', size='50 kg mm', angle=0}, {at='-0.15 m', size='50 kg mm', angle=0}").warnings.empty());
+  EXPECT_TRUE(warned(of("{at='0.15 m', size='120 kg mm', angle=0}, {at='-0.15 m', size='50 kg mm', angle=0}"),
+                     "plane at 150 mm: the unbalance is 1.25 times what all balls together can cancel"));
+  EXPECT_TRUE(warned(of("{at='0.15 m', size='50 kg mm', angle=0}, {at='-0.15 m', size='92 kg mm', angle=0}"),
+                     "plane at -150 mm: the unbalance is within 10 % of the most"));
+  const Explanation couple = explained(drum, {"balancer.plane=0.1 m"});
+  EXPECT_TRUE(warned(couple, "balance is impossible: the balls run in one plane"));
+}
+
+// A bearing far from the centre of mass may sag more.
+TEST(TiltExplain, WarnsOfTheBearingThatSagsMost) {
+  const std::vector<std::string> heavy{"rotor.gravity=9.81 m/s2", "limits.displacement=27 mm"};
+  const Explanation e = explained(drum, heavy);
+  const double length = e.study.scales->length;
+  // (45.8 kg g) shared by the lever rule, on 9 kN/m each.
+  const double front = 45.8 * 9.81 * 0.16 / 0.26 / 9000.0, back = 45.8 * 9.81 * 0.10 / 0.26 / 9000.0;
+  EXPECT_LT(e.sag * length, 0.027);
+  EXPECT_GT(front, 0.027);
+  EXPECT_LT(back, 0.027);
+  EXPECT_TRUE(warned(e, "mm at the bearing at 100 mm under its weight, more than limits.displacement"));
+  EXPECT_FALSE(warned(explained(drum, {heavy[0], "limits.displacement=31 mm"}), "sags"));
+}
+
 TEST(TiltExplain, WeightIsThatOfRotorAndBalls) {
   const Explanation e = explained(drum, {"rotor.gravity=9.81 m/s2"});
   EXPECT_NEAR(e.weight() * e.study.scales->force(), 45.8 * 9.81, 1e-9);
@@ -227,6 +273,19 @@ TEST(TiltExplain, CheckFindsWhatMakesBalanceImpossible) {
   EXPECT_NE(check.most.find("makes balance impossible"), std::string::npos) << check.most;
   EXPECT_NE(explained(drum, {"balancer.mass=125 g"}).balanced.kind, model::BalancedStates::Kind::none);
   EXPECT_EQ(explained(drum, {"balancer.mass=100 g"}).balanced.kind, model::BalancedStates::Kind::none);
+}
+
+// One ball is too heavy where there is less to cancel, and no lighter ones help a plane that cannot cancel a couple.
+TEST(TiltExplain, CheckSaysWhyBalanceIsImpossible) {
+  const StudyCheck lone =
+      check_study(drum, "drum", {"balancer.plane=['0.15 m', '0.15 m', '0.15 m', '-0.15 m']", "balancer.mass=260 g"});
+  EXPECT_NE(lone.balls.find("at -150 mm they cancel no less than"), std::string::npos) << lone.balls;
+  EXPECT_NE(lone.balls.find("balance is impossible (of the share of one plane, one ball outweighs"), std::string::npos)
+      << lone.balls;
+  EXPECT_EQ(lone.most.find("lets the balls cancel"), std::string::npos) << lone.most;
+  const StudyCheck plane = check_study(drum, "drum", {"balancer.plane=0.1 m"});
+  EXPECT_NE(plane.balls.find("balance is impossible (the balls run in one plane"), std::string::npos) << plane.balls;
+  EXPECT_NE(plane.most.find("balance stays impossible"), std::string::npos) << plane.most;
 }
 
 TEST(TiltExplain, PagesTakeIt) { EXPECT_NO_THROW(check_pages(parse_study(drum, "drum", {}))); }

@@ -17,6 +17,7 @@
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/shown/machine_page.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/text/transient_report.hpp"
 #include "tilt_dense.hpp"
 
 namespace equipoise {
@@ -146,9 +147,25 @@ TEST(TiltBasinTransients, AreJudgedAtTheBearings) {
   EXPECT_TRUE(says(loose, "Not needed: ")) << loose;
   EXPECT_FALSE(says(tight, "Fit it: ") || says(tight, "Not needed: ")) << tight;
   EXPECT_TRUE(says(loose, "Displacements and velocities are those of the outermost bearing that has more of them"));
+  EXPECT_TRUE(says(loose, "the residual unbalance is the static one alone"));
   EXPECT_FALSE(says(loose, "No bearings are stated"));
   EXPECT_TRUE(says(centre, "No bearings are stated")) << centre;
   EXPECT_FALSE(says(centre, "outermost bearing"));
+}
+
+// Two opposite unbalances are a couple alone: the static one, which is 0, says nothing of it.
+TEST(TiltBasinTransients, HaveNoGradeThatLeavesOutTheCouple) {
+  BasinOptions options;
+  options.transients = true;
+  Study study = limited(0.1, 0.01, "rotor.eccentricity=0");
+  study.sampling.starts = 20;
+  study.scales = model::Scales{.mass = 10.0, .length = 0.1, .frequency = 100.0};
+  const BasinResult r = basin(study, options);
+  ASSERT_FALSE(r.transients->groups.empty());
+  EXPECT_FALSE(left_grade(r.transients->groups.front(), r.study));
+  const std::string told = basin_text(r, {});
+  EXPECT_EQ(told.find("e omega"), std::string::npos) << told;
+  EXPECT_EQ(told.find("G 0"), std::string::npos) << told;
 }
 
 // A design's figures are those of its study, and its balls can cancel the share of their plane; lighter ones cannot.

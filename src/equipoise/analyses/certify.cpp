@@ -13,6 +13,7 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/periodic_orbits/continuum_draws.hpp"
 #include "equipoise/proof/member_certificate.hpp"
+#include "equipoise/proof/tilt_proof.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/words/proof.hpp"
@@ -50,7 +51,7 @@ void prove_members(const model::System& system, const RunOptions& options, Certi
   constexpr std::size_t drawn = 64;
   const model::Parameters& p = system.parameters();
   if (p.balls < 3 || !system.plain()) {
-    result.note = words::proof::for_plain_continuum;
+    result.note = p.tilts() ? tilt_refusal(system) : words::proof::for_plain_continuum;
     return;
   }
   ContinuumDraws draws(p);

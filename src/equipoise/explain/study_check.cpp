@@ -119,11 +119,16 @@ std::string planes_words(const Explanation& e) {
   std::string line;
   for (const ExplainedPlane& plane : e.tilt->planes) {
     const std::string at = quantity(e.study, plane.at, Dimension::length);
-    line += plane.unbalance > 0.0 ? fmt::format(words::study_check::plane_cancels, at, plane.most / plane.unbalance)
+    const bool too_heavy = plane.least > plane.unbalance;
+    const char* how = too_heavy                      ? words::study_check::no_less_than
+                      : plane.most < plane.unbalance ? words::study_check::at_most
+                                                     : words::study_check::up_to;
+    line += plane.unbalance > 0.0 ? fmt::format(words::study_check::plane_cancels, at, how,
+                                                (too_heavy ? plane.least : plane.most) / plane.unbalance)
                                   : fmt::format(words::study_check::nothing_to_cancel_at, at);
   }
-  return line +
-         (e.balanced.kind == model::BalancedStates::Kind::none ? words::study_check::balance_impossible_too : "");
+  if (e.balanced.kind != model::BalancedStates::Kind::none) return line;
+  return line + fmt::format(words::study_check::balance_impossible_as, e.balanced.reason);
 }
 
 std::string balls_line(const Explanation& e) {
@@ -189,18 +194,20 @@ constexpr std::array<Estimate, 5> estimates{{
 // What a change is judged by, each a number that is better if larger.
 struct Measures {
   bool can_balance = false, stable = false;
-  double margin = 0.0;            // what the balls can cancel over what there is
+  std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
   std::optional<double> settles;  // rate of the approach to balance
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
 };
 
 // Of planes, that which has the least to spare.
-double margin_of(const Explanation& e) {
+std::optional<double> margin_of(const Explanation& e) {
   if (!e.tilt) return e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
   std::optional<double> least;
   for (const ExplainedPlane& plane : e.tilt->planes)
     if (plane.unbalance > 0.0)
       least = std::min(plane.most / plane.unbalance, least.value_or(plane.most / plane.unbalance));
+  const bool impossible = e.balanced.kind == model::BalancedStates::Kind::none;
+  if (impossible && least.value_or(1.0) >= 1.0) return std::nullopt;  // planes or angles are in the way, or one ball
   return least.value_or(1.0);
 }
 
@@ -242,8 +249,9 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
   if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
     consider(0.5 * decides, *after.passes < 1.0 ? words::study_check::drag_too_little_to_pass
                                                 : words::study_check::drag_enough_to_pass);
-  consider(std::abs(std::log(after.margin / before.margin)),
-           fmt::format(words::study_check::changes_capacity, after.margin, before.margin));
+  if (before.margin && after.margin)
+    consider(std::abs(std::log(*after.margin / *before.margin)),
+             fmt::format(words::study_check::changes_capacity, *after.margin, *before.margin));
   if (before.settles && after.settles)
     consider(std::abs(std::log(*after.settles / *before.settles)),
              fmt::format(words::study_check::changes_settling, time_of(study, 1.0 / *after.settles),
@@ -267,7 +275,9 @@ std::string most_line(const Study& study, const BallDetails& balls) {
       which = fmt::format(words::study_check::fifth_changes, estimate.name,
                           stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
     }
-  if (which.empty()) return words::study_check::nothing_matters;
+  if (which.empty())
+    return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
+                                                           : words::study_check::stays_impossible;
   return which + (study.parameters.tilts() ? words::study_check::how_judged_of_tilt : words::study_check::how_judged);
 }
 

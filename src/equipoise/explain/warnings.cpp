@@ -10,6 +10,7 @@
 #include "equipoise/attractor_search/cost.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/explain/drag_scan.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/start_runs/undecided.hpp"
@@ -22,12 +23,13 @@ namespace {
 using study::Dimension;
 
 constexpr double root_two = 1.4142135623730951;
+constexpr double rounding = 1e-9;
 
 class Warnings {
  public:
   explicit Warnings(Explanation& e) : e_(e), p_(e.study.parameters) {
     e.tilt ? whirl(*e.tilt) : speed();
-    if (!e.tilt) unbalance();
+    e.tilt ? planes(*e.tilt) : unbalance({e.unbalance, e.least_unbalance, e.largest_unbalance}, p_.balls == 1);
     sag();
     if (e.motion) motion(*e.motion);
     if (e.speeds_up) warn(words::warnings::speeds_up_without_end, e.speed_words);
@@ -66,12 +68,20 @@ class Warnings {
   // Of a rotor that tilts, which has no one speed above which it is quiet.
   void whirl(const TiltExplanation& t) {
     if (!e_.speed) return;
-    const double w = std::abs(*e_.speed);
+    const double w = std::abs(*e_.speed), lowest = e_.critical_with_balls[0], highest = e_.critical_alone[1];
+    const bool balls = p_.balls > 0;
     bool near = false;
     for (const model::WhirlSpeeds* speeds : {&t.alone, &t.with_balls})
       for (const double critical : speeds->excited()) near = near || std::abs(w - critical) <= 0.1 * critical;
-    if (p_.balls > 0 && w < e_.critical_with_balls[0]) warn(words::warnings::below_critical_speed);
-    if (near) warn(words::warnings::near_critical_speed);
+    if (balls && w < lowest) warn(words::warnings::below_critical_speed);
+    if (near)
+      warn(words::warnings::near_critical_speed);
+    else if (w >= lowest && w < highest)
+      warn(words::warnings::between_critical_speeds, text(highest, Dimension::speed),
+           balls ? words::warnings::adds_to_whirl : "");
+    else if (w >= lowest && w < root_two * highest)
+      warn(words::warnings::little_isolation_of_tilt, text(highest, Dimension::speed),
+           balls ? words::warnings::often_unstable_too : "");
   }
 
   void contact() {
@@ -82,12 +92,19 @@ class Warnings {
   }
 
   void sag() {
+    double most = e_.sag;
+    std::string where;
+    if (e_.tilt && p_.gravity != 0.0)
+      for (const double at : e_.study.bearings)
+        if (const double there = std::abs(model::static_sag(p_) + at * model::static_slope(p_)); there > most) {
+          most = there;
+          where = fmt::format(words::warnings::at_bearing, text(at, Dimension::length));
+        }
     const std::optional<double>& room = e_.study.limits.displacement;
-    if (room && e_.sag > *room)
-      warn(words::warnings::sags_beyond_limit, text(e_.sag, Dimension::length), text(*room, Dimension::length));
+    const std::string sag = text(most, Dimension::length) + where;
+    if (room && most > *room) warn(words::warnings::sags_beyond_limit, sag, text(*room, Dimension::length));
     // Springs would have to be longer than the rotor is wide: stiffness, mass or their units are wrong.
-    if (e_.sag > 1.0)
-      warn(words::warnings::sags_beyond_race, text(e_.sag, Dimension::length), text(1.0, Dimension::length));
+    if (most > 1.0) warn(words::warnings::sags_beyond_race, sag, text(1.0, Dimension::length));
   }
 
   std::string text(double value, Dimension d) const {
@@ -95,24 +112,41 @@ class Warnings {
                            : fmt::format("{:.5g}", value);
   }
 
-  void unbalance() {
+  struct Share {
+    double own = 0.0, least = 0.0, most = 0.0;  // unbalance, and what balls cancel
+  };
+
+  // Of the balls of one race; `where` stands before each warning.
+  void unbalance(const Share& s, bool one_ball, const std::string& where = "") {
     constexpr double near = 0.1;
-    const double own = e_.unbalance, most = e_.largest_unbalance, least = e_.least_unbalance;
-    if (most == 0.0) return;  // the balls do not fit into the race: room() says so
-    if (p_.balls == 1) {
-      if (own != most)
-        warn(words::warnings::one_ball_cancels_one, text(most, Dimension::unbalance), text(own, Dimension::unbalance));
+    if (s.most == 0.0) return;  // the balls do not fit into the race: room() says so
+    const auto say = [&](const std::string& words) { e_.warnings.push_back(where + words); };
+    if (one_ball) {
+      // Equal by values from a file, which a tilt's sums round.
+      if (std::abs(s.own - s.most) > (e_.tilt ? rounding * s.most : 0.0))
+        say(fmt::format(words::warnings::one_ball_cancels_one, text(s.most, Dimension::unbalance),
+                        text(s.own, Dimension::unbalance)));
       return;
     }
     const char* these = e_.ball_width.empty() ? words::warnings::balls_together : words::warnings::balls_side_by_side;
-    if (own > most)
-      warn(words::warnings::unbalance_too_large, own / most, these);
-    else if (own < least)
-      warn(words::warnings::unbalance_too_small);
-    else if (own > (1.0 - near) * most)
-      warn(words::warnings::unbalance_near_most, these);
-    else if (own < (1.0 + near) * least)
-      warn(words::warnings::unbalance_near_least);
+    if (s.own > s.most)
+      say(fmt::format(words::warnings::unbalance_too_large, s.own / s.most, these));
+    else if (s.own < s.least)
+      say(words::warnings::unbalance_too_small);
+    else if (s.own > (1.0 - near) * s.most)
+      say(fmt::format(words::warnings::unbalance_near_most, these));
+    else if (s.own < (1.0 + near) * s.least)
+      say(words::warnings::unbalance_near_least);
+  }
+
+  // Of a rotor that tilts each plane has its share; balls in planes without one cannot cancel static and couple.
+  void planes(const TiltExplanation& t) {
+    if (p_.balls == 0) return;
+    if (t.planes.empty() && e_.balanced.kind == model::BalancedStates::Kind::none)
+      warn(words::warnings::balance_impossible, e_.balanced.reason);
+    for (const ExplainedPlane& plane : t.planes)
+      unbalance({plane.unbalance, plane.least, plane.most}, plane.least == plane.most,
+                fmt::format(words::warnings::of_plane, text(plane.at, Dimension::length)));
   }
 
   void motion(const BalancedMotion& m) {

@@ -194,7 +194,7 @@ class MachineDocument {
   }
 
   DocumentTable ends_table() const {
-    const bool open = basin_.undecided.count > 0, graded = study_.scales.has_value();
+    const bool open = basin_.undecided.count > 0, graded = study_.scales && !study_.parameters.tilts();
     DocumentTable table;
     table.header = {physical_ ? words::text::what_the_balls_do : "outcome", "share", "95 % interval"};
     if (open) table.header.push_back("bounds");

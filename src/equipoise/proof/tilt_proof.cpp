@@ -220,7 +220,9 @@ class TiltProof {
 std::string tilt_refusal(const model::System& system) {
   const std::vector<model::BallPlane> planes = model::planes_of_balls(system.parameters());
   const bool two_and_two = planes.size() == 2 && planes[0].balls.size() == 2 && planes[1].balls.size() == 2;
-  return two_and_two ? "" : words_of::two_planes_of_two;
+  if (!two_and_two) return words_of::two_planes_of_two;
+  const bool isolated = model::balanced_states(system).kind != model::BalancedStates::Kind::continuum;
+  return isolated ? "" : words_of::plane_with_nothing_to_cancel;
 }
 
 CertificateResult check_tilt(const Certificate& c, double spare) {

@@ -239,6 +239,9 @@ void free_balls_of_machine(Document& document) {
 
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
 void read_grade(Document& document) {
+  if (document.root.find_path("rotor.tilt"))
+    for (const char* key : {"residual", "grade"})
+      if (TableReader limits(document, "limits"); limits.has(key)) limits.fail(key, words::study::limit_of_no_tilt);
   const StudyValue* value = document.root.find_path("limits.residual");
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;

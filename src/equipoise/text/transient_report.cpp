@@ -113,6 +113,9 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
   return one;
 }
 
+// Of a rotor that tilts the unbalance told lacks the couple.
+bool is_graded(const Study& study) { return study.scales && !study.parameters.tilts(); }
+
 // The speed that an unbalance is graded at; empty for a driven rotor whose speed was never measured.
 std::optional<double> graded_speed(const TransientGroup& group, const Study& study) {
   return study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
@@ -190,8 +193,9 @@ std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =
       watched_shaft(r.study).bearings ? words::text::forces_of_bearing : words::text::forces_of_supports;
-  if (r.study.bearings.empty()) return fmt::format(words::text::told_at_centre_of_mass, forces);
-  return fmt::format(words::text::told_at_bearings, forces);
+  const std::string places = r.study.bearings.empty() ? fmt::format(words::text::told_at_centre_of_mass, forces)
+                                                      : fmt::format(words::text::told_at_bearings, forces);
+  return places + words::text::unbalance_is_static;
 }
 
 }  // namespace
@@ -234,7 +238,7 @@ DocumentTable without_balls_table(const BasinResult& r) {
     const auto& cells = table.rows.back();
     if (std::all_of(cells.begin() + 1, cells.end(), [](const DocumentCell& c) { return c.text == "0"; }))
       table.rows.pop_back();
-    if (f.value != &TransientRow::residual_unbalance || !r.study.scales) continue;
+    if (f.value != &TransientRow::residual_unbalance || !is_graded(r.study)) continue;
     // A mean speed says nothing where some rotors stall.
     const auto grade = [&](const TransientGroup& g, bool some_stall, std::size_t quantile) -> std::string {
       const std::optional<double> speed = some_stall ? std::nullopt : graded_speed(g, r.study);
@@ -329,7 +333,7 @@ std::string clearance_words(const TransientGroup& group, const Study& study) {
 }
 
 std::optional<double> left_grade(const TransientGroup& group, const Study& study) {
-  if (!study.scales) return std::nullopt;
+  if (!is_graded(study)) return std::nullopt;
   const double mean = group.figure(&TransientRow::residual_unbalance).mean;
   const std::optional<double> speed = graded_speed(group, study);
   if (!speed) return std::nullopt;

@@ -18,7 +18,7 @@ inline constexpr char one_of_pixels[] = "one of {0} x {0} pixels drawn";
 inline constexpr char darker_is_later[] = "; the darker, the later decided";
 
 // Axes.
-inline constexpr char final_speed[] = "final rotor speed Ω / critical speed";
+inline constexpr char final_speed[] = "final rotor speed Ω / √(k/M)";
 inline constexpr char eccentricity[] = "eccentricity λ / race radius";
 inline constexpr char damping[] = "external damping ζ = c / √(k M)";
 inline constexpr char stiffness[] = "support stiffness κ";
@@ -27,11 +27,11 @@ inline constexpr char ball_drag[] = "drag of a ball β";
 // Ball.
 inline constexpr char initial_angle[] = "initial angle of ball {0}, φ{0} (rad)";
 // Ball.
-inline constexpr char initial_rate[] = "initial rate of ball {0}, φ{0}' / critical speed";
+inline constexpr char initial_rate[] = "initial rate of ball {0}, φ{0}' / √(k/M)";
 // x or y.
 inline constexpr char initial_place[] = "initial {} / race radius, rotating frame";
 // x or y.
-inline constexpr char initial_velocity[] = "initial {}' / (race radius x critical speed)";
+inline constexpr char initial_velocity[] = "initial {}' / (race radius x √(k/M))";
 // Label, lowest, highest.
 inline constexpr char axis_from_to[] = "{} from {:.4g} to {:.4g}";
 inline constexpr char share_of_starts[] = "share of starts, %";

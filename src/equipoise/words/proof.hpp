@@ -14,8 +14,9 @@ inline constexpr char needs_no_gravity[] = "proofs need gravity 0";
 inline constexpr char needs_centred_race[] = "proofs about a continuum need a centred race";
 inline constexpr char needs_passing_balls[] = "proofs need balls that pass each other and do not stick";
 inline constexpr char speed_is_finite[] = "the speed must be a finite number";
-inline constexpr char two_planes_of_two[] =
-    "proofs about a rotor that tilts are for two balls in each of two planes";
+inline constexpr char two_planes_of_two[] = "proofs about a rotor that tilts are for two balls in each of two planes";
+inline constexpr char plane_with_nothing_to_cancel[] =
+    "a plane whose balls have nothing to cancel has a continuum of balanced states; proofs are for isolated ones";
 inline constexpr char for_one_or_two[] = "proofs are for one or two balls";
 inline constexpr char for_plain_continuum[] =
     "the balanced states form a continuum; proofs about one are for three balls or more, at a prescribed speed, in a "

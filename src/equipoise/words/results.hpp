@@ -4,7 +4,7 @@
 namespace equipoise::words::results {
 
 // Axes of branches.
-inline constexpr char final_speed[] = "final rotor speed Omega / critical speed";
+inline constexpr char final_speed[] = "final rotor speed Omega / sqrt(k/M)";
 inline constexpr char eccentricity[] = "eccentricity lambda / race radius";
 inline constexpr char damping[] = "external damping zeta = c / sqrt(k M)";
 inline constexpr char stiffness[] = "support stiffness kappa";

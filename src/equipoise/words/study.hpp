@@ -120,6 +120,9 @@ inline constexpr char grid_of_one[] = "must be 2 or more: a grid has two starts 
 
 // Limits and standards.
 inline constexpr char standards_need_units[] = "a study in physical units, or with [units]";
+inline constexpr char limit_of_no_tilt[] =
+    "no rotor with rotor.tilt has this: it would leave out the couple unbalance; state limits.velocity or limits.force "
+    "instead";
 inline constexpr char grade_needs_units[] =
     "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`";
 inline constexpr char grade_given_twice[] = "is a grade too; give either limits.grade or this, not both";

@@ -28,8 +28,10 @@ inline constexpr char on_a_circle[] = " on a circle of {}";
 inline constexpr char nothing_to_cancel[] = "; they cancel {}, and there is nothing to cancel";
 // Range, "up to" or "at most", a factor, nothing or that balance is impossible.
 inline constexpr char balls_cancel[] = "; they cancel {}, {} {:.3g} times what there is{}";
-// Of a plane: its place, a factor.
-inline constexpr char plane_cancels[] = "; at {} they cancel up to {:.3g} times what there is";
+// Of a plane: its place, "no less than", "up to" or "at most", a factor.
+inline constexpr char plane_cancels[] = "; at {} they cancel {} {:.3g} times what there is";
+inline constexpr char no_less_than[] = "no less than";
+inline constexpr char balance_impossible_as[] = ": balance is impossible ({})";
 inline constexpr char nothing_to_cancel_at[] = "; at {} there is nothing to cancel";
 inline constexpr char up_to[] = "up to";
 inline constexpr char at_most[] = "at most";
@@ -56,6 +58,8 @@ inline constexpr char drag_enough_to_pass[] = "gives the balls the drag that tak
 inline constexpr char changes_capacity[] = "lets the balls cancel {:.3g} instead of {:.3g} times what there is";
 inline constexpr char changes_settling[] =
     "lets a deviation from balance fade with a time constant of {} instead of {}";
+inline constexpr char stays_impossible[] =
+    "none of these: with each of them changed alone by 20 % balance stays impossible";
 inline constexpr char nothing_matters[] = "none of these, by these rules";
 inline constexpr char how_judged[] =
     " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "

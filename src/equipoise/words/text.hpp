@@ -184,6 +184,9 @@ inline constexpr char told_at_bearings[] =
 inline constexpr char told_at_centre_of_mass[] =
     "No bearings are stated: displacements and velocities are those of the shaft at the centre of mass; forces are "
     "those of {}";
+inline constexpr char unbalance_is_static[] =
+    "; the residual unbalance is the static one alone, which has no balance quality grade: tolerances of rotors that "
+    "tilt are for two planes";
 inline constexpr char forces_of_supports[] = "all supports together";
 inline constexpr char forces_of_bearing[] = "the bearing that takes more";
 // Sag, unit, weight, unit.

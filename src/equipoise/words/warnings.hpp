@@ -12,6 +12,14 @@ inline constexpr char near_critical_speed[] =
 inline constexpr char little_isolation[] =
     "the final speed is less than sqrt(2) times the critical speed: vibration without balls exceeds twice the "
     "eccentricity unless damping is strong{}";
+// Of a rotor that tilts: its highest critical speed, then often_unstable_too or nothing.
+inline constexpr char little_isolation_of_tilt[] =
+    "the final speed is less than sqrt(2) times the highest critical speed, {}: without balls, whirl of that kind is "
+    "more than twice as wide as at high speeds, if the unbalance excites it and damping is not strong{}";
+// The highest, then adds_to_whirl or nothing.
+inline constexpr char between_critical_speeds[] =
+    "the final speed lies between critical speeds, below the highest, {}: whirl of that kind is not yet passed{}";
+inline constexpr char adds_to_whirl[] = ", there balls gather on the heavy side, and balance is often unstable";
 inline constexpr char often_unstable_too[] = ", and balance is often unstable";
 inline constexpr char motor_may_be_too_weak[] = "the motor may be too weak for the critical speed: {}";
 inline constexpr char torque_may_not_suffice[] = "the motor's torque may not suffice at the critical speed: {}";
@@ -37,6 +45,7 @@ inline constexpr char too_many_balls[] =
     "{} balls of this size do not fit into the race: there is room for {:.0f} % of them";
 
 // Sagging: how far, and what that exceeds.
+inline constexpr char at_bearing[] = " at the bearing at {}";
 inline constexpr char sags_beyond_limit[] =
     "the rotor sags by {} under its weight, more than limits.displacement, {}, which counts from where it rests";
 inline constexpr char sags_beyond_race[] =
@@ -50,6 +59,8 @@ inline constexpr char unbalance_too_large[] = "the unbalance is {:.3g} times wha
 inline constexpr char unbalance_too_small[] =
     "the unbalance is below the least that these balls can balance: they would add one of their own";
 inline constexpr char unbalance_near_most[] = "the unbalance is within 10 % of the most that {} can cancel";
+inline constexpr char of_plane[] = "plane at {}: ";
+inline constexpr char balance_impossible[] = "balance is impossible: {}";
 inline constexpr char unbalance_near_least[] = "the unbalance is within 10 % of the least that these balls can balance";
 
 // Balance by linear theory: what was left out, and what would help.
