@@ -52,7 +52,7 @@ std::string read_certificates(const std::string& path) {
 
 int check_file(const std::string& path, bool as_json) {
   const CertificateFile checked = checked_certificates(read_certificates(path), display_text(path));
-  put(as_json ? check_json(checked) : check_text(checked));
+  put(as_json ? check_json(checked) : check_text(checked, text_style()));
   return checked.proved() ? done : check_failed;
 }
 
@@ -78,7 +78,7 @@ int run_certify(const CertifyArguments& a) {
   options.progress = progress.listener();
   const CertifyResult result = certify(at_medians(read_study(a.study, a.overrides)), options);
   progress.finish();
-  put(a.json ? certify_json(result) : certify_text(result));
+  put(a.json ? certify_json(result) : certify_text(result, text_style()));
   if (!a.output.empty()) write_certificates(a.output, result);
   return result.partial ? ended_early(progress.left(), nullptr, "") : result.proved() ? done : check_failed;
 }
@@ -92,6 +92,7 @@ Command add_certify(CLI::App& app) {
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, help::certify::output)->type_name("FILE.json");
   app.add_flag("--json", a->json, help::json);
+  add_text_style(app);
   add_within(app, a->within);
   app.add_flag("--quiet", a->quiet, help::quiet);
   return [a] { return run_certify(*a); };

@@ -1,5 +1,7 @@
 // equipoise chart: curves in a plane of two parameters on which balance changes.
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "equipoise/charts/chart_julia.hpp"
@@ -8,6 +10,7 @@
 #include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/words/chart.hpp"
 #include "plane_command.hpp"
+#include "words.hpp"
 
 namespace equipoise::app {
 
@@ -15,7 +18,7 @@ namespace {
 
 struct ChartArguments : PlaneArguments {
   std::string x, y, julia;
-  std::uint64_t boxes = ChartSettings().boxes;
+  std::optional<std::string> boxes;
   double undecided = 1.0;
   bool cycles = false;
 };
@@ -36,7 +39,8 @@ int run_chart(const ChartArguments& a) {
         if (!(a.undecided > 0.0 && a.undecided < 100.0))
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
-        settings.boxes = a.boxes;
+        constexpr std::uint64_t most_boxes = 1'000'000'000;
+        if (a.boxes) settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
         require_ending("--julia", a.julia, ".jl");
         require_writable("--julia", a.julia);
         if (!a.julia.empty() && !study.system().prescribed())

@@ -98,9 +98,10 @@ std::optional<WorkLeft> ProgressLine::left() const {
   if (!before_) return std::nullopt;
   const auto& [done, total, what, balanced, preparing] = *before_;
   if (preparing || total == 0) return WorkLeft{0, 0, what};
-  const double per_second = rate();
   WorkLeft left{done, total, what};
-  if (per_second > 0.0) left.seconds = static_cast<double>(total - done) / per_second;
+  // Where all that is counted is done, what is left is not counted.
+  const double per_second = rate();
+  if (done < total && per_second > 0.0) left.seconds = static_cast<double>(total - done) / per_second;
   return left;
 }
 

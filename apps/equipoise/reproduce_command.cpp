@@ -122,7 +122,10 @@ int run_publications(const ReproduceArguments& a, const std::vector<std::string>
   }
   put(a.json ? publications_json(r) : publications_text(r));
   std::optional<WorkLeft> left = progress.left();
-  if (left && left->total > 0) left->what = words::rows;
+  if (left && left->total > 0) {
+    left->what = words::rows;
+    left->seconds.reset();  // a row takes a moment or minutes
+  }
   return r.partial ? ended_early(left, nullptr, "") : r.differs() ? check_failed : done;
 }
 

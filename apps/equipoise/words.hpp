@@ -39,6 +39,7 @@ inline constexpr char share_range[] = "a fraction of one from 0.01 to 0.9999";
 inline constexpr char precision_range[] = "a part of the range from 0.0001 to 0.1";
 inline constexpr char trajectory_range[] = "a whole number from 1000 to 1000000000000";
 inline constexpr char block_range[] = "a power of two from 2 to 64";
+inline constexpr char box_range[] = "a whole number from 0 to 1000000000";
 inline constexpr char pixel_range[] = "a whole number from 2 to 4096";
 inline constexpr char paper_start_range[] = "a whole number from 1 to 1000000000";
 inline constexpr char time_range[] = "a number from 0 to 1e9";

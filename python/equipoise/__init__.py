@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from .capacities import CapacityResult, capacity
-from .charts import ChartResult, Curve, SpecialPoint, chart, curve
+from .charts import ChartResult, Curve, Curves, SpecialPoint, chart, curve
 from .comparisons import Comparison, Difference, compare
 from .designs import DesignResult, design
 from .ensembles import AttractorShare, BasinResult, basin
@@ -40,7 +40,7 @@ __version__: str = _core.version
 
 __all__ = [
     "Attractor", "AttractorShare", "AttractorsResult", "BasinResult", "Branch", "BranchesResult", "CapacityResult",
-    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "DesignResult", "Difference", "Explanation", "Inspection",
+    "CertificateCheck", "CertifyResult", "ChartResult", "Comparison", "Curve", "Curves", "DesignResult", "Difference", "Explanation", "Inspection",
     "Interrupted", "MapResult", "Mapper", "Model", "Replay", "Report", "Reproduction", "RunError", "SpecialPoint", "StabilityResult",
     "State", "Study", "StudyCheck", "StudyError", "SweepResult", "Trajectory", "UndecidedWarning", "attractors", "basin",
     "capacity", "certify", "chart", "check", "check_certificates", "compare", "cpu_targets", "curve", "design", "explain", "follow", "inspect",

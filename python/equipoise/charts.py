@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass
 from html import escape
 from typing import Any, Optional
@@ -80,6 +81,26 @@ def _numbers(values: list[Optional[float]]) -> Array:
     return np.array([np.nan if value is None else value for value in values], dtype=float)
 
 
+class Curves(list[Curve]):
+    """The curves of a chart.
+
+    Attributes
+    ----------
+    partial : bool
+        Whether the time ended before all were found.
+    """
+
+    def __init__(self, curves: Iterable[Curve], partial: bool) -> None:
+        super().__init__(curves)
+        self.partial = partial
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (list(self), self.partial)
+
+    def __repr__(self) -> str:
+        return f"<PARTIAL: stopped early: {super().__repr__()}>" if self.partial else super().__repr__()
+
+
 class ChartResult(Result):
     """Curves on which balance and locked states change, regions by what exists, and boxes in which balance is proved.
 
@@ -124,11 +145,12 @@ class ChartResult(Result):
         self.proved: dict[str, float] = {name: part for name, part in proof.items() if name != "boxes"}
 
     def __repr__(self) -> str:
-        return f"<ChartResult of {self.study.name}: {len(self.curves)} curves, {len(self.specials)} special points>"
+        return f"<ChartResult of {self.study.name}: {len(self.curves)} curves, {len(self.specials)} special points{', partial' * self.partial}>"
 
     def _repr_html_(self) -> str:
         rows = [(c.kind, c.of, f"{c.x[0]:.5g}, {c.y[0]:.5g}", f"{c.x[-1]:.5g}, {c.y[-1]:.5g}") for c in self.curves]
-        return f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}" + table(("curve", "of", "from", "to"), rows)
+        early = " (stopped early)" * self.partial
+        return f"<b>{escape(self.study.name)}</b>{early}: {escape(self.answer)}" + table(("curve", "of", "from", "to"), rows)
 
     def to_csv(self) -> str:
         """The table that the command line writes with ``--csv``."""
@@ -184,9 +206,10 @@ def curve(
     study: Study, x: str = "speed.final", y: str = "balancer.drag", size: int | tuple[int, int] = 64, *,
     x_range: Range, y_range: Range, threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None,
     within: WithinArgument = None,
-) -> list[Curve]:
-    """The curves alone, as :func:`chart` finds them; nothing is proved."""
-    return chart(
+) -> Curves:
+    """The curves alone, as :func:`chart` finds them, in a list; nothing is proved. ``partial`` of it says whether its time was too short."""
+    made = chart(
         study, x, y, size, x_range=x_range, y_range=y_range, boxes=0, threads=threads, progress=progress, cpu=cpu,
         within=within,
-    ).curves
+    )
+    return Curves(made.curves, made.partial)

@@ -92,8 +92,9 @@ class StabilityResult(Result):
 
     @property
     def shares(self) -> dict[str, float]:
-        """Part of the plane of every kind that occurs."""
-        return {name: float(np.mean(self.kind == k)) for k, name in enumerate(self.kinds) if np.any(self.kind == k)}
+        """Part of the plane of every kind that occurs, and "not computed"."""
+        names = [*enumerate(self.kinds), (-1, "not computed")]
+        return {name: float(np.mean(self.kind == k)) for k, name in names if np.any(self.kind == k)}
 
     @property
     def partial(self) -> bool:
@@ -109,6 +110,7 @@ class StabilityResult(Result):
 
     def _repr_html_(self) -> str:
         title = f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}"
+        title += " (stopped early)" * self.partial
         return title + table(("balance", "of the plane"), [(name, f"{100 * part:.1f} %") for name, part in self.shares.items()])
 
     def to_xarray(self) -> xarray.Dataset:

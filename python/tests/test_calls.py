@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -122,6 +123,15 @@ def test_a_call_returns_what_it_has_when_its_time_is_over(study, call):
     assert result.partial
     assert time.monotonic() - begin < 7.0  # 2.2 s on an idle machine; tests run beside others
     assert "PARTIAL" in result.text
+
+
+def test_curves_and_planes_whose_time_is_over_say_so(study):
+    ranges = dict(x_range=(0.5, 6.0), y_range=(0.01, 0.1))
+    curves = eq.curve(study, size=1000, **ranges, within=0.5)
+    assert curves.partial and "PARTIAL" in repr(curves) and pickle.loads(pickle.dumps(curves)).partial
+    plane = eq.stability(study, size=2000, **ranges, within=0.5)
+    assert plane.partial and "computed (PARTIAL)" in plane.answer
+    assert sum(plane.shares.values()) == pytest.approx(1.0) and plane.shares["not computed"] > 0.0
 
 
 def test_a_call_that_ends_in_time_is_whole(easy):

@@ -9,7 +9,7 @@ import random
 import shutil
 import unittest
 
-from program import DRIVE, ROW, Case, answer, content, interrupted, rows_of, run, started, with_xarray
+from program import DRIVE, ROW, WASHER, Case, answer, content, interrupted, rows_of, run, started, with_xarray
 
 PLANE = ["--x-range", "0.5:6", "--y-range", "0.01:0.3"]
 
@@ -69,6 +69,9 @@ class Results(Case):
     def test_bad_ranges_are_refused_in_one_line(self):
         self.refused("stability", ROW, "--x-range", "0.5:6", "--y-range", "-1:0.3", words=("balancer.drag",))
         self.refused("stability", ROW, "--y-range", "0.1:0.3", words=("--x-range", "LOW:HIGH"))
+        mass = ("--x-range", "0.5:6", "--y", "rotor.unbalance", "--y-range", "100 g mm:1100 g mm")
+        self.refused("stability", ROW, *mass, words=("--y-range", "dimensionless", "LOW:HIGH"))
+        self.refused("stability", WASHER, *mass, words=("--y-range", "rotor.unbalance takes no quantities", "rotor.eccentricity"))
         self.refused("stability", ROW, *PLANE, "--x", "initial.x", words=("initial.x", "does not depend on starts"))
         self.refused("stability", ROW, *PLANE, "--set", "balancer.balls=0", words=("balls",))
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -350,6 +351,8 @@ TEST(Certify, ProvesAStudyAndSaysWhyItDoesNot) {
   EXPECT_EQ(result.states[0].copies, 2);
   EXPECT_GT(result.states[0].reach[0], 0.0);
   EXPECT_NE(certify_text(result).find("re-check"), std::string::npos);
+  std::istringstream lines(certify_text(result, TextStyle{}));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
   const CertifyResult unstable = certify(parse_study(text, "study", {"speed.speed=1.5"}));
   EXPECT_FALSE(unstable.proved());
   EXPECT_NE(unstable.note.find("unstable at speed 1.5"), std::string::npos);

@@ -501,13 +501,17 @@ TEST(Chart, AStoppedChartIsPartialAndThreadsMakeNoDifference) {
   const StopFlag stop{true};
   ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 12, 2000);
   settings.stop = &stop;
-  EXPECT_TRUE(holds(chart_text(bifurcation_chart(chart_rotor(2.4, 0.05), settings)), "PARTIAL"));
+  const BifurcationChart stopped = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
+  EXPECT_TRUE(holds(chart_text(stopped), "PARTIAL"));
+  EXPECT_TRUE(chart_csv(stopped).starts_with("# equipoise ")) << chart_csv(stopped);
+  EXPECT_TRUE(holds(chart_csv(stopped), ", PARTIAL: stopped early\ncurve,kind"));
+  EXPECT_TRUE(holds(chart_plot_script(stopped, "rotor", "picture.svg"), "PARTIAL: stopped early"));
   settings.stop = nullptr;
   settings.threads = 1;
   const BifurcationChart one = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
   settings.threads = 3;
   const BifurcationChart three = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
-  EXPECT_FALSE(holds(chart_text(one), "PARTIAL"));
+  EXPECT_FALSE(holds(chart_text(one) + chart_csv(one) + chart_plot_script(one, "rotor", "picture.svg"), "PARTIAL"));
   EXPECT_EQ(chart_csv(one), chart_csv(three));
   EXPECT_EQ(chart_answer(one), chart_answer(three));
 }

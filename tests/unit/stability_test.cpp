@@ -338,6 +338,20 @@ TEST(Stability, AStoppedPlaneIsPartial) {
   EXPECT_FALSE(plane.complete);
   EXPECT_EQ(plane.count(BalanceKind::not_computed), plane.points.size());
   EXPECT_TRUE(holds(stability_text(plane), "PARTIAL: 0 of 9 points"));
+  EXPECT_TRUE(holds(stability_answer(plane), "nothing was computed (PARTIAL)"));
+  EXPECT_TRUE(holds(stability_csv(plane).substr(0, stability_csv(plane).find('\n')), "PARTIAL: stopped early"));
+  EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "PARTIAL: stopped early"));
+}
+
+TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {
+  StabilityPlane plane = stability(paper_rotor(2.4, 0.05), around(0.3, 6.0, 0.05));
+  plane.own.reset();
+  for (std::size_t k = 3; k < plane.points.size(); ++k) plane.points[k] = BalancePoint();
+  plane.complete = false;
+  EXPECT_TRUE(holds(stability_answer(plane), "; 66.7 % of the plane was not computed (PARTIAL)."))
+      << stability_answer(plane);
+  EXPECT_TRUE(holds(stability_text(plane), "not computed")) << stability_text(plane);
+  EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "not computed, 66.7 %"));
 }
 
 TEST(Stability, AnswersForThePlaneAndForTheStudy) {

@@ -44,13 +44,18 @@ std::string page_number(double value) {
 }
 
 std::string key_words(const std::string& key) {
-  constexpr std::array<std::pair<const char*, const char*>, 7> known{{{"speed.final", "final speed"},
+  constexpr std::array<std::pair<const char*, const char*>, 12> known{{{"speed.final", "final speed"},
                                                                       {"speed.speed", "final speed"},
                                                                       {"rotor.unbalance", "unbalance"},
                                                                       {"rotor.eccentricity", "eccentricity"},
                                                                       {"balancer.mass", "ball mass"},
                                                                       {"balancer.drag", "ball drag"},
-                                                                      {"balancer.balls", "balls"}}};
+                                                                      {"balancer.balls", "balls"},
+                                                                      {"speed.torque.stall", "stall torque"},
+                                                                      {"speed.torque.no_load_speed", "no-load speed"},
+                                                                      {"speed.load.constant", "constant load"},
+                                                                      {"speed.load.linear", "linear load"},
+                                                                      {"speed.load.quadratic", "quadratic load"}}};
   for (const auto& [name, words] : known)
     if (key == name) return words;
   constexpr std::string_view angle = "initial.phi_", rate = "initial.phi_dot_";

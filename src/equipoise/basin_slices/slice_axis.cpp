@@ -28,6 +28,12 @@ std::optional<double> part_of_pi(const std::string& text) {
   return (m[1] == "-" ? -1.0 : 1.0) * number(m[2].str()) * pi / number(m[3].str());
 }
 
+// "100 g mm": a number, and letters after it.
+bool is_quantity(const std::string& text) {
+  static const std::regex form(R"(\s*[+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[A-Za-z%].*)");
+  return std::regex_match(text, form);
+}
+
 }  // namespace
 
 SliceAxis slice_axis(const Study& study, const std::string& key, const std::string& range, int pixels,
@@ -44,8 +50,11 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
   const auto read = [&](const std::string& text) {
     if (const auto angle = part_of_pi(text)) return *angle;
     const study::GivenValue given = study::read_given(text, unit);
-    if (!given.problem.empty() || !std::isfinite(given.value))
-      reject((unit ? given.problem + "; " : std::string()) + allowed);
+    if (given.problem.empty() && std::isfinite(given.value)) return given.value;
+    if (!unit && !axis.angle() && is_quantity(text))
+      reject(study.scales ? fmt::format(words::sweeps::key_without_quantities, key)
+                          : fmt::format(words::sweeps::quantities_without_scales, allowed));
+    reject((unit ? given.problem + "; " : std::string()) + allowed);
     return given.value;
   };
   axis.low = read(range.substr(0, colon));

@@ -13,6 +13,7 @@
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/words/chart.hpp"
+#include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
@@ -135,7 +136,8 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
   }
   if (items.empty()) add("NaN notitle");
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
-                        quoted(parameters_text(chart.study, {plane.x.key, plane.y.key})));
+                        quoted(parameters_text(chart.study, {plane.x.key, plane.y.key}) +
+                               (chart.complete ? "" : words::plots::partial_early)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,
                         plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);

@@ -16,6 +16,7 @@
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/chart.hpp"
+#include "equipoise/words/reports.hpp"
 
 namespace equipoise {
 
@@ -314,6 +315,8 @@ std::string chart_json(const BifurcationChart& chart) {
 
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
+      chart.complete ? "" : fmt::format(words::chart::csv_partial, version_string, words::reports::csv_partial_early);
+  text +=
       fmt::format("curve,kind,of,{},{},frequency,lyapunov,others,swing\n", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {

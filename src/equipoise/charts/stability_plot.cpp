@@ -16,6 +16,7 @@
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/plots/zero_line.hpp"
 #include "equipoise/text/engineering.hpp"
+#include "equipoise/words/plots.hpp"
 #include "equipoise/words/stability.hpp"
 
 namespace equipoise {
@@ -138,8 +139,8 @@ std::string stability_plot_script(const StabilityPlane& whole, const std::string
       "with rgbimage notitle",
       plane.x.centre(0) * x.factor, plane.x.step() * x.factor, plane.y.centre(0) * y.factor, plane.y.step() * y.factor);
   const auto add = [&](const std::string& item) { items += ", \\\n  " + item; };
-  for (const BalanceKind kind :
-       {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal, BalanceKind::unknown}) {
+  for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
+                                 BalanceKind::unknown, BalanceKind::not_computed}) {
     const std::size_t count = whole.count(kind);
     if (count == 0) continue;
     const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(whole.points.size());
@@ -147,7 +148,10 @@ std::string stability_plot_script(const StabilityPlane& whole, const std::string
     add(
         fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle solid 1.0 border linecolor rgb '#444444' "
                     "title {}",
-                    colour_of_kind(kind), quoted(fmt::format(words::stability::legend, balance_words(kind), part))));
+                    colour_of_kind(kind),
+                    quoted(kind == BalanceKind::not_computed
+                               ? fmt::format(words::stability::legend_not_computed, part)
+                               : fmt::format(words::stability::legend, balance_words(kind), part))));
   }
   const auto add_border = [&](const char* name, const Pieces& pieces, const char* dash, const char* meaning) {
     if (pieces.empty()) return;
@@ -166,7 +170,8 @@ std::string stability_plot_script(const StabilityPlane& whole, const std::string
   }
   const std::string details = parameters_text(plane.study, {plane.x.key, plane.y.key});
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
-                        quoted(details + "; " + words::stability::darker_is_faster));
+                        quoted(details + "; " + words::stability::darker_is_faster +
+                               (plane.complete ? "" : words::plots::partial_early)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,
                         plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);

@@ -17,6 +17,7 @@
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/reports.hpp"
 #include "equipoise/words/stability.hpp"
 
 namespace equipoise {
@@ -44,11 +45,14 @@ std::string parameter_text(const Study& study, const std::string& key, double va
 
 std::string part_text(const StabilityPlane& plane, BalanceKind kind) {
   const double percent = 100.0 * static_cast<double>(plane.count(kind)) / static_cast<double>(plane.points.size());
-  return percent < 0.05 ? "less than 0.1 %" : fmt::format("{:.1f} %", percent);
+  if (percent < 0.05) return "less than 0.1 %";
+  return percent > 99.95 && percent < 100.0 ? "more than 99.9 %" : fmt::format("{:.1f} %", percent);
 }
 
 std::string parts_sentence(const StabilityPlane& plane) {
   const std::string x = key_words(plane.x.key), y = key_words(plane.y.key);
+  const std::size_t missing = plane.count(BalanceKind::not_computed);
+  if (missing == plane.points.size()) return fmt::format(words::stability::nothing_computed, x, y);
   std::vector<std::string> parts;
   for (const BalanceKind kind : balance_kinds) {
     const std::size_t count = plane.count(kind);
@@ -58,6 +62,9 @@ std::string parts_sentence(const StabilityPlane& plane) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  if (missing > 0)
+    return fmt::format(words::stability::by_parts_of_a_stopped_plane, x, y, text,
+                       part_text(plane, BalanceKind::not_computed));
   return fmt::format(words::stability::by_parts, x, y, text);
 }
 
@@ -178,7 +185,9 @@ std::string plane_notes(const StabilityPlane& plane) {
     if (points > 0)
       text += fmt::format(
           words::stability::left_out_at,
-          points >= exists ? words::stability::all_points : fmt::format(words::stability::some_points, points), name);
+          points >= exists ? words::stability::all_points
+                           : fmt::format(words::stability::some_points, points, points == 1 ? "" : "s"),
+          name);
   }
   const model::Parameters& p = plane.study.parameters;
   if (leaves_angles_free(p)) text += words::stability::one_of_many;
@@ -221,10 +230,14 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
         row_of("tnnn", {balance_words(kind), fmt::format("{}", plane.count(kind)), part_text(plane, kind),
                         low <= high ? fmt::format("{:.3g} to {:.3g}", low, high) : ""}));
   }
+  if (const std::size_t missing = plane.count(BalanceKind::not_computed); missing > 0)
+    table.rows.push_back(row_of("tnnn", {words::stability::not_computed, fmt::format("{}", missing),
+                                         part_text(plane, BalanceKind::not_computed), ""}));
   text += table_text(table, style);
+  const std::size_t computed = plane.points.size() - plane.count(BalanceKind::not_computed);
   return text + lines_filled("\n" + plane_notes(plane) +
-                                 fmt::format(words::stability::made_with, plane.points.size(), computed_text(plane),
-                                             static_cast<double>(plane.points.size()) / std::max(plane.seconds, 1e-9),
+                                 fmt::format(words::stability::made_with, computed, computed_text(plane),
+                                             static_cast<double>(computed) / std::max(plane.seconds, 1e-9),
                                              version_string),
                              style);
 }
@@ -258,7 +271,9 @@ std::string stability_json(const StabilityPlane& plane) {
 }
 
 std::string stability_csv(const StabilityPlane& plane) {
-  std::string text = fmt::format("{},{}", plane.x.key, plane.y.key);
+  std::string text =
+      plane.complete ? "" : fmt::format(words::stability::csv_partial, version_string, words::reports::csv_partial_early);
+  text += fmt::format("{},{}", plane.x.key, plane.y.key);
   for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
   text += "\n";
   for (int row = 0; row < plane.y.pixels; ++row)

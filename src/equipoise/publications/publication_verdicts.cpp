@@ -66,8 +66,12 @@ std::string row_text(const JudgedRow& r) {
 std::string tally(const JudgedPublications& r) {
   const int agree = r.count(RowVerdict::agrees), explained = r.count(RowVerdict::explained);
   const int differ = r.count(RowVerdict::differs) + explained;
-  return fmt::format(words::publications::tally, agree, agree + differ, differ, explained,
-                     r.count(RowVerdict::not_computed));
+  std::string text = fmt::format(words::publications::tally, agree, agree + differ, differ, explained,
+                                 r.count(RowVerdict::not_computed));
+  if (!r.partial) return text;
+  std::size_t judged = 0, all = 0;
+  for (const JudgedPublication& p : r.list) judged += p.rows.size(), all += p.publication->rows.size();
+  return text + fmt::format(words::publications::partial, all - judged, all);
 }
 
 }  // namespace

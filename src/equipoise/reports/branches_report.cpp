@@ -128,8 +128,10 @@ Json point_json(const BranchPoint& point, int balls) {
 
 std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   std::string text = lines_filled(study_heading(r.study), style);
-  text += fmt::format(words::reports::along, r.key, parameter_label(r.key), r.values.front(), r.values.back(),
-                      r.values.size());
+  const std::string label = parameter_label(r.key);
+  const std::string key = label == r.key ? r.key : fmt::format("{} ({})", r.key, label);
+  text += lines_filled(
+      fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
   const bool physical = r.study.scales.has_value();
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
   for (const Branch& b : r.branches)

@@ -28,7 +28,30 @@ std::string boxes_text(const Certificate& c) {
   return c.parameters.tilts() ? words::reports::one_box : fmt::format(words::reports::boxes, c.boxes.size());
 }
 
-std::string state_text(const StateProof& s, const model::System& system) {
+// A matrix whose rows and columns have these names, in blocks of so many columns as fit.
+std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& names, const TextStyle& style) {
+  constexpr std::size_t cell = 14, first = 13;
+  const std::size_t all = names.size();
+  const std::size_t fitting =
+      style.width > 0 ? std::max<std::size_t>((std::max(style.width, first) - first) / cell, 1) : all;
+  const std::size_t blocks = (all + fitting - 1) / fitting, columns = (all + blocks - 1) / blocks;
+  std::string text;
+  for (std::size_t begin = 0; begin < all; begin += columns) {
+    const std::size_t end = std::min(begin + columns, all);
+    text += fmt::format("{:<{}}", "  P", first);
+    for (std::size_t j = begin; j < end; ++j) text += fmt::format("{:>{}}", names[j], cell);
+    text += "\n";
+    for (std::size_t i = 0; i < all; ++i) {
+      text += fmt::format("{:<{}}", "  " + names[i], first);
+      for (std::size_t j = begin; j < end; ++j)
+        text += fmt::format("{:>{}.6g}", matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), cell);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string state_text(const StateProof& s, const model::System& system, const TextStyle& style) {
   const Certificate& c = s.certificate;
   const int balls = system.balls();
   std::string angles;
@@ -36,7 +59,7 @@ std::string state_text(const StateProof& s, const model::System& system) {
   std::string text = fmt::format(words::reports::balanced_state, angles);
   if (s.copies > 1) text += words::reports::copy_has_same_proof;
   text += "\n";
-  if (c.level == 0.0) return text + fmt::format(words::reports::not_proved, s.check.reason);
+  if (c.level == 0.0) return lines_filled(text + fmt::format(words::reports::not_proved, s.check.reason), style);
   const double share = 100.0 * c.level / s.critical;
   text += fmt::format(words::reports::proved, c.level,
                       c.parameters.tilts() ? fmt::format("{:.2g}", share) : fmt::format("{:.1f}", share));
@@ -46,12 +69,7 @@ std::string state_text(const StateProof& s, const model::System& system) {
     text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
   text += fmt::format(words::reports::boxes_checked, boxes_text(c), s.seconds, s.check_seconds,
                       s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
-  text += fmt::format("  P, variables {}:\n", fmt::join(names, ", "));
-  for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
-    for (Eigen::Index j = 0; j < c.form.cols(); ++j) text += fmt::format("{:>14.6g}", c.form(i, j));
-    text += "\n";
-  }
-  return text;
+  return lines_filled(text, style) + matrix_text(c.form, names, style);
 }
 
 std::string angles_text(const MemberCertificate& c) {
@@ -94,13 +112,12 @@ Json members_json(const CertifyResult& r) {
 
 }  // namespace
 
-std::string certify_text(const CertifyResult& r) {
+std::string certify_text(const CertifyResult& r, const TextStyle& style) {
   std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
   if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", r.note);
-  for (const StateProof& s : r.states) text += state_text(s, r.study.system());
-  text += members_text(r);
-  if (r.partial) text += words::reports::partial_proofs;
-  return text;
+  text = lines_filled(text, style);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.system(), style);
+  return text + lines_filled(members_text(r) + (r.partial ? words::reports::partial_proofs : ""), style);
 }
 
 std::string certify_json(const CertifyResult& r) {
@@ -143,7 +160,7 @@ std::string certify_json(const CertifyResult& r) {
   return json.dump(2) + "\n";
 }
 
-std::string check_text(const CertificateFile& file) {
+std::string check_text(const CertificateFile& file, const TextStyle& style) {
   std::string text;
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
@@ -158,7 +175,7 @@ std::string check_text(const CertificateFile& file) {
                         c.attracts ? "attracts" : "unstable",
                         file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
   }
-  return text;
+  return lines_filled(text, style);
 }
 
 std::string check_json(const CertificateFile& file) {

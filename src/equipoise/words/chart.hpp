@@ -158,6 +158,8 @@ inline constexpr char contact_bound[] = "Where balance ends because the balls la
 inline constexpr char partial_cycles[] =
     "PARTIAL: stopped while curves of cycles were followed; at least {} place{} where cycles change {} left.\n";
 inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
+// First line of an incomplete table of curves: version, that it is partial.
+inline constexpr char csv_partial[] = "# equipoise {}: chart{}\n";
 // Points, boxes, time, version.
 inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";
 

@@ -25,6 +25,8 @@ inline constexpr char page_note[] =
 // Agree, all judged, differ, explained, not computed.
 inline constexpr char tally[] =
     "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
+// Numbers left, all.
+inline constexpr char partial[] = " PARTIAL: stopped early; {} of {} numbers were not reached.";
 inline constexpr char seen[] = "Read: {}";
 inline constexpr char made_by[] = "Made by `{}`.";
 inline constexpr char study_file[] = "Study: {}";

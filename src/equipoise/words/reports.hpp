@@ -79,8 +79,8 @@ inline constexpr char as_good_as[] = "as good as";
 
 // "at" or "from", range, which side.
 inline constexpr char seen_not_followed[] = "seen {}{}, not followed further{}";
-// Key, label, first value, last value, values.
-inline constexpr char along[] = "along {} ({}): {:.12g} to {:.12g}, {} values\n\n";
+// Key and label, first value, last value, values.
+inline constexpr char along[] = "along {}: {:.12g} to {:.12g}, {} values\n\n";
 // First value, last value, starts.
 inline constexpr char range_may_go_on[] =
     "\nA range that begins at {:.12g} or ends at {:.12g} may continue beyond it. At every value and half-way between, "

@@ -21,6 +21,10 @@ inline constexpr char file_title[] = "where balance is stable in a plane of two 
 // The answer. Keys in words.
 inline constexpr char everywhere[] = "Over {} and {}, balance is {} at every point of the grid.";
 inline constexpr char by_parts[] = "Over {} and {}, balance is {}.";
+// The last: percent.
+inline constexpr char by_parts_of_a_stopped_plane[] =
+    "Over {} and {}, balance is {}; {} of the plane was not computed (PARTIAL).";
+inline constexpr char nothing_computed[] = "Over {} and {}, nothing was computed (PARTIAL).";
 // What it is, percent.
 inline constexpr char part[] = "{} in {}";
 inline constexpr char is_stable[] = "stable";
@@ -28,6 +32,7 @@ inline constexpr char is_unstable[] = "unstable";
 inline constexpr char is_none[] = "impossible";
 inline constexpr char is_marginal[] = "undecided by linear theory";
 inline constexpr char is_unknown[] = "not found";
+inline constexpr char not_computed[] = "not computed";
 
 // The study's own point: key and value twice, what holds there.
 inline constexpr char own_point[] = "At the study's own values, {} and {}, {}.";
@@ -67,7 +72,7 @@ inline constexpr char slowest_decay[] = "rates, omega_c";
 inline constexpr char left_out_at[] = "At {} {} is left out.\n";
 inline constexpr char all_points[] = "all points";
 // Number.
-inline constexpr char some_points[] = "{} points";
+inline constexpr char some_points[] = "{} point{}";
 inline constexpr char dry_friction[] = "dry friction";
 inline constexpr char gravity[] = "gravity";
 inline constexpr char unequal_supports[] = "the difference between the supports in x and y";
@@ -80,11 +85,14 @@ inline constexpr char by_multipliers[] =
     "The equations depend on the rotor's angle: rates are those of multipliers, and frequencies are known but for "
     "whole turns.\n";
 inline constexpr char partial[] = "PARTIAL: {} of {} points were computed.\n";
+// First line of an incomplete table of points: version, that it is partial.
+inline constexpr char csv_partial[] = "# equipoise {}: stability{}\n";
 // Points, time, rate, version.
 inline constexpr char made_with[] = "{} points; {}, {:.0f} points/s; equipoise {}\n";
 
 // Pictures.
 inline constexpr char legend[] = "balance {}, {}";
+inline constexpr char legend_not_computed[] = "not computed, {}";
 inline constexpr char darker_is_faster[] = "darker: faster";
 inline constexpr char line_hopf[] = "a pair crosses (Hopf)";
 inline constexpr char line_zero[] = "a real eigenvalue crosses";

@@ -61,6 +61,10 @@ inline constexpr char same_key_twice[] = "both axes vary the same key; must be t
 // An example.
 inline constexpr char range_of_axis[] = "must be LOW:HIGH with two numbers, the first below the second, e.g. {}";
 inline constexpr char example_with_units[] = "1.5:6, or two quantities with units";
+// Key, what is allowed.
+inline constexpr char quantities_without_scales[] = "the study is dimensionless, and quantities need scales; {}";
+inline constexpr char key_without_quantities[] =
+    "{} takes no quantities here; must be another key, as rotor.eccentricity with millimetres, or two plain numbers";
 inline constexpr char size_form[] = "must be WIDTHxHEIGHT, each a whole number from 1 to {}, e.g. 512x512";
 inline constexpr char tie_form[] = "must be phi_I=phi_J or phi_I=phi_J+ANGLE, e.g. phi_2=phi_1+pi";
 inline constexpr char tie_balls[] = "must name two different balls from 1 to {}";
