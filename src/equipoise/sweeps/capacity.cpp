@@ -51,7 +51,7 @@ std::string setting(const CapacityOptions& options, double value) {
 }
 
 // The first line of what with_unbalance() writes of a rotor that tilts: rotor.unbalance stands for all unbalances.
-constexpr std::string_view all_together = "# all unbalances in proportion\n";
+constexpr std::string_view all_together = words::sweeps::all_together;
 
 bool scales_all(const SweepPlan& plan) { return plan.source().toml.starts_with(all_together); }
 
