@@ -1,6 +1,8 @@
 // Capacity in g mm, and against limits: each trial as the same ensemble counted start by start.
 #include <cmath>
+#include <complex>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +50,100 @@ TEST(Capacity, AnUnbalanceIsOneQuantity) {
   EXPECT_EQ(capacity_key(one, "", "of"), "rotor.unbalance");
   const std::vector<SweepAxis> over = sweep_axes({"rotor.eccentricity=0.1 mm,0.2 mm"}, false, "over");
   EXPECT_FALSE(with_unbalance(source, over).states("rotor.unbalance"));
+}
+
+const std::string spindle = R"([rotor]
+mass = "6 kg"
+eccentricity = "10 um"
+eccentricity_angle = "70 degree"
+[rotor.tilt]
+transverse_inertia = "0.03 kg m2"
+polar_inertia = "0.045 kg m2"
+misalignment = "0.01 degree"
+bearings = [
+  { at = "-60 mm", stiffness = "900 kN/m", damping = "900 N s/m" },
+  { at = "-200 mm", stiffness = "700 kN/m", damping = "700 N s/m" },
+]
+unbalance = [ { at = "20 mm", size = "300 g mm", angle = "25 degree" } ]
+[[place]]
+mass = "2 g"
+radius = "50 mm"
+angle = "100 degree"
+at = "-30 mm"
+[balancer]
+balls = 4
+race_radius = "60 mm"
+plane = ["20 mm", "20 mm", "-20 mm", "-20 mm"]
+mass = "20 g"
+drag = "0.2 N s/m"
+[speed]
+profile = "constant"
+speed = "9000 rpm"
+[sampling]
+starts = 12
+)";
+
+// Static and couple unbalance of an override's rotor, from its sums by hand.
+struct InPlanes {
+  std::complex<double> force, couple;
+};
+InPlanes by_hand(double factor) {
+  constexpr double degree = 3.141592653589793 / 180.0;
+  const std::complex<double> own = std::polar(60.0, 70.0 * degree), plane = std::polar(300.0, 25.0 * degree),
+                             place = std::polar(100.0, 100.0 * degree);  // g mm
+  const double misaligned = 0.01 * degree * (0.03 - 0.045) * 1e9;        // g mm^2
+  return {factor * (own + plane + place), factor * (20.0 * plane - 30.0 * place + misaligned)};
+}
+
+// Planes, places and the couple of a rotor that tilts grow in proportion, and none of them counts twice.
+TEST(Capacity, OfARotorThatTiltsScalesAllItsUnbalances) {
+  const StudySource source{spindle, "spindle", {}}, one = with_unbalance(source, {});
+  EXPECT_TRUE(one.states("rotor.unbalance"));
+  EXPECT_FALSE(one.states("place"));
+  const Study before = source.with(), after = one.with();
+  EXPECT_NEAR(after.parameters.eccentricity, before.parameters.eccentricity, 1e-14);
+  EXPECT_NEAR(after.parameters.eccentricity_angle, before.parameters.eccentricity_angle, 1e-9);
+  EXPECT_NEAR(after.parameters.tilt.couple(), before.parameters.tilt.couple(), 1e-14);
+  EXPECT_NEAR(after.parameters.eccentricity * after.scales->unbalance() * 1e6, std::abs(by_hand(1.0).force), 1e-9);
+
+  CapacityOptions options;
+  options.key = "rotor.unbalance";
+  options.unit = "g mm";
+  for (const double factor : {0.5, 3.0}) {
+    const double value = factor * std::abs(by_hand(1.0).force);
+    const model::Parameters p = capacity_study(SweepPlan(one, {}, {}, "over"), options, 0, value).parameters;
+    const InPlanes wanted = by_hand(factor);
+    const double to_force = after.scales->unbalance() * 1e6, to_couple = to_force * after.scales->length * 1e3;
+    EXPECT_NEAR(p.eccentricity * to_force, value, 1e-9 * value);
+    EXPECT_NEAR(std::abs(p.tilt.couple()) * to_couple, std::abs(wanted.couple), 1e-9 * std::abs(wanted.couple));
+    const double between = std::arg(wanted.force / wanted.couple);
+    EXPECT_NEAR(std::remainder(p.eccentricity_angle + (p.tilt.couple() < 0.0 ? 3.141592653589793 : 0.0) - between,
+                               2.0 * 3.141592653589793),
+                0.0, 1e-9);
+  }
+}
+
+TEST(Capacity, SaysWhereNoStaticUnbalanceMeasuresIt) {
+  const auto problem = [](const StudySource& source, const std::vector<SweepAxis>& axes) -> std::string {
+    try {
+      with_unbalance(source, axes);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  StudySource couple{spindle,
+                     "spindle",
+                     {R"(rotor.tilt.unbalance=[{at="20 mm", size="300 g mm", angle=0}, {at="-20 mm", size="300 g mm", )"
+                      R"(angle="180 degree"}])",
+                      "rotor.eccentricity=0 mm"}};
+  couple.toml.erase(couple.toml.find("[[place]]"), couple.toml.find("[balancer]") - couple.toml.find("[[place]]"));
+  EXPECT_NE(problem(couple, {}).find("--of rotor.tilt.unbalance.1.size"), std::string::npos);
+  const StudySource source{spindle, "spindle", {}};
+  EXPECT_EQ(problem(source, {}), "");
+  EXPECT_NE(
+      problem(source, sweep_axes({"rotor.tilt.misalignment=0.1 degree,0.2 degree"}, false, "over")).find("varied"),
+      std::string::npos);
 }
 
 TEST(Capacity, IsAgainstTheLimitThatIsAskedFor) {

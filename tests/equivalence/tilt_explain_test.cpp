@@ -132,6 +132,28 @@ TEST(TiltExplain, VibrationAtBearingsIsThatOfTheTrajectory) {
     const std::vector<double>& r = run.bearing_radial[b];
     EXPECT_NEAR(*std::max_element(r.begin(), r.end()), e.tilt->at_bearings[b], 1e-5 * e.tilt->at_bearings[b]);
   }
+  // Of each bearing: of spring and damper, from the trajectory of the shaft there.
+  ASSERT_EQ(e.tilt->forces.size(), 2u);
+  const model::Scales& s = *e.study.scales;
+  const double k[2][2] = {{9e3, 14e3}, {9e3, 9e3}}, c[2][2] = {{300.0, 300.0}, {600.0, 400.0}};
+  for (std::size_t b = 0; b < 2; ++b) {
+    double most = 0.0;
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+      double square = 0.0;
+      for (std::size_t d = 0; d < 2; ++d) {
+        const auto at = [&](std::size_t j) {  // in fixed axes
+          const double x = run.x[j] + e.study.bearings[b] * run.tilt_x[j], sine = std::sin(run.psi[j]);
+          const double y = run.y[j] + e.study.bearings[b] * run.tilt_y[j], cosine = std::cos(run.psi[j]);
+          return d == 0 ? x * cosine - y * sine : x * sine + y * cosine;
+        };
+        const double speed = (at(i + 1) - at(i - 1)) / (times[i + 1] - times[i - 1]) * s.frequency;
+        const double force = s.length * (k[b][d] * at(i) + c[b][d] * speed);
+        square += force * force;
+      }
+      most = std::max(most, std::sqrt(square));
+    }
+    EXPECT_NEAR(e.tilt->forces[b] * s.force(), most, 2e-5 * most);
+  }
   std::vector<double> fx;
   for (const double f : run.bearing_x) fx.push_back(std::abs(f));
   EXPECT_NEAR(*std::max_element(fx.begin(), fx.end()), e.bare->force[0], 1e-5 * e.bare->force[0]);
@@ -161,9 +183,10 @@ TEST(TiltExplain, BallsBalanceWhereItSays) {
 
 TEST(TiltExplain, SaysWhatHolds) {
   const std::string text = told();
-  for (const char* words : {"forward whirl: ", "unbalance does not excite it", "static unbalance", "couple unbalance",
-                            "plane at 150 mm", "plane at -150 mm", "from the couple unbalance", "at the bearings",
-                            "of the shaft at the centre of mass", "highest critical speed with balls"})
+  for (const char* words :
+       {"forward whirl: ", "unbalance does not excite it", "static unbalance", "couple unbalance", "plane at 150 mm",
+        "plane at -150 mm", "from the couple unbalance", "at the bearings", "of the shaft at the centre of mass",
+        "highest critical speed with balls", "force at the bearings, at the largest", "all supports together"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   for (const char* words : {"leaves no second critical speed", "rules of thumb", "balance quality", "heavy side"})
     EXPECT_EQ(text.find(words), std::string::npos) << words << "\n" << text;
@@ -174,6 +197,15 @@ TEST(TiltExplain, SaysWhatHolds) {
   EXPECT_NE(light.find("no: "), std::string::npos) << light;
   const std::string still = told({"rotor.tilt.unbalance=[{at='0 m', size='60 kg mm', angle=0}]"});
   EXPECT_NE(still.find("from the rotor's angle 0"), std::string::npos) << still;
+  // A third bearing, whose share is not known.
+  const std::string three =
+      told({"rotor.tilt.bearings=[{at='0.1 m', stiffness='9 kN/m', damping='0 N s/m'}, {at='0 m', "
+            "stiffness='9 kN/m', damping='0 N s/m'}, {at='-0.1 m', stiffness='9 kN/m', "
+            "damping='0 N s/m'}]"});
+  EXPECT_EQ(three.find("force at the bearings"), std::string::npos) << three;
+  EXPECT_NE(three.find("in which a couple does not show"), std::string::npos) << three;
+  EXPECT_NE(three.find("all supports together"), std::string::npos) << three;
+  EXPECT_NE(explain_json(explained(drum)).find("force_at_bearings"), std::string::npos);
   EXPECT_EQ(explain_json(explained(drum)).find("balance_grade\": {"), std::string::npos);
   EXPECT_NE(explain_json(explained(drum)).find("displacement_at_bearings"), std::string::npos);
 }

@@ -2,6 +2,7 @@
 // of each plane have to cancel.
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "equipoise/mechanics/cancelling.hpp"
 #include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/mechanics/whirl.hpp"
+#include "equipoise/model/bearings.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/words/explain.hpp"
 
@@ -25,6 +27,21 @@ ExplainedPlane plane_of(const model::BallPlane& plane, const std::vector<double>
   ExplainedPlane told{plane.at, plane.rotor.eccentricity, room.least(), room.most(), ""};
   if (!room.cancels(told.unbalance)) told.why_not = room.why_not(told.unbalance);
   return told;
+}
+
+// The largest force at each bearing, where two bearings are all supports; else empty.
+std::vector<double> forces_at_bearings(const Study& study, const model::ShaftVibration& v, double speed) {
+  if (study.bearings.size() != 2) return {};
+  const auto bearings = model::two_bearings(study.parameters, {study.bearings[0], study.bearings[1]});
+  if (!bearings) return {};
+  std::vector<double> forces;
+  for (std::size_t b = 0; b < 2; ++b) {
+    std::array<std::complex<double>, 2> force = v.at(study.bearings[b]);
+    for (std::size_t d = 0; d < 2; ++d)
+      force[d] *= std::complex<double>((*bearings)[b].stiffness[d], speed * (*bearings)[b].damping[d]);
+    forces.push_back(model::ShaftVibration{force, {}, {}}.farthest(0.0));  // half the longer axis, of forces too
+  }
+  return forces;
 }
 
 }  // namespace
@@ -58,6 +75,7 @@ void explain_tilt(Explanation& e) {
   const auto size = [](const auto& amplitude) { return std::array{std::abs(amplitude[0]), std::abs(amplitude[1])}; };
   e.bare = BareVibration{size(v.centre), size(v.force)};
   for (const double at : study.bearings) tilt.at_bearings.push_back(v.farthest(at));
+  tilt.forces = forces_at_bearings(study, v, std::abs(*e.speed));
 }
 
 }  // namespace equipoise

@@ -79,13 +79,18 @@ class Derived {
                                                  {"unbalance", unbalance()},
                                                  {words::text::can_balance, verdict_text(e_)}};
     if (e_.bare)
-      rows.push_back({words::text::without_balls,
-                      fmt::format(words::pages::shakes_by, by_direction(e_.bare->displacement, Dimension::length),
-                                  by_direction(e_.bare->force, Dimension::force)) +
-                          (e_.tilt && !e_.tilt->at_bearings.empty()
-                               ? "; " + fmt::format(words::reports::farthest_at_bearings,
-                                                    list(e_.tilt->at_bearings, Dimension::length))
-                               : "")});
+      rows.push_back(
+          {words::text::without_balls,
+           fmt::format(fmt::runtime(e_.tilt ? words::pages::shakes_by_together : words::pages::shakes_by),
+                       by_direction(e_.bare->displacement, Dimension::length),
+                       by_direction(e_.bare->force, Dimension::force)) +
+               (e_.tilt && !e_.tilt->at_bearings.empty()
+                    ? "; " + fmt::format(words::reports::farthest_at_bearings,
+                                         list(e_.tilt->at_bearings, Dimension::length))
+                    : "") +
+               (e_.tilt && !e_.tilt->forces.empty()
+                    ? "; " + fmt::format(words::reports::forces_at_bearings, list(e_.tilt->forces, Dimension::force))
+                    : "")});
     if (e_.motion)
       rows.push_back({words::text::approach_to_balance,
                       (e_.motion->stable ? fmt::format(words::pages::stable_time_constant,

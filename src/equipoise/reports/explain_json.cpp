@@ -79,6 +79,7 @@ Json tilt_json(const TiltExplanation& t, const std::optional<Scales>& scales) {
                               {"largest_unbalance", value_json(plane.most, Dimension::unbalance, scales)},
                               {"reason", plane.why_not}});
   json["displacement_at_bearings"] = list_json(t.at_bearings, Dimension::length, scales);
+  json["force_at_bearings"] = list_json(t.forces, Dimension::force, scales);
   return json;
 }
 

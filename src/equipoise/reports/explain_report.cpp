@@ -278,7 +278,9 @@ class Text {
          by_direction(v.displacement, Dimension::length) + words::reports::amplitude_at_centre_of_mass);
     if (!t.at_bearings.empty())
       item("", fmt::format(words::reports::farthest_at_bearings, list(t.at_bearings, Dimension::length)));
-    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_force);
+    if (!t.forces.empty()) item("", fmt::format(words::reports::forces_at_bearings, list(t.forces, Dimension::force)));
+    item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_sum +
+                 (t.forces.empty() ? words::reports::no_couple_in_sum : ""));
   }
 
   void bare(const BareVibration& v) {

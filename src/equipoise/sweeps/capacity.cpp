@@ -32,6 +32,7 @@
 #include "equipoise/sweeps/survey_run.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/study/keys.hpp"
+#include "equipoise/study/quantity_reader.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/sweeps.hpp"
@@ -47,6 +48,33 @@ double few_digits(double value) { return number_in(fmt::format("{:.6g}", value))
 
 std::string setting(const CapacityOptions& options, double value) {
   return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);
+}
+
+// The first line of what with_unbalance() writes of a rotor that tilts: rotor.unbalance stands for all unbalances.
+constexpr std::string_view all_together = words::sweeps::all_together;
+
+bool scales_all(const SweepPlan& plan) { return plan.source().toml.starts_with(all_together); }
+
+// The overrides of a trial. All unbalances together: each keeps its share of the total.
+std::vector<std::string> settings(const SweepPlan& plan, const CapacityOptions& options, double value) {
+  if (!scales_all(plan)) return {setting(options, value)};
+  const StudySource& source = plan.source();
+  const study::Document document = study::parse_document(source.toml, source.name, source.overrides);
+  const double total = plan.study().parameters.eccentricity * plan.study().scales->unbalance();
+  const double factor =
+      study::measure(fmt::format("{} {}", value, options.unit), {study::Dimension::unbalance}).value / total;
+  std::vector<std::string> result;
+  const auto scale = [&](const std::string& key, study::Dimension dimension) {
+    const StudyValue* stated = document.root.find_path(key);
+    if (!stated) return false;
+    const double was = stated->string() ? study::measure(*stated->string(), {dimension}).value : stated->number();
+    result.push_back(fmt::format("{}={}", key, study::quantity_text(factor * was, dimension)));
+    return true;
+  };
+  scale("rotor.unbalance", study::Dimension::unbalance);
+  scale("rotor.tilt.misalignment", study::Dimension::angle);
+  for (int i = 1; scale(fmt::format("rotor.tilt.unbalance.{}.size", i), study::Dimension::unbalance);) ++i;
+  return result;
 }
 
 // Of the starts that do what is asked.
@@ -121,7 +149,7 @@ class Boundary {
 
   std::optional<CapacityTrial> run(double value) const {
     if (!workers_ || is_set(workers_->stop)) return std::nullopt;
-    CellAtWork at{cell_, {setting(options_, value)}};
+    CellAtWork at{cell_, settings(plan_, options_, value)};
     const Study study = plan_.study_of(cell_, at.more);
     CapacityTrial made;
     made.value = value;
@@ -190,7 +218,8 @@ class Boundary {
 std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
   return plan.identity() + fmt::format("[capacity]\nof = {}\nunit = {}\n", o.key, o.unit.empty() ? "none" : o.unit) +
          fmt::format("from = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.from, o.to, o.at_least, o.precision) +
-         (o.by == "balanced" ? "" : fmt::format("by = {}\n", o.by));
+         (o.by == "balanced" ? "" : fmt::format("by = {}\n", o.by)) +
+         (scales_all(plan) ? "with = all unbalances\n" : "");
 }
 
 class CapacityRun final : public SurveyRun {
@@ -260,7 +289,7 @@ class CapacityRun final : public SurveyRun {
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
       for (const double value : {few_digits(options_.from), few_digits(options_.to)})
-        check_runnable(plan_.study_of(cell, {setting(options_, value)}), plan_.transients());
+        check_runnable(capacity_study(plan_, options_, cell, value), plan_.transients());
   }
 
   // Whether its trials say where the boundary lies.
@@ -291,19 +320,83 @@ std::vector<std::string> capacity_goals(const Study& study) {
   return goals;
 }
 
-StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes) {
-  StudyValue tree = study::parse_document(source.toml, source.name, source.overrides).root;
-  StudyValue* rotor = study::find_table(tree, "rotor");
-  if (!source.physical() || !rotor || rotor->find("unbalance")) return source;
-  const Study study = source.with();
-  const auto about_unbalance = [](std::string_view key) {
-    return key == "rotor.eccentricity" || key.starts_with("rotor.balance_grade") || key.starts_with("place");
-  };
+namespace {
+
+bool about_unbalance(std::string_view key) {
+  return key == "rotor.eccentricity" || key.starts_with("rotor.balance_grade") || key.starts_with("place");
+}
+
+bool about_planes(std::string_view key) {
+  return about_unbalance(key) || key == "rotor.unbalance" || key == "rotor.eccentricity_angle" ||
+         key == "rotor.tilt.misalignment" || key.starts_with("rotor.tilt.unbalance");
+}
+
+// Whether starts draw such a key, or an axis varies it.
+bool varies(const Study& study, const std::vector<SweepAxis>& axes, bool (*about)(std::string_view)) {
   for (const UncertainValue& value : study.uncertain.values)
-    if (about_unbalance(value.key)) return source;
+    if (about(value.key)) return true;
   for (const SweepAxis& axis : axes)
     for (const SweepParameter& parameter : axis.parameters)
-      if (about_unbalance(parameter.key)) return source;
+      if (about(parameter.key)) return true;
+  return false;
+}
+
+// What [rotor] itself has, at its centre of mass.
+double own_unbalance(StudyValue tree, const std::string& name) {
+  tree.erase("place");
+  StudyValue* rotor = study::find_table(tree, "rotor");
+  if (!rotor->find("unbalance") && !rotor->find("eccentricity") && !rotor->find("balance_grade")) return 0.0;
+  rotor->find("tilt")->erase("unbalance");
+  const Study study = study_from(tree, name);
+  return study.parameters.eccentricity * study.scales->unbalance();
+}
+
+// Of a rotor that tilts: masses at places become unbalances of planes, so that each is one number.
+StudySource with_all_unbalances(const StudySource& source, const std::vector<SweepAxis>& axes,
+                                const study::Document& document) {
+  StudyValue tree = document.root;
+  StudyValue& rotor = *study::find_table(tree, "rotor");
+  StudyValue& tilt = *rotor.find("tilt");
+  const StudyValue *stated = tilt.find("unbalance"), *places = tree.find("place");
+  const Study study = source.with();
+  const char* instead = stated                      ? "rotor.tilt.unbalance.1.size"
+                        : places                    ? "place.1.mass"
+                        : tilt.find("misalignment") ? "rotor.tilt.misalignment"
+                                                    : "rotor.unbalance";
+  const auto refuse = [&](const char* why) {
+    throw InputError(source.name, "rotor.unbalance", "", fmt::format(fmt::runtime(why), instead));
+  };
+  if (varies(study, axes, about_planes)) refuse(words::sweeps::unbalance_varies);
+  const model::Parameters& p = study.parameters;
+  if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0) refuse(words::sweeps::couple_alone);
+  StudyValue::Array planes = stated && stated->array() ? *stated->array() : StudyValue::Array{};
+  for (std::size_t i = 1; places && places->array() && i <= places->array()->size(); ++i) {
+    study::QuantityReader place(document, fmt::format("place.{}", i));
+    const double size = place.quantity("mass") * place.quantity("radius");
+    planes.push_back({{"at", study::quantity_text(place.quantity("at"), study::Dimension::length)},
+                      {"size", study::quantity_text(size, study::Dimension::unbalance)},
+                      {"angle", study::quantity_text(place.quantity("angle"), study::Dimension::angle)}});
+  }
+  const double own = own_unbalance(tree, source.name);
+  for (const char* key : {"eccentricity", "balance_grade"}) rotor.erase(key);
+  rotor.set("unbalance", study::quantity_text(own, study::Dimension::unbalance));
+  if (!planes.empty()) rotor.find("tilt")->set("unbalance", planes);
+  tree.erase("place");
+  // Without any unbalance rotor.unbalance stands for itself.
+  return {(p.eccentricity > 0.0 ? std::string(all_together) : "") + to_toml(tree), source.name, {}};
+}
+
+}  // namespace
+
+StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes) {
+  const study::Document document = study::parse_document(source.toml, source.name, source.overrides);
+  StudyValue tree = document.root;
+  StudyValue* rotor = study::find_table(tree, "rotor");
+  if (!source.physical() || !rotor) return source;
+  if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, document);
+  if (rotor->find("unbalance")) return source;
+  const Study study = source.with();
+  if (varies(study, axes, about_unbalance)) return source;
   for (const char* key : {"eccentricity", "balance_grade"}) rotor->erase(key);
   rotor->set("unbalance", study::quantity_text(study.parameters.eccentricity * study.scales->unbalance(),
                                                study::Dimension::unbalance));
@@ -355,6 +448,10 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
   const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
   if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
   return {ends.values[0], ends.values[1], ends.unit};
+}
+
+Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value) {
+  return plan.study_of(cell, settings(plan, options, value));
 }
 
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {

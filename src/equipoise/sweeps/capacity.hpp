@@ -30,7 +30,8 @@ std::vector<std::string> capacity_goals(const Study& study);
 
 /// The source of a study in physical units with its unbalance as one quantity, rotor.unbalance in g mm, where it is
 /// stated otherwise (as an eccentricity, a balance grade or places) and neither uncertain nor varied by an axis; else
-/// the same.
+/// the same. Of a rotor that tilts rotor.unbalance then stands for its static unbalance, and capacity() varies all of
+/// its unbalances in proportion; throws InputError where they are a couple alone, uncertain or varied by an axis.
 StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes);
 
 /// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
@@ -46,6 +47,9 @@ struct CapacityRange {
 /// over all cells. `option` names it in errors. Throws InputError.
 CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
                              const std::string& option);
+
+/// The study of a trial: the cell's with the key at this value, in the options' unit.
+Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value);
 
 /// For other processes of a job, which make trials: a block is a cell, a record a trial or more.
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);

@@ -15,6 +15,8 @@ inline constexpr char formulas_derived_in[] =
 inline constexpr char rules_of_thumb[] = "Rules of thumb: ";
 // Displacement, force.
 inline constexpr char shakes_by[] = "shakes by {} at the final speed, {} on the supports";
+inline constexpr char shakes_by_together[] =
+    "shakes by {} at the centre of mass at the final speed, {} on all supports together";
 inline constexpr char stable_time_constant[] = "stable, slowest time constant {}";
 inline constexpr char not_stable[] = "not stable by linear theory";
 inline constexpr char and_with_them[] = " with them";

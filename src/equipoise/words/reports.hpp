@@ -307,8 +307,12 @@ inline constexpr char amplitude_at_centre_of_mass[] =
     " amplitude of the shaft at the centre of mass, at the final speed";
 // Displacements.
 inline constexpr char farthest_at_bearings[] = "{} at the bearings, at the farthest";
+// Forces.
+inline constexpr char forces_at_bearings[] = "{} of force at the bearings, at the largest";
 inline constexpr char rms_velocity[] = " rms velocity";
 inline constexpr char amplitude_of_force[] = " amplitude of the force on the supports";
+inline constexpr char amplitude_of_sum[] = " amplitude of the force on all supports together";
+inline constexpr char no_couple_in_sum[] = ", in which a couple does not show";
 inline constexpr char grade_is_a_figure[] =
     "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification";
 inline constexpr char rules_of_thumb[] =

@@ -26,8 +26,16 @@ inline constexpr char another_sweep[] = "is of another sweep than {}: {}";
 inline constexpr char no_cell[] = "a message between processes holds no cell";
 inline constexpr char no_trials[] = "a message between processes holds no trials";
 
-// What a capacity is of, and in which range.
+// What a capacity is of, and in which range. The first: a comment in a study.
+inline constexpr char all_together[] = "# all unbalances in proportion\n";
 inline constexpr char states_another_key[] = "the study states {0}; must be {0}, or another key";
+// A key.
+inline constexpr char couple_alone[] =
+    "the rotor's unbalance is a couple alone, which no static unbalance measures; must be another key, such as --of {} "
+    "with its range, --between LOW:HIGH";
+inline constexpr char unbalance_varies[] =
+    "an unbalance of this rotor that tilts is drawn or varied besides; must be another key, such as --of {} with its "
+    "range, --between LOW:HIGH";
 inline constexpr char range_missing[] =
     "must be given as LOW:HIGH for this key (only rotor.eccentricity, and rotor.unbalance of a study in physical "
     "units, have a default range)";
