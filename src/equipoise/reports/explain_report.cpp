@@ -31,7 +31,7 @@ double in_degrees(double angle) {
 }
 
 std::string figure_text(const ExplainedQuantity& figure, const std::optional<Scales>& scales) {
-  const std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
+  std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
   if (!figure.dimension) return plain;
   if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
   if (!scales) return plain;

@@ -237,6 +237,15 @@ void free_balls_of_machine(Document& document) {
   if (release->table() && release->table()->empty()) release->set("time", "0 s");
 }
 
+// Of more than two bearings, and where the floor has to hold the sum, only the force on all supports together is
+// gathered, in which what tilts the rotor does not show.
+void check_force_limit(const Document& document, const Study& study) {
+  if (!study.limits.force || study.bearings.size() < 2) return;
+  TableReader limits(document, "limits");
+  if (study.bearings.size() > 2) limits.fail("force", words::study::force_of_more_bearings);
+  if (study.standards.standing_mass) limits.fail("force", words::study::force_of_one_or_all);
+}
+
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
 void read_grade(Document& document) {
   if (document.root.find_path("rotor.tilt"))
@@ -313,6 +322,7 @@ Study read(Document document, Source source) {
   for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
   read_units(document, result);
   read_standards(document, result);
+  check_force_limit(document, result);
   if (uncertain.empty()) return result;
   check_ends(document, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;

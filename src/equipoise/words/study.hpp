@@ -123,6 +123,12 @@ inline constexpr char standards_need_units[] = "a study in physical units, or wi
 inline constexpr char limit_of_no_tilt[] =
     "no rotor with rotor.tilt has this: it would leave out the couple unbalance; state limits.velocity or limits.force "
     "instead";
+inline constexpr char force_of_more_bearings[] =
+    "no rotor with more than two bearings has this: only the force on all together is known, in which what tilts the "
+    "rotor does not show; state limits.displacement or limits.velocity instead";
+inline constexpr char force_of_one_or_all[] =
+    "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is known; "
+    "state one of the two";
 inline constexpr char grade_needs_units[] =
     "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`";
 inline constexpr char grade_given_twice[] = "is a grade too; give either limits.grade or this, not both";
