@@ -8,6 +8,7 @@
 #include "equipoise/charts/chart_plot.hpp"
 #include "equipoise/charts/chart_report.hpp"
 #include "equipoise/curves/bifurcation_chart.hpp"
+#include "equipoise/model/system.hpp"
 #include "equipoise/words/chart.hpp"
 #include "plane_command.hpp"
 #include "words.hpp"

@@ -61,7 +61,7 @@ class Results(unittest.TestCase):
     def test_picture_has_names_and_units(self):
         with open(self.picture, encoding="utf-8") as file:
             text = file.read()
-        for word in ("V1: co-drifting", "V3: one captured", "balanced", "critical speed", "race radius", "unstable"):
+        for word in ("V1: co-drifting", "V3: one captured", "balanced", "√(k/M)", "race radius", "unstable"):
             self.assertIn(word, text)
 
 

@@ -49,22 +49,21 @@ TEST(TiltBearings, AreToldOneByOneWhereTheyAreAllSupports) {
 
 // With a couple alone, all supports together take next to nothing, and each bearing its share.
 TEST(TiltBearings, TakeACouple) {
-  const auto told = [](const std::string& bearings) {
-    Study study = long_rotor_with(
-        damped({bearings, "rotor.eccentricity=1e-9", "speed.speed=3.0", "sampling.starts=8", "limits.force=0.002"}));
+  const auto told = [](const std::string& bearings, double limit) {
+    Study study = long_rotor_with(damped({bearings, "rotor.eccentricity=1e-9", "speed.speed=3.0", "sampling.starts=8"}));
+    if (limit > 0.0) study.limits.force = limit;
     BasinOptions options;
     options.transients = true;
     return basin(study, options);
   };
-  const BasinResult each = told("rotor.tilt.bearings_at=[3, -3]"), all = told("rotor.tilt.bearings_at=[3, 0, -3]");
+  const BasinResult each = told("rotor.tilt.bearings_at=[3, -3]", 0.002), all = told("rotor.tilt.bearings_at=[3, 0, -3]", 0.0);
   ASSERT_TRUE(each.transients && each.without_balls && all.without_balls);
   const double of_each = each.without_balls->bare.figures.figure(&TransientRow::rms_force).mean,
                of_all = all.without_balls->bare.figures.figure(&TransientRow::rms_force).mean;
   EXPECT_GT(of_each, 0.002);
   EXPECT_LT(of_all, 1e-8);
-  // The limit is one of a bearing: the bare rotor keeps it only if the couple does not show.
+  // The limit is one of a bearing, in which the couple shows. Of three it is refused.
   EXPECT_EQ(each.without_balls->bare.figures.exceeded_at_end[1]->count, 1u);
-  EXPECT_EQ(all.without_balls->bare.figures.exceeded_at_end[1]->count, 0u);
   const auto text = [](const BasinResult& r) {
     std::string t = basin_text(r, {});
     std::replace(t.begin(), t.end(), '\n', ' ');

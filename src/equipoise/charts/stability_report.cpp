@@ -134,8 +134,8 @@ PlaneJson own_json(const StabilityPlane& plane) {
 }
 
 PlaneJson plane_axis_json(const SliceAxis& axis) {
-  std::vector<double> values;
-  for (int k = 0; k < axis.pixels; ++k) values.push_back(axis.centre(k));
+  std::vector<double> values(static_cast<std::size_t>(axis.pixels));
+  for (int k = 0; k < axis.pixels; ++k) values[static_cast<std::size_t>(k)] = axis.centre(k);
   return {{"key", axis.key}, {"values", values}};
 }
 

@@ -62,7 +62,8 @@ class CurveSearch {
   static constexpr int lines = 128;  // each way
 
   static VectorXd centre_of(int cell) {
-    return Eigen::Vector2d((cell % lines + 0.5) / lines, (cell / lines + 0.5) / lines);
+    const int row = cell / lines;
+    return Eigen::Vector2d((cell - row * lines + 0.5) / lines, (row + 0.5) / lines);
   }
 
   // At the places where the lines cross, rows from below.
@@ -74,7 +75,7 @@ class CurveSearch {
       const VectorXd low = plane_.place(box.x[0], box.y[0]), high = plane_.place(box.x[1], box.y[1]);
       for (int row = first_from(low[1]); row < lines && row + 0.5 <= high[1] * lines; ++row)
         for (int column = first_from(low[0]); column < lines && column + 0.5 <= high[0] * lines; ++column)
-          kinds[static_cast<std::size_t>(row * lines + column)] = box.kind;
+          kinds[static_cast<std::size_t>(row) * lines + static_cast<std::size_t>(column)] = box.kind;
     }
     return kinds;
   }

@@ -223,6 +223,13 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
   return std::nullopt;
 }
 
+// Towards a state at rest the equations lose their grip: at its end two multipliers are 1.
+void CycleCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace& before, Way& way) const {
+  const bool shrinks =
+      way.places.size() > 1 && before.point.swing < way.places.front().point.swing && before.point.swing < 2.0 * smallest_swing;
+  way.end = shrinks ? CurveEnd::vanishes : CurveEnd::lost;
+}
+
 void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
   if (a.point.others == b.point.others) return;
   // The multiplier, or pair, that crosses: how far it is outside.

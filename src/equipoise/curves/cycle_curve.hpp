@@ -30,6 +30,7 @@ class CycleCurve : public FollowedCurve {
   void stay_near(const CurvePlace& place) const override;
   bool too_far(const CurvePlace& before, const CurvePlace& place) const override;
   std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const override;
+  void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const override;
 
   CycleShape shape(const Eigen::VectorXd& at) const { return shooting_.shape(at.tail(shooting_.unknowns())); }
   /// What is known of the place that was asked for last. False where nothing is.

@@ -46,7 +46,7 @@ std::string filled(const std::string& text, std::size_t indent) {
 }
 
 std::string settings_text(const PublicationRow& row) {
-  const std::string settings = fmt::format("{}", fmt::join(row.settings, ", "));
+  std::string settings = fmt::format("{}", fmt::join(row.settings, ", "));
   if (!row.study) return settings;
   return settings.empty() ? row.study : row.study + (": " + settings);
 }

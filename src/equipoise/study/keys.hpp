@@ -76,7 +76,7 @@ struct KeyTable {
   const Key* find(std::string_view key, bool physical) const;
   /// In the order of reading and naming: keys of every variant, then variant by variant.
   std::vector<Key> of(unsigned variants, bool physical) const;
-  bool is_inner() const { return name.find('.') != name.npos; }
+  bool is_inner() const { return name.find('.') != std::string::npos; }
 };
 inline constexpr unsigned all_variants = ~0xffu;
 

@@ -13,6 +13,7 @@
 #define HWY_SCALAR 2
 #define HWY_AVX3 3
 #define HWY_TARGET HWY_WASM_DOUBLES
+#define HWY_TARGETS HWY_TARGET
 #define HWY_NAMESPACE N_WASM_DOUBLES
 #define HWY_BEFORE_NAMESPACE() static_assert(true)
 #define HWY_AFTER_NAMESPACE() static_assert(true)
