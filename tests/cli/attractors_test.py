@@ -118,7 +118,7 @@ class Deciding(Case):
 class Certify(Case):
     def test_certificate_is_written_and_holds_until_it_is_changed(self):
         path = self.path("proof.json")
-        done = run("certify", ROW, "-o", path, "--json")
+        done = run("certify", ROW, "-o", path, "--json", "--quiet")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         found = json.loads(done.stdout)
         self.assertTrue(found["proved"])

@@ -69,8 +69,8 @@ TEST(TiltBearings, TakeACouple) {
     std::replace(t.begin(), t.end(), '\n', ' ');
     return t;
   };
-  EXPECT_NE(text(each).find("forces are those of the bearing that takes more."), std::string::npos) << text(each);
-  EXPECT_NE(text(all).find("forces are those of all supports together."), std::string::npos) << text(all);
+  EXPECT_NE(text(each).find("forces are those of the bearing that takes more;"), std::string::npos) << text(each);
+  EXPECT_NE(text(all).find("forces are those of all supports together;"), std::string::npos) << text(all);
 }
 
 }  // namespace
