@@ -48,6 +48,9 @@ class Trajectory:
         Force on the supports in fixed axes, in M R omega_c^2.
     bearing_radial : ndarray (n, bearings)
         Distance of the shaft at each bearing from where it rests, in R; only of a study that states bearings.
+    bearing_force : ndarray (n, bearings)
+        Size of the force on each bearing, in M R omega_c^2; only where each is known: two that are all supports, or more
+        whose stiffness and damping are stated.
     status : str
         "done", "diverged", "failed" or "stopped"; if not "done", later times are missing.
     study : Study
@@ -70,6 +73,7 @@ class Trajectory:
     bearing_x: Array
     bearing_y: Array
     bearing_radial: Array
+    bearing_force: Array
     status: str
 
     def __init__(self, columns: dict[str, Any], study: Study) -> None:
@@ -120,7 +124,7 @@ class Trajectory:
         """A dataset with coordinate t; every variable has units and long_name."""
         import xarray
 
-        places = {"bearing_radial": "bearing"}
+        places = {"bearing_radial": "bearing", "bearing_force": "bearing"}
         data = {
             name: (("t", places.get(name, "ball"))[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
             for name in self._names

@@ -338,8 +338,6 @@ TEST(TiltPhysical, SaysWhatItNeeds) {
            {{"limits={residual='G 2.5'}"}, "limits.residual", "leave out the couple unbalance; state limits.velocity"},
            {{"limits={residual='5 g mm'}"}, "limits.residual", "leave out the couple unbalance"},
            {{"limits={grade='5 mm/s'}"}, "limits.grade", "leave out the couple unbalance"},
-           {{"limits={force='200 N'}", "rotor.tilt.bearings=[" + good + ", {at='0 m', stiffness='9 kN/m', damping='2 N s/m'}, "
-             "{at='-0.3 m', stiffness='9 kN/m', damping='2 N s/m'}]"}, "limits.force", "more than two bearings"},
            {{"limits={force='200 N'}", "standards={standing_mass='60 kg', friction=0.3}"}, "limits.force",
             "state one of the two"},
            {{"balancer.plane=[0.2, -0.2, 0.2]"}, "balancer.plane", "entry 1 is a plain number"},

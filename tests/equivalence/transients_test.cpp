@@ -34,9 +34,9 @@ TransientSample sample_at(const Study& study, const Trajectory& one, std::size_t
   // From the rotor's rest position: a point in fixed axes, so that u, v are the rates of both.
   const double sag = -(1.0 + study.parameters.total_mass()) * study.parameters.gravity / study.parameters.stiffness[1];
   const double rx = x - sag * std::sin(one.psi[k]), ry = y - sag * std::cos(one.psi[k]);
-  return {{rx * rx + ry * ry, 2.0 * (rx * u + ry * v), fx * fx + fy * fy, u * u + v * v, 0.0, 0.0},
-          one.t[k],
-          std::hypot(ux, uy)};
+  TransientSample s{one.t[k], std::hypot(ux, uy), {}};
+  s.places[0] = {rx * rx + ry * ry, 2.0 * (rx * u + ry * v), fx * fx + fy * fy, u * u + v * v, 0.0, 0.0};
+  return s;
 }
 
 // Figures from dense samples (200 per unit of time): what lies between them is below 1e-4 of a peak.
@@ -50,19 +50,20 @@ TransientRow sampled(const Study& study, const TransientSettings& asked, double 
   TransientSample before = sample_at(study, one, 0);
   for (std::size_t k = 0; k < one.t.size(); ++k) {
     const TransientSample s = sample_at(study, one, k);
+    const auto &now = s.places[0], &last = before.places[0];
     const double h = s.t - before.t;
     double& peak = s.t < asked.release ? sums.clamped_peak : sums.free_peak;
-    peak = std::max(peak, s.r2);
-    sums.force_peak = std::max(sums.force_peak, s.force2);
-    if (s.r2 > asked.displacement * asked.displacement) sums.time_above += h;
-    if (s.t >= asked.release && s.r2 > asked.settled * asked.settled) sums.last_above = s.t;
+    peak = std::max(peak, now.r2);
+    sums.force_peak = std::max(sums.force_peak, now.force2);
+    if (now.r2 > asked.displacement * asked.displacement) sums.time_above += h;
+    if (s.t >= asked.release && now.r2 > asked.settled * asked.settled) sums.last_above = s.t;
     if (s.t >= window_begin) {
       TransientWindow& w = sums.window;
-      w.peak = std::max(w.peak, s.r2);
+      w.peak = std::max(w.peak, now.r2);
       if (before.t >= window_begin) {
         w.length += h;
-        w.force += 0.5 * h * (before.force2 + s.force2);
-        w.velocity += 0.5 * h * (before.velocity2 + s.velocity2);
+        w.force += 0.5 * h * (last.force2 + now.force2);
+        w.velocity += 0.5 * h * (last.velocity2 + now.velocity2);
         w.unbalance += 0.5 * h * (before.unbalance + s.unbalance);
       }
     }
@@ -151,7 +152,9 @@ struct Fading {
 
   TransientSample at(double t) const {
     const double fading = std::exp(-rate * t), r = own + fading;
-    return {{r * r, -2.0 * rate * fading * r, r * r, r * r, 0.0, 0.0}, t, r};
+    TransientSample s{t, r, {}};
+    s.places[0] = {r * r, -2.0 * rate * fading * r, r * r, r * r, 0.0, 0.0};
+    return s;
   }
   TransientRow left(const TransientSettings& asked, const KnownEnd& end) const {
     TransientWatch watch(asked);

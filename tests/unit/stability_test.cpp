@@ -21,6 +21,7 @@
 #include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "equipoise/stability/plane_studies.hpp"
+#include "../support/refusals.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -296,6 +297,11 @@ TEST(Stability, InertiasOfARotorWithACoupleAreRefused) {
   for (const char* key : {"rotor.tilt.polar_inertia", "rotor.tilt.transverse_inertia", "rotor.damping"})
     EXPECT_THROW(study_with(washer, key, 0.5), InputError) << key;
   EXPECT_NO_THROW(study_with(washer, "balancer.drag", 2.0 * washer.parameters.drag[0]));
+  for (const char* key : {"rotor.tilt.unbalance.1.size", "rotor.tilt.bearings.2.stiffness", "rotor.mass"}) {
+    const InputError e = refused([&] { study_with(washer, key, 0.5); });
+    EXPECT_EQ(e.key(), key);
+    EXPECT_NE(e.problem().find("is a key of data sheets; this command varies what they become"), std::string::npos) << e.what();
+  }
 }
 
 TEST(Stability, ValuesPutInTheirPlacesMakeTheStudyThatReadingMakes) {

@@ -6,9 +6,9 @@
 
 namespace equipoise {
 
-/// Forces are told of each bearing if the study has two, at stated places and with no other supports. They are those of
+/// Forces are told of each bearing if each is known and there are no other supports (Study::each_bearing()). They are those of
 /// all supports together if a machine stands on feet, which slide by that sum, and if starts draw what could make the
-/// supports others than two bearings.
+/// supports others than these bearings.
 WatchedShaft watched_shaft(const Study& study);
 
 }  // namespace equipoise

@@ -12,6 +12,7 @@
 #include "equipoise/base/stepped_values.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/echo/given_value.hpp"
+#include "equipoise/study/keys.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 #include "equipoise/words/machine.hpp"
 #include "equipoise/words/sweeps.hpp"
@@ -100,7 +101,13 @@ namespace {
 // A study in physical units has become dimensionless here. Numbers that follow from several of its values do not change
 // as they would if one of those were given otherwise.
 void refuse_if_derived(const Study& study, const std::string& key) {
-  if (!study.scales || !study.parameters.tilts()) return;
+  if (!study.scales) return;
+  const std::size_t dot = std::min(key.rfind('.'), key.size() - 1);
+  const study::KeyTable* table = study::find_keys(key.substr(0, dot));
+  const std::string own = key.substr(dot + 1);
+  if (table && table->find(own, true) && !table->find(own, false))
+    throw InputError(study.name, key, "", words::sweeps::data_sheet_key);
+  if (!study.parameters.tilts()) return;
   const auto is = [&](const char* name) { return key == name; };
   if (study.parameters.tilt.misalignment != 0.0 &&
       (is("rotor.tilt.transverse_inertia") || is("rotor.tilt.polar_inertia")))

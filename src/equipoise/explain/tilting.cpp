@@ -29,18 +29,11 @@ ExplainedPlane plane_of(const model::BallPlane& plane, const std::vector<double>
   return told;
 }
 
-// The largest force at each bearing, where two bearings are all supports; else empty.
+// The largest force at each bearing, where each is known; else empty.
 std::vector<double> forces_at_bearings(const Study& study, const model::ShaftVibration& v, double speed) {
-  if (study.bearings.size() != 2) return {};
-  const auto bearings = model::two_bearings(study.parameters, {study.bearings[0], study.bearings[1]});
-  if (!bearings) return {};
   std::vector<double> forces;
-  for (std::size_t b = 0; b < 2; ++b) {
-    std::array<std::complex<double>, 2> force = v.at(study.bearings[b]);
-    for (std::size_t d = 0; d < 2; ++d)
-      force[d] *= std::complex<double>((*bearings)[b].stiffness[d], speed * (*bearings)[b].damping[d]);
-    forces.push_back(model::ShaftVibration{force, {}, {}}.farthest(0.0));  // half the longer axis, of forces too
-  }
+  for (const model::Bearing& b : study.each_bearing())  // half the longer axis, of forces too
+    forces.push_back(model::ShaftVibration{v.force_on(b, speed), {}, {}}.farthest(0.0));
   return forces;
 }
 

@@ -118,23 +118,18 @@ ForcedVibration forced_vibration(const Parameters& p, double unbalance, double s
 }
 
 ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 const std::optional<std::array<Bearing, 2>>& bearings, double speed) {
+                                 const std::vector<Bearing>& bearings, double speed) {
   const ShaftVibration v = shaft_vibration(p, speed, phi);
   ForcedVibration result;
   const auto carries = [&](const Vector& force, double weight) {
     result.peak_force = std::max(result.peak_force, longest(force, -weight));
     result.rms_force = std::max(result.rms_force, std::sqrt(0.5 * squares(force) + weight * weight));
   };
-  if (!bearings) carries(v.force, (1.0 + p.total_mass()) * p.gravity);
-  for (std::size_t b = 0; b < places.size(); ++b) {
-    const Vector section = v.at(places[b]);
-    if (bearings) {
-      const Bearing& own = (*bearings)[b];
-      Vector force;
-      for (std::size_t d = 0; d < 2; ++d)
-        force[d] = std::complex<double>(own.stiffness[d], own.damping[d] * speed) * section[d];
-      carries(force, -own.stiffness[1] * (static_sag(p) + places[b] * static_slope(p)));
-    }
+  if (bearings.empty()) carries(v.force, (1.0 + p.total_mass()) * p.gravity);
+  for (const Bearing& b : bearings)
+    carries(v.force_on(b, speed), -b.stiffness[1] * (static_sag(p) + b.at * static_slope(p)));
+  for (const double place : places) {
+    const Vector section = v.at(place);
     result.radial = std::max(result.radial, longest(section));
     result.rms_velocity = std::max(result.rms_velocity, std::fabs(speed) * std::sqrt(0.5 * squares(section)));
   }

@@ -40,8 +40,8 @@ struct ForcedVibration {
 ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed);
 
 /// The same of a rotor that tilts with its balls held at `phi`, at the worse of these places along its shaft. The force
-/// is that of the bearing there that takes more, or without `bearings` that of all supports together.
+/// is that of the bearing that takes most, or without `bearings` that of all supports together.
 ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
-                                 const std::optional<std::array<Bearing, 2>>& bearings, double speed);
+                                 const std::vector<Bearing>& bearings, double speed);
 
 }  // namespace equipoise::model

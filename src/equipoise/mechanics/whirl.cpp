@@ -79,6 +79,12 @@ WhirlSpeeds whirl_speeds(const Parameters& p, bool with_balls) {
 }
 
 // Half the longer axis of an ellipse.
+std::array<ShaftVibration::Amplitude, 2> ShaftVibration::force_on(const Bearing& bearing, double speed) const {
+  std::array<Amplitude, 2> taken = at(bearing.at);
+  for (std::size_t d = 0; d < 2; ++d) taken[d] *= Amplitude(bearing.stiffness[d], speed * bearing.damping[d]);
+  return taken;
+}
+
 double ShaftVibration::farthest(double place) const {
   const std::array<Amplitude, 2> v = at(place);
   return std::sqrt(0.5 * (std::norm(v[0]) + std::norm(v[1]) + std::abs(v[0] * v[0] + v[1] * v[1])));

@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include "equipoise/model/bearings.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise::model {
@@ -38,6 +39,8 @@ struct ShaftVibration {
   std::array<Amplitude, 2> at(double place) const {
     return {centre[0] + place * slope[0], centre[1] + place * slope[1]};
   }
+  /// On a bearing, at the speed of the vibration.
+  std::array<Amplitude, 2> force_on(const Bearing& bearing, double speed) const;
   /// The largest distance of the section at `place` from the axis.
   double farthest(double place) const;
 };

@@ -1,8 +1,9 @@
-// Two springs from their sum and its moments.
+// Springs from their sum and its moments, and back.
 #include "equipoise/model/bearings.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace equipoise::model {
 
@@ -22,21 +23,53 @@ std::optional<std::array<double, 2>> shares(double sum, const std::array<double,
   return std::array<double, 2>{std::fmax(of_a, 0.0), std::fmax(of_b, 0.0)};
 }
 
+// Of supports in one direction, [k11, k12; k12, k22].
+using Sums = std::array<double, 3>;
+
+bool make(const std::vector<Bearing>& bearings, std::array<double, 2> Bearing::*part, std::size_t direction,
+          const Sums& wanted) {
+  constexpr double as_typed = 1e-6;
+  Sums sum{}, size{};
+  for (const Bearing& b : bearings) {
+    double term = (b.*part)[direction];
+    for (std::size_t k = 0; k < sum.size(); ++k, term *= b.at) {
+      sum[k] += term;
+      size[k] += std::fabs(term);
+    }
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    if (!(std::fabs(sum[k] - wanted[k]) <= as_typed * size[k])) return false;
+  return true;
+}
+
 }  // namespace
 
-std::optional<std::array<Bearing, 2>> two_bearings(const Parameters& p, const std::array<double, 2>& places) {
-  if (!p.tilts() || places[0] == places[1]) return std::nullopt;
-  std::array<Bearing, 2> both;
+std::vector<Bearing> two_bearings(const Parameters& p, const std::array<double, 2>& places) {
+  if (!p.tilts() || places[0] == places[1]) return {};
+  std::vector<Bearing> both{{places[0], {}, {}}, {places[1], {}, {}}};
   for (std::size_t d = 0; d < 2; ++d) {
     const auto springs = shares(p.stiffness[d], p.tilt.stiffness[d], places),
                dampers = shares(p.damping[d], p.tilt.damping[d], places);
-    if (!springs || !dampers) return std::nullopt;
+    if (!springs || !dampers) return {};
     for (std::size_t b = 0; b < 2; ++b) {
       both[b].stiffness[d] = (*springs)[b];
       both[b].damping[d] = (*dampers)[b];
     }
   }
   return both;
+}
+
+bool make_stiffness(const std::vector<Bearing>& bearings, const Parameters& p) {
+  for (std::size_t d = 0; d < 2; ++d)
+    if (!make(bearings, &Bearing::stiffness, d, {p.stiffness[d], p.tilt.stiffness[d][0], p.tilt.stiffness[d][1]}))
+      return false;
+  return true;
+}
+
+bool make_damping(const std::vector<Bearing>& bearings, const Parameters& p) {
+  for (std::size_t d = 0; d < 2; ++d)
+    if (!make(bearings, &Bearing::damping, d, {p.damping[d], p.tilt.damping[d][0], p.tilt.damping[d][1]})) return false;
+  return true;
 }
 
 }  // namespace equipoise::model

@@ -170,7 +170,7 @@ class BasinWriter {
     const std::array<double, 2>& places = asked.shaft.places;
     if (places != std::array<double, 2>{})
       file_.attribute(NC_GLOBAL, "displacements_at", fmt::format("{}, {}", places[0], places[1]));
-    if (asked.shaft.bearings) file_.attribute(NC_GLOBAL, "forces_of", "bearing");
+    if (!asked.shaft.bearings.empty()) file_.attribute(NC_GLOBAL, "forces_of", "bearing");
     if (!c_.header.scales) return;
     say("unit_of_length_m", c_.header.scales->length);
     say("unit_of_force_N", c_.header.scales->force());

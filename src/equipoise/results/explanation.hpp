@@ -80,7 +80,7 @@ struct TiltExplanation {
   std::vector<ExplainedPlane> planes;  ///< of balls in one plane or two that can cancel a couple
   /// Forced vibration of the rotor alone at the final speed: farthest from the axis at each bearing that is stated.
   std::vector<double> at_bearings;
-  std::vector<double> forces;  ///< then, the largest force at each of two bearings that are all supports; else empty
+  std::vector<double> forces;  ///< then, the largest force at each bearing, if each is known; else empty
 };
 
 /// A formula of docs/explanation/rules-of-thumb.md, applied to the study: an estimate, not a result.

@@ -26,10 +26,12 @@ struct Trajectory {
       bearing_y;  ///< the sum of the supports' forces: zeta X' + kappa X in fixed axes, including the weight
   /// Distance of the shaft at each of Study::bearings from where it rests there.
   std::vector<std::vector<double>> bearing_radial;
+  /// Size of the force on each, the weight included; empty where they are not known one by one (Study::each_bearing()).
+  std::vector<std::vector<double>> bearing_force;
 };
 
 /// One array of them, or one a ball, or one a bearing. Those of a tilt are left out if the rotor does not tilt, and
-/// those of bearings if the study states none.
+/// those of bearings if the study states none, or not each one's springs.
 struct TrajectoryColumn : Column {
   enum class Of { rotor, tilt, ball, bearing };
 
@@ -38,7 +40,7 @@ struct TrajectoryColumn : Column {
   std::vector<std::vector<double>> Trajectory::*each = nullptr;
 
   bool is_in(const Trajectory& run) const {
-    return of == Of::tilt ? run.tilts : of != Of::bearing || !run.bearing_radial.empty();
+    return of == Of::tilt ? run.tilts : of != Of::bearing || !(run.*each).empty();
   }
 };
 inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
@@ -77,6 +79,10 @@ inline constexpr auto trajectory_columns = std::to_array<TrajectoryColumn>({
      nullptr,
      TrajectoryColumn::Of::bearing,
      &Trajectory::bearing_radial},
+    {{"bearing_force", "size of the force on a bearing, the weight included", study::Dimension::force},
+     nullptr,
+     TrajectoryColumn::Of::bearing,
+     &Trajectory::bearing_force},
 });
 
 /// One word for people's programs.

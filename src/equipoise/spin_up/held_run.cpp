@@ -154,14 +154,13 @@ class HeldFollower {
     const double up = centre[1] - sag_;
     const std::array<double, 2> force{p_.damping[0] * rate[0] + p_.stiffness[0] * centre[0],
                                       p_.damping[1] * rate[1] + p_.stiffness[1] * centre[1]};
-    TransientSample here;
+    TransientSample sampled{t, unbalance_, {}};
+    auto& here = sampled.places[0];
     here.r2 = centre[0] * centre[0] + up * up;
     here.slope = 2.0 * (centre[0] * rate[0] + up * rate[1]);
     here.force2 = force[0] * force[0] + force[1] * force[1];
     here.velocity2 = rate[0] * rate[0] + rate[1] * rate[1];
-    here.t = t;
-    here.unbalance = unbalance_;
-    return here;
+    return sampled;
   }
 
   void begin() { watch_.begin(sample(t_, y_.data()), free_); }

@@ -78,8 +78,8 @@ class TiltingWatch {
   TransientSample at(double t, const double* z) const {
     TransientSample here = transient_sample(p_, settings_.shaft, z[layout_.psi], t, z, z + layout_.tilt);
     if (settings_.work == WorkSource::none) return here;
-    here.power = model::tilting_powers(p_, 0.0, true, z).supports;
-    here.stored = model::full_energy(p_, z);
+    here.places[0].power = model::tilting_powers(p_, 0.0, true, z).supports;
+    here.places[0].stored = model::full_energy(p_, z);
     return here;
   }
   // Where a segment begins psi' may jump, and with it u and v.

@@ -22,10 +22,7 @@ TransientSettings transient_settings(const Study& study) {
 
 TransientSettings transient_settings(const Study& drawn, const TransientSettings& of_all) {
   TransientSettings settings = transient_settings(drawn);
-  if (!of_all.shaft.bearings)
-    settings.shaft.bearings.reset();
-  else
-    settings.shaft.bearings = model::two_bearings(drawn.parameters, settings.shaft.places);
+  if (of_all.shaft.bearings.empty()) settings.shaft.bearings.clear();
   return settings;
 }
 

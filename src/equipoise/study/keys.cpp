@@ -56,6 +56,7 @@ constexpr std::nullopt_t bare = std::nullopt;  // no quantity
 // Of race and balls only features in use are echoed: a rotor without them reads as it always did.
 bool tilts(const Study& study) { return study.parameters.tilts(); }
 bool has_bearings(const Study& study) { return !study.bearings.empty(); }
+bool has_bearing_supports(const Study& study) { return !study.bearings_stiffness.empty(); }
 bool has_inertia(const Study& study) {
   const P& p = study.parameters;
   return p.inertia != (p.tilts() ? model::axial_inertia(p.tilt) : 0.0);
@@ -98,9 +99,14 @@ std::vector<Key> all_keys() {
       {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
        "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
-       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where two "
+       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where they "
        "are all supports; by default none",
        nullptr, has_bearings},
+      {"rotor.tilt.bearings_stiffness", at<&Study::bearings_stiffness>, not_negative, D::stiffness, none,
+       "of each bearing, or of each in X and Y in turn, in k; of two that are all supports it is known without",
+       nullptr, has_bearing_supports},
+      {"rotor.tilt.bearings_damping", at<&Study::bearings_damping>, not_negative, D::damping, none,
+       "likewise, in M omega_c", nullptr, has_bearing_supports},
       {"rotor.tilt.bearings", nowhere, any, bare, physical,
        "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
       {"rotor.tilt.stiffness", nowhere, any, bare, physical,

@@ -120,7 +120,7 @@ struct SupportSums {
 
 struct Bearings {
   std::array<SupportSums, 2> stiffness, damping;  // in X and Y
-  std::vector<double> at;
+  std::vector<double> at, each_stiffness, each_damping;
 };
 
 class TiltReader : public QuantityReader {
@@ -130,7 +130,7 @@ class TiltReader : public QuantityReader {
   bool has_bearings() { return has("bearings"); }
 
   Bearings bearings() {
-    for (const char* key : {"stiffness", "damping", "bearings_at"})
+    for (const char* key : {"stiffness", "damping", "bearings_at", "bearings_stiffness", "bearings_damping"})
       if (has(key)) fail(key, words::machine::bearings_state_it);
     Bearings b;
     const std::size_t count = tables_at(document_, "rotor.tilt.bearings", words::machine::array_of_bearings);
@@ -139,8 +139,10 @@ class TiltReader : public QuantityReader {
       b.at.push_back(one.quantity("at"));
       for (const char* key : {"stiffness", "damping"}) {
         const std::vector<double> each = one.require_one_or_each(key, 2, each_direction);
-        for (std::size_t d = 0; d < 2; ++d)
-          (key == std::string_view("stiffness") ? b.stiffness : b.damping)[d].add(each[d], b.at.back());
+        const bool springs = key == std::string_view("stiffness");
+        std::vector<double>& list = springs ? b.each_stiffness : b.each_damping;
+        list.insert(list.end(), each.begin(), each.end());
+        for (std::size_t d = 0; d < 2; ++d) (springs ? b.stiffness : b.damping)[d].add(each[d], b.at.back());
       }
       one.finish();
     }
@@ -243,10 +245,17 @@ class RotorReader {
     s.damping = tilt_.matrix("damping", Dimension::tilt_damping, Dimension::gain);
     s.stiffness_from = "stiffness";
     s.damping_from = "damping";
-    if (!tilt_.has("bearings_at")) return;
-    Derived at{"bearings_at", "bearings_at", tilt_.list("bearings_at"), Dimension::length};
-    at.is_list = true;
-    r_.tilt.push_back(at);
+    for (const auto& [key, dimension] : bearing_lists)
+      if (tilt_.has(key)) put_bearings(key, key, tilt_.list(key), dimension);
+  }
+
+  // What is stated of each bearing.
+  static constexpr std::array bearing_lists{std::pair{"bearings_at", Dimension::length},
+                                            std::pair{"bearings_stiffness", Dimension::stiffness},
+                                            std::pair{"bearings_damping", Dimension::damping}};
+
+  void put_bearings(const char* key, const char* from, const std::vector<double>& values, Dimension dimension) {
+    r_.tilt.push_back({key, from, values, dimension, true});
   }
 
   void read_bearings(TiltSupports& s) {
@@ -265,9 +274,11 @@ class RotorReader {
       s.damping[d] = {b.damping[d].across, b.damping[d].tilt};
     }
     s.stiffness_from = s.damping_from = "bearings";
-    Derived at{"bearings_at", "bearings", b.at, Dimension::length};
-    at.is_list = true;
-    r_.tilt.push_back(at);
+    const std::vector<double>* const lists[] = {&b.at, &b.each_stiffness, &b.each_damping};
+    // Of two, each follows from the supports.
+    const std::size_t told = b.at.size() > 2 && b.at.size() <= model::most_bearings ? bearing_lists.size() : 1;
+    for (std::size_t k = 0; k < told; ++k)
+      put_bearings(bearing_lists[k].first, "bearings", *lists[k], bearing_lists[k].second);
   }
 
   void read_stiffness() {

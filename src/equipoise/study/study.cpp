@@ -125,6 +125,20 @@ model::Drive Study::drive() const {
   return drive;
 }
 
+std::vector<model::Bearing> Study::each_bearing() const {
+  const std::size_t count = bearings.size();
+  if (bearings_stiffness.empty())
+    return count == 2 ? model::two_bearings(parameters, {bearings[0], bearings[1]}) : std::vector<model::Bearing>{};
+  std::vector<model::Bearing> each;
+  for (std::size_t b = 0; b < count; ++b) {
+    const auto of = [&](const std::vector<double>& values) {
+      return values.size() == count ? std::array{values[b], values[b]} : std::array{values[2 * b], values[2 * b + 1]};
+    };
+    each.push_back({bearings[b], of(bearings_stiffness), of(bearings_damping)});
+  }
+  return each;
+}
+
 model::System Study::system() const {
   if (!speed.driven()) return {parameters, speed_profile().final_speed()};
   return {parameters, model::motor_drive(motor(), initial.psi, speed.initial).pieces.back()};

@@ -12,6 +12,7 @@
 #include "equipoise/drives/full_state.hpp"
 #include "equipoise/drives/motor.hpp"
 #include "equipoise/drives/speed.hpp"
+#include "equipoise/model/bearings.hpp"
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/model/scales.hpp"
 #include "equipoise/sampling/sampling.hpp"
@@ -206,6 +207,11 @@ struct Study {
   std::optional<model::Scales> scales;  ///< of a study in physical units
   /// Of a rotor that tilts: where along its shaft it has bearings, from its centre of mass and in R, as far as stated.
   std::vector<double> bearings;
+  /// Stiffness and damping of each of them, alike in X and Y, or of each in X and Y in turn; empty: not stated.
+  std::vector<double> bearings_stiffness, bearings_damping;
+  /// The bearings one by one as stated, if forces on each are known: they are all supports, two or with their stiffness
+  /// and damping stated. Else empty.
+  std::vector<model::Bearing> each_bearing() const;
   Uncertainty uncertain;  ///< what each start draws for itself; everything else here uses the medians
 
   /// The ramp function and law as the model sees them. For a driven rotor: the speed that its motor aims at, else the

@@ -22,6 +22,7 @@
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/speed_reader.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/study/tilt_reader.hpp"
 #include "equipoise/study/uncertain_reader.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 #include "equipoise/words/machine.hpp"
@@ -36,55 +37,6 @@ void read_table(const Document& document, const char* table, Study& study) {
   TableReader reader(document, table);
   read_keys(reader, table, all_variants, study);
   reader.finish();
-}
-
-// Stiffness or damping of a rotor that tilts, in one direction: [k11, k12; k12, k22].
-struct SupportMatrix {
-  double centre, across, tilt;
-
-  double determinant() const { return centre * tilt - across * across; }
-};
-
-void read_rotor(const Document& document, Study& study) {
-  read_table(document, "rotor", study);
-  TableReader rotor(document, "rotor");
-  model::Parameters& p = study.parameters;
-  if (!rotor.has("tilt")) {
-    if (rotor.has("eccentricity_angle")) rotor.fail("eccentricity_angle", words::study::only_of_tilt);
-    return;
-  }
-  read_table(document, "rotor.tilt", study);
-  TableReader tilt(document, "rotor.tilt");
-  const model::Tilt& t = p.tilt;
-  if (t.polar_inertia > 2.0 * t.transverse_inertia) tilt.fail("polar_inertia", words::study::no_such_body);
-  for (const std::size_t d : {0, 1}) {
-    const SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
-        dampers{p.damping[d], t.damping[d][0], t.damping[d][1]};
-    if (!(springs.tilt > 0.0) || !(springs.determinant() > 0.0))
-      tilt.fail("stiffness", fmt::format(words::study::stiffness_not_definite, springs.centre));
-    if (dampers.tilt < 0.0 || dampers.determinant() < 0.0)
-      tilt.fail("damping", fmt::format(words::study::damping_not_definite, dampers.centre));
-  }
-  if (!rotor.has("inertia")) p.inertia = model::axial_inertia(t);
-}
-
-// Of balls and race a rotor that tilts takes the planes, and no more than the drag of balls that slide.
-void check_tilting_balls(const Document& document, const model::Parameters& p) {
-  TableReader reader(document, "balancer");
-  if (!p.tilts()) {
-    if (reader.has("plane")) reader.fail("plane", words::study::only_of_tilt);
-    return;
-  }
-  if (!reader.has("plane")) reader.fail("plane", words::study::tilt_needs_planes);
-  const auto refuse = [&](const char* key, bool set, const char* physical_key = nullptr) {
-    if (set && physical_key && document.scales)
-      reader.fail(physical_key, fmt::format(words::study::not_with_tilt_unless, physical_key));
-    if (set) reader.fail(key, words::study::not_with_tilt);
-  };
-  refuse("race_offset", !p.race_is_centred());
-  refuse("rolls", p.rolls, "rolls");
-  refuse("contact_angle", p.balls_collide(), "contact");
-  refuse(reader.has("rolling") ? "rolling" : "stiction", p.balls_stick());
 }
 
 void read_balancer(const Document& document, Study& study) {
@@ -237,15 +189,6 @@ void free_balls_of_machine(Document& document) {
   if (release->table() && release->table()->empty()) release->set("time", "0 s");
 }
 
-// Of more than two bearings, and where the floor has to hold the sum, only the force on all supports together is
-// gathered, in which what tilts the rotor does not show.
-void check_force_limit(const Document& document, const Study& study) {
-  if (!study.limits.force || study.bearings.size() < 2) return;
-  TableReader limits(document, "limits");
-  if (study.bearings.size() > 2) limits.fail("force", words::study::force_of_more_bearings);
-  if (study.standards.standing_mass) limits.fail("force", words::study::force_of_one_or_all);
-}
-
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
 void read_grade(Document& document) {
   if (document.root.find_path("rotor.tilt"))
@@ -311,7 +254,8 @@ Study read(Document document, Source source) {
   make_dimensionless(document);
   Study result;
   result.name = document.name;
-  read_rotor(document, result);
+  read_table(document, "rotor", result);
+  read_tilt(document, result);
   read_balancer(document, result);
   read_speed(document, result);
   read_release(document, result);

@@ -192,7 +192,7 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
 std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =
-      watched_shaft(r.study).bearings ? words::text::forces_of_bearing : words::text::forces_of_supports;
+      watched_shaft(r.study).bearings.empty() ? words::text::forces_of_supports : words::text::forces_of_bearing;
   const std::string places = r.study.bearings.empty() ? fmt::format(words::text::told_at_centre_of_mass, forces)
                                                       : fmt::format(words::text::told_at_bearings, forces);
   return places + words::text::unbalance_is_static;
@@ -385,7 +385,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["weight"] = (0.0 + weight_of(study.parameters)) * unit_of(study, Dimension::force).size;
   if (study.parameters.tilts())
     json["places"] = {r.settings.shaft.places[0] * length.size, r.settings.shaft.places[1] * length.size};
-  if (study.parameters.tilts()) json["force_of"] = r.settings.shaft.bearings ? "bearing" : "supports";
+  if (study.parameters.tilts()) json["force_of"] = r.settings.shaft.bearings.empty() ? "supports" : "bearing";
   json["limits"] = Json::object();
   for (const TransientLimit& l : transient_limits)
     if (const auto& limit = study.limits.*l.limit) json["limits"][l.name] = *limit * unit_of(study, l).size;

@@ -64,7 +64,7 @@ void FollowedRun::record(Trajectory& out) const {
   const double* at = state_->machine([](const auto& machine) { return machine.state(); });
   const double* tilt = p.tilts() ? at + layout.tilt : nullptr;
   equipoise::record(out, p, at[layout.psi], at[layout.speed], time(), at, tilt);
-  if (tilt) record_bearings(out, p, state_->study.bearings, at[layout.psi], at, tilt);
+  if (tilt) record_bearings(out, p, shaft_bearings(state_->study), at[layout.psi], at, tilt);
 }
 
 bool FollowedRun::held() const {

@@ -7,6 +7,7 @@
 
 #include "equipoise/mechanics/energy.hpp"
 #include "equipoise/mechanics/frames.hpp"
+#include "equipoise/model/bearing_force-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 
 namespace equipoise {
@@ -40,8 +41,9 @@ void record(Trajectory& out, const model::Parameters& p, double psi, double w, d
   out.bearing_y.push_back(force[1]);
 }
 
-void record_bearings(Trajectory& out, const model::Parameters& p, const std::vector<double>& places, double psi,
+void record_bearings(Trajectory& out, const model::Parameters& p, const ShaftBearings& bearings, double psi,
                      const double* z, const double* tilt) {
+  const std::vector<double>& places = bearings.places;
   using namespace model::index;
   const std::array<double, 2> rest = model::rest_position(p, psi);
   const double slope = model::static_slope(p);
@@ -50,6 +52,14 @@ void record_bearings(Trajectory& out, const model::Parameters& p, const std::vec
   for (std::size_t i = 0; i < places.size(); ++i)
     out.bearing_radial[i].push_back(
         std::hypot(z[x] - rest[0] + places[i] * (tilt[0] - slope_x), z[y] - rest[1] + places[i] * (tilt[1] - slope_y)));
+  out.bearing_force.resize(bearings.each.size());
+  const HWY_NAMESPACE::RotorMotion<double> rotor{0.0, 0.0, std::sin(psi), std::cos(psi)};
+  for (std::size_t i = 0; i < bearings.each.size(); ++i) {
+    const double at = bearings.each[i].at;
+    const double section[] = {z[x] + at * tilt[0], z[y] + at * tilt[1], z[u] + at * tilt[2], z[v] + at * tilt[3]};
+    const auto force = HWY_NAMESPACE::BearingForce<double>(bearings.each[i]).of(rotor, section);
+    out.bearing_force[i].push_back(std::hypot(force.x, force.y));
+  }
 }
 
 }  // namespace equipoise

@@ -5,6 +5,7 @@
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/results/trajectory.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
@@ -13,8 +14,15 @@ namespace equipoise {
 void record(Trajectory& out, const model::Parameters& p, double psi, double w, double t, const double* z,
             const double* tilt = nullptr);
 
-/// Appends to the arrays of bearings at these places along the shaft, one each.
-void record_bearings(Trajectory& out, const model::Parameters& p, const std::vector<double>& places, double psi,
+/// Where a rotor that tilts has bearings, and each of them if it is known.
+struct ShaftBearings {
+  std::vector<double> places;
+  std::vector<model::Bearing> each;
+};
+inline ShaftBearings shaft_bearings(const Study& study) { return {study.bearings, study.each_bearing()}; }
+
+/// Appends to the arrays of bearings.
+void record_bearings(Trajectory& out, const model::Parameters& p, const ShaftBearings& bearings, double psi,
                      const double* z, const double* tilt);
 
 }  // namespace equipoise

@@ -112,10 +112,11 @@ void simulate_machine(const Task& task, Trajectory& out) {
   const model::StateLayout layout = model::machine_layout(p);
   Run run(task.study);
   Machine& machine = run.machine();
+  const ShaftBearings bearings = shaft_bearings(task.study);
   std::size_t next = 0;
   const auto take = [&](double t, const double* at) {
     record(out, p, at[layout.psi], at[layout.speed], t, at, tilt ? at + layout.tilt : nullptr);
-    if (tilt) record_bearings(out, p, task.study.bearings, at[layout.psi], at, at + layout.tilt);
+    if (tilt) record_bearings(out, p, bearings, at[layout.psi], at, at + layout.tilt);
   };
   if (times.empty()) return;
   out.status = machine.advance(
@@ -144,7 +145,10 @@ Trajectory followed(const Task& task) {
   out.phi.resize(p.balls);
   out.phi_dot.resize(p.balls);
   out.tilts = p.tilts();
-  if (out.tilts) out.bearing_radial.resize(study.bearings.size());
+  if (out.tilts) {
+    out.bearing_radial.resize(study.bearings.size());
+    out.bearing_force.resize(study.each_bearing().size());
+  }
   // FreeFlow sums the rotor's forces up with its first ball.
   if (!study.system().simple() || p.balls == 0) {
     kernels::check_overlap(study);

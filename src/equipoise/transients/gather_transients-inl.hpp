@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "equipoise/model/equations-inl.hpp"
 #include "equipoise/transients/transient_step-inl.hpp"
@@ -276,68 +278,77 @@ class GatherTransients {
   int count_[lanes] = {};                         // since restart()
 };
 
-// The same for rotors that tilt, watched at two places, of which the worse one is told. Without lanes also for others.
+// The same for rotors that tilt, watched at several places, of which the worst one is told. Without lanes also for
+// others. No place moves more than both of the first two, to which limits are held; the rest have forces of their own.
 template <class T>
 class GatherPlaces {
  public:
   using One = GatherTransients<T>;
   using Flags = typename One::Flags;
-  static constexpr int lanes = One::lanes;
+  static constexpr int lanes = One::lanes, most = static_cast<int>(model::most_bearings);
 
   void load(int lane, const TransientSums& row, bool free = true) {
-    first_.load(lane, row, free);
-    second_.load(lane, row, free);
+    for (One& one : places_) one.load(lane, row, free);
   }
   void resume(int lane, const TransientSums& row, double t, const Sample<double>& here) {
-    first_.resume(lane, row, t, here);
+    places_[0].resume(lane, row, t, here);
   }
-  // Without `there` only one place is watched, always.
-  void stand(int lane, const Sample<double>& here, const Sample<double>* there, double unbalance) {
-    first_.stand(lane, here, unbalance);
-    if (there) second_.stand(lane, *there, unbalance);
-    two_ = there;
+  // As many places are watched as `here` has, always.
+  void stand(int lane, std::span<const Sample<double>> here, double unbalance) {
+    count_ = static_cast<int>(here.size());
+    for (int k = 0; k < count_; ++k) places_[k].stand(lane, here[static_cast<std::size_t>(k)], unbalance);
   }
   void restart(int lane, double t) {
-    first_.restart(lane, t);
-    second_.restart(lane, t);
+    for (One& one : places_) one.restart(lane, t);
   }
-  void end_piece(int lane) { first_.end_piece(lane); }
-  void end_work(int lane) { first_.end_work(lane); }
+  void end_piece(int lane) { places_[0].end_piece(lane); }
+  void end_work(int lane) { places_[0].end_work(lane); }
 
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
                           const Sample<T> (&at)[3], T unbalance) {
-    return first_.add(limits, active, accepted, begin, t, h, at, unbalance);
+    return places_[0].add(limits, active, accepted, begin, t, h, at, unbalance);
   }
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
                           const Sample<T> (&at)[3], const Sample<T> (&there)[3], T unbalance) {
-    const SquaredRadiusOfStep<T> other = second_.curve(h, there);
-    const unsigned full = first_.add(limits, active, accepted, begin, t, h, at, unbalance, Beside<T>{other});
-    second_.template add<false>(limits, active, accepted, begin, t, h, there, unbalance);
+    const SquaredRadiusOfStep<T> other = places_[1].curve(h, there);
+    const unsigned full = places_[0].add(limits, active, accepted, begin, t, h, at, unbalance, Beside<T>{other});
+    add_place(1, limits, active, accepted, begin, t, h, there, unbalance);
     return full;
+  }
+  // The same step of place k, after the first two.
+  HWY_INLINE void add_place(int k, const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
+                            const Sample<T> (&at)[3], T unbalance) {
+    places_[k].template add<false>(limits, active, accepted, begin, t, h, at, unbalance);
   }
 
   bool seen_enough(int lane, const TransientSettings& settings, const KnownEnd& end, double free_peak) const {
-    if (!two_) return first_.seen_enough(lane, settings, end, free_peak);
-    const auto &a = first_.windows(lane), &b = second_.windows(lane);
-    return equipoise::seen_enough(settings, end, {worse_of(a[1], b[1]), worse_of(a[2], b[2])}, worse_of(a[0], b[0]),
-                                  first_.window_count(lane), free_peak);
+    std::array<TransientWindow, 3> worst = places_[0].windows(lane);
+    for (int k = 1; k < count_; ++k)
+      for (std::size_t w = 0; w < worst.size(); ++w) worst[w] = worse_of(worst[w], places_[k].windows(lane)[w]);
+    return equipoise::seen_enough(settings, end, {worst[1], worst[2]}, worst[0], places_[0].window_count(lane),
+                                  free_peak);
   }
-  double peak(int lane) const { return two_ ? std::fmax(first_.peak(lane), second_.peak(lane)) : first_.peak(lane); }
+  double peak(int lane) const {
+    double peak = places_[0].peak(lane);
+    for (int k = 1; k < count_; ++k) peak = std::fmax(peak, places_[k].peak(lane));
+    return peak;
+  }
 
   void store(int lane, double t, TransientSums& row, bool free = true) const {
-    first_.store(lane, t, row, free);
-    if (!two_) return;
-    TransientSums other;
-    second_.store(lane, t, other, free);
-    row.free_peak = std::fmax(row.free_peak, other.free_peak);
-    row.clamped_peak = std::fmax(row.clamped_peak, other.clamped_peak);
-    row.force_peak = std::fmax(row.force_peak, other.force_peak);
-    row.window = worse_of(row.window, other.window);
+    places_[0].store(lane, t, row, free);
+    for (int k = 1; k < count_; ++k) {
+      TransientSums other;
+      places_[k].store(lane, t, other, free);
+      row.free_peak = std::fmax(row.free_peak, other.free_peak);
+      row.clamped_peak = std::fmax(row.clamped_peak, other.clamped_peak);
+      row.force_peak = std::fmax(row.force_peak, other.force_peak);
+      row.window = worse_of(row.window, other.window);
+    }
   }
 
  private:
-  One first_, second_;
-  bool two_ = false;
+  One places_[most];
+  int count_ = 1;
 };
 
 }  // namespace transient

@@ -1,8 +1,10 @@
 // Transients of one trajectory without lanes.
 #include "equipoise/transients/transient_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <span>
 
 #include "equipoise/mechanics/energy.hpp"
 #include "equipoise/model/bearing_force-inl.hpp"
@@ -18,7 +20,7 @@ namespace kernels = HWY_NAMESPACE::transient;
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
   const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
   const auto s = kernels::sample_of<double>({rest[0], rest[1]}, {force[0], force[1]}, z);
-  return {s, t, std::abs(model::unbalance(p, z + model::index::phi(0)))};
+  return {t, std::abs(model::unbalance(p, z + model::index::phi(0))), {s}};
 }
 
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
@@ -26,16 +28,20 @@ TransientSample transient_sample(const model::Parameters& p, const WatchedShaft&
   const std::array<double, 2> all = model::bearing_force(p, psi, z, tilt);
   const double sine = std::sin(psi), cosine = std::cos(psi), sag = model::static_sag(p), slope = model::static_slope(p);
   const HWY_NAMESPACE::RotorMotion<double> rotor{0.0, 0.0, sine, cosine};
+  const bool each = !shaft.bearings.empty();
   const auto at = [&](std::size_t b) {
-    const double place = shaft.places[b];
+    const double place = each ? shaft.bearings[b].at : shaft.places[b];
     std::array<double, 4> section{};
     for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * tilt[k];
     const double rest = sag + place * slope;
     HWY_NAMESPACE::Vector2<double> force{all[0], all[1]};
-    if (shaft.bearings) force = HWY_NAMESPACE::BearingForce<double>((*shaft.bearings)[b]).of(rotor, section.data());
+    if (each) force = HWY_NAMESPACE::BearingForce<double>(shaft.bearings[b]).of(rotor, section.data());
     return kernels::sample_of<double>({rest * sine, rest * cosine}, force, section.data());
   };
-  return {at(0), t, std::abs(model::unbalance(p, z + model::index::phi(0))), at(1)};
+  TransientSample sample{t, std::abs(model::unbalance(p, z + model::index::phi(0))), {}};
+  sample.count = std::max(shaft.places.size(), shaft.bearings.size());
+  for (std::size_t b = 0; b < sample.count; ++b) sample.places[b] = at(b);
+  return sample;
 }
 
 TransientWatch::TransientWatch(const TransientSettings& settings, const TransientSums& sums)
@@ -50,8 +56,8 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
     free_ = free;
   }
   limits_.settling = free && settings_.watches_settling();
-  if (!begun_) gathered_.resume(0, sums_, first.t, first);
-  gathered_.stand(0, first, first.second ? &*first.second : nullptr, first.unbalance);
+  if (!begun_) gathered_.resume(0, sums_, first.t, first.places[0]);
+  gathered_.stand(0, std::span(first.places).first(first.count), first.unbalance);
   t_ = first.t;
   if (!begun_) gathered_.restart(0, t_);
   begun_ = true;
@@ -60,13 +66,23 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
 void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   const double begin = t_;
   t_ = samples[2].t;
-  const kernels::Sample<double> at[3] = {samples[0], samples[1], samples[2]};
+  const double h = t_ - begin, unbalance = samples[2].unbalance;
+  using Step = kernels::Sample<double>[3];
+  const auto put = [&](std::size_t k, Step& step) {
+    for (std::size_t i = 0; i < 3; ++i) step[i] = samples[i].places[k];
+  };
+  Step at, other;
+  put(0, at);
   unsigned full = 0;
-  if (samples[0].second) {
-    const kernels::Sample<double> there[3] = {*samples[0].second, *samples[1].second, *samples[2].second};
-    full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, there, samples[2].unbalance);
+  if (samples[0].count > 1) {
+    put(1, other);
+    full = gathered_.add(limits_, 1, true, begin, t_, h, at, other, unbalance);
   } else {
-    full = gathered_.add(limits_, 1, true, begin, t_, t_ - begin, at, samples[2].unbalance);
+    full = gathered_.add(limits_, 1, true, begin, t_, h, at, unbalance);
+  }
+  for (std::size_t k = 2; k < samples[0].count; ++k) {
+    put(k, other);
+    gathered_.add_place(static_cast<int>(k), limits_, 1, true, begin, t_, h, other, unbalance);
   }
   if (full && decided_)
     may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak);

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/transients/gather_transients-inl.hpp"
@@ -13,11 +12,12 @@
 namespace equipoise {
 
 /// The motion at one time.
-struct TransientSample : HWY_NAMESPACE::transient::Sample<double> {
+struct TransientSample {
   double t = 0.0;          ///< study time
   double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
-  /// Of a rotor that tilts: the motion at the second place that is watched. Its power and energy are not read.
-  std::optional<HWY_NAMESPACE::transient::Sample<double>> second{};
+  /// The motion at all places that are watched, one unless a rotor tilts. Power and energy are read of the first alone.
+  std::array<HWY_NAMESPACE::transient::Sample<double>, model::most_bearings> places{};
+  std::size_t count = 1;
 };
 
 /// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.

@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "equipoise/batch/batch_watch-inl.hpp"
@@ -42,14 +43,20 @@ class WatchedTilt<true> {
         energy_(p, place),
         slope_(model::static_slope(p)),
         at_{Pack(settings.shaft.places[0]), Pack(settings.shaft.places[1])},
-        bearing_by_bearing_(settings.shaft.bearings) {
-    for (int k = 0; bearing_by_bearing_ && k < 2; ++k) bearings_[k] = BearingForce<Pack>((*settings.shaft.bearings)[k]);
+        bearing_count_(static_cast<int>(settings.shaft.bearings.size())) {
+    for (int k = 0; k < bearing_count_; ++k) {
+      const model::Bearing& bearing = settings.shaft.bearings[static_cast<std::size_t>(k)];
+      at_[k] = Pack(bearing.at);
+      bearings_[k] = BearingForce<Pack>(bearing);
+    }
   }
+
+  int places() const { return bearing_count_ > 2 ? bearing_count_ : 2; }
 
   void take_lane(const WatchedTilt& from, int lane) {
     supports_.take_lane(from.supports_, lane);
     energy_.take_lane(from.energy_, lane);
-    for (int k = 0; k < 2; ++k) bearings_[k].take_lane(from.bearings_[k], lane);
+    for (int k = 0; k < bearing_count_; ++k) bearings_[k].take_lane(from.bearings_[k], lane);
     take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_);
   }
 
@@ -59,7 +66,7 @@ class WatchedTilt<true> {
     const Pack *tilt = z + place_, &at = at_[k], rest = sag + at * slope_;
     const Pack section[4] = {z[0] + at * tilt[0], z[1] + at * tilt[1], z[2] + at * tilt[2], z[3] + at * tilt[3]};
     const Vector2<Pack> resting{rest * rotor.sin_psi, rest * rotor.cos_psi};
-    if (bearing_by_bearing_) return transient::sample_of(resting, bearings_[k].of(rotor, section), section);
+    if (bearing_count_ > 0) return transient::sample_of(resting, bearings_[k].of(rotor, section), section);
     Vector2<Pack> all = force;
     Vector2<Pack> more{Pack(0.0), Pack(0.0)};
     supports_.add_supports(rotor, z, more);
@@ -76,15 +83,16 @@ class WatchedTilt<true> {
   TiltConstants<Pack, 1> supports_;
   TiltEnergy<Pack> energy_;
   Pack slope_;  // where the rotor rests
-  Pack at_[2];
-  bool bearing_by_bearing_;
-  BearingForce<Pack> bearings_[2];
+  Pack at_[model::most_bearings];
+  int bearing_count_;
+  BearingForce<Pack> bearings_[model::most_bearings];
 };
 
 template <bool tilt>
 class WatchedRotor {
  public:
-  static constexpr int places = tilt ? 2 : 1;  // watched
+  static constexpr int places = tilt ? 2 : 1;  // that are watched always
+  static constexpr int most_places = tilt ? static_cast<int>(model::most_bearings) : 1;
 
   WatchedRotor(const model::Parameters& p, const model::Segment& segment, const BatchTask& task,
                const model::System* system, const TransientSettings& settings)
@@ -123,7 +131,12 @@ class WatchedRotor {
     take_lane_of(*this, from, lane, &W::speed_, &W::acceleration_, &W::begin_, &W::rotor_, &W::mass_, &W::sag_);
   }
 
-  // At each place that is watched.
+  int all_places() const {
+    if constexpr (tilt) return tilt_.places();
+    return places;
+  }
+
+  // At each place that is watched always.
   HWY_INLINE void sample(Pack t, const Pack* z, transient::Sample<Pack> (&here)[places]) const {
     const RotorMotion<Pack> rotor = rotor_at(t, z);
     if constexpr (tilt) {
@@ -140,6 +153,11 @@ class WatchedRotor {
     } else if (limits.working) {
       here[0].power = taken_by_supports(rotor, z) + energy_.taken_by_drag(z);
     }
+  }
+
+  // At place k, one of the further bearings.
+  HWY_INLINE transient::Sample<Pack> further_sample(int k, Pack t, const Pack* z) const {
+    return tilt_.sample(k, rotor_at(t, z), sag_, {Pack(0.0), Pack(0.0)}, z);
   }
 
   HWY_INLINE Pack stored(Pack t, const Pack* z) const {
@@ -230,7 +248,7 @@ class WatchTransients final : public BatchWatch {
     }
     Group& group = groups_[slot / lanes];
     group.load(slot % lanes, table_.rows[start], !task_.held);
-    transient::Sample<double> here[places];
+    transient::Sample<double> here[Rotor::most_places];
     corner_sample(slot, t, state, here);
     group.resume(slot % lanes, table_.rows[start], t, here[0]);
     corner(slot, t, state);
@@ -240,11 +258,12 @@ class WatchTransients final : public BatchWatch {
   void corner(int slot, double t, const double* state) override {
     Pack z[watched_state];
     spread(state, z);
-    transient::Sample<double> here[places];
+    transient::Sample<double> here[Rotor::most_places];
     corner_sample(slot, t, state, here);
     const double unbalance = transient::element(rotor(slot).unbalance(z), slot % lanes);
     if constexpr (tilt)
-      groups_[slot / lanes].stand(slot % lanes, here[0], &here[1], unbalance);
+      groups_[slot / lanes].stand(slot % lanes, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
+                                  unbalance);
     else
       groups_[slot / lanes].stand(slot % lanes, here[0], unbalance);
   }
@@ -261,7 +280,15 @@ class WatchTransients final : public BatchWatch {
     const Pack unbalance = rotor.unbalance(s.z);
     if constexpr (tilt) {
       const transient::Sample<Pack> there[3] = {one[1], two[1], three[1]};
-      return group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, there, unbalance);
+      const unsigned full = group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, there, unbalance);
+      for (int k = places; k < rotor.all_places(); ++k) {
+        const transient::Sample<Pack> further[3] = {
+            rotor.further_sample(k, multiply_add(Pack(transient::node1), s.h, begin), s.first),
+            rotor.further_sample(k, multiply_add(Pack(transient::node2), s.h, begin), s.second),
+            rotor.further_sample(k, s.t, s.z)};
+        group.add_place(k, rotor.limits, s.active, s.accepted, begin, s.t, s.h, further, unbalance);
+      }
+      return full;
     } else {
       return group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, unbalance);
     }
@@ -297,16 +324,20 @@ class WatchTransients final : public BatchWatch {
     return here;
   }
 
-  void corner_sample(int slot, double t, const double* state, transient::Sample<double> (&here)[places]) const {
+  void corner_sample(int slot, double t, const double* state,
+                     transient::Sample<double> (&here)[Rotor::most_places]) const {
     Pack z[watched_state];
     spread(state, z);
     transient::Sample<Pack> all[places];
     rotor(slot).sample(Pack(t), z, all);
     all[0].stored = rotor(slot).stored(Pack(t), z);
     const auto own = [&](const Pack& p) { return transient::element(p, slot % lanes); };
-    for (int k = 0; k < places; ++k)
-      here[k] = {own(all[k].r2),        own(all[k].slope), own(all[k].force2),
-                 own(all[k].velocity2), own(all[k].power), own(all[k].stored)};
+    const auto put = [&](int k, const transient::Sample<Pack>& s) {
+      here[k] = {own(s.r2), own(s.slope), own(s.force2), own(s.velocity2), own(s.power), own(s.stored)};
+    };
+    for (int k = 0; k < places; ++k) put(k, all[k]);
+    if constexpr (tilt)
+      for (int k = places; k < rotor(slot).all_places(); ++k) put(k, rotor(slot).further_sample(k, Pack(t), z));
   }
 
   const BatchTask& task_;

@@ -20,8 +20,9 @@ struct WatchedShaft {
   /// The outermost of its bearings along the shaft, 0 without bearings. Of a straight shaft's places between two, none
   /// moves farther or faster than both.
   std::array<double, 2> places{};
-  /// The bearings there, if they are all its supports and forces are told of each; empty: of all supports together.
-  std::optional<std::array<model::Bearing, 2>> bearings{};
+  /// The bearings if they are all its supports and forces are told of each, those at `places` first, at most
+  /// model::most_bearings; empty: of all supports together.
+  std::vector<model::Bearing> bearings{};
 };
 
 /// What is asked of every trajectory. Dimensionless.

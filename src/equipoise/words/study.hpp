@@ -64,6 +64,11 @@ inline constexpr char stiffness_not_definite[] =
     "must be [k12, k22] with k22 greater than 0 and k12^2 less than {0} k22, where {0} is rotor.stiffness";
 inline constexpr char damping_not_definite[] =
     "must be [c12, c22] with c22 at least 0 and c12^2 at most {0} c22, where {0} is rotor.damping";
+inline constexpr char most_bearings[] = "must have at most {} places where each bearing's stiffness is stated";
+inline constexpr char one_or_two_a_bearing[] =
+    "must be an array of {} numbers, one a bearing of rotor.tilt.bearings_at, or of {}, of each in X and Y in turn";
+inline constexpr char not_the_supports[] =
+    "must add up, with its moments about the centre of mass, to rotor.{0} and rotor.tilt.{0}";
 inline constexpr char of_tilt[] = "[of a deflection and a tilt, of a tilt], or { x = [..], y = [..] }";
 inline constexpr char bounds_out_of_order[] = "bounds out of order; must be [low, high] with low at most high";
 
@@ -124,8 +129,8 @@ inline constexpr char limit_of_no_tilt[] =
     "no rotor with rotor.tilt has this: it would leave out the couple unbalance; state limits.velocity or limits.force "
     "instead";
 inline constexpr char force_of_more_bearings[] =
-    "no rotor with more than two bearings has this: only the force on all together is known, in which what tilts the "
-    "rotor does not show; state limits.displacement or limits.velocity instead";
+    "is of the bearing that takes most, and of more than two bearings each has to be known: state "
+    "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings";
 inline constexpr char force_of_one_or_all[] =
     "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is known; "
     "state one of the two";

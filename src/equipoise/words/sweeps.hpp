@@ -55,6 +55,9 @@ inline constexpr char line_form[] =
 // The form.
 inline constexpr char line_key[] =
     "KEY must be a key of rotor, balancer or speed that takes a number, or speed.final; {}";
+inline constexpr char data_sheet_key[] =
+    "is a key of data sheets; this command varies what they become, such as rotor.eccentricity, balancer.mass and "
+    "balancer.drag; \"equipoise sweep\" reads the whole study anew for each value, and takes any key";
 inline constexpr char inertia_of_a_couple[] =
     "here only the inertia would change and the angle of the couple unbalance stay, so that another couple would act; "
     "\"equipoise sweep\" reads the whole study anew for each value";

@@ -188,7 +188,7 @@ inline constexpr char unbalance_is_static[] =
     "; the residual unbalance is the static one alone, which has no balance quality grade: tolerances of rotors that "
     "tilt are for two planes";
 inline constexpr char forces_of_supports[] = "all supports together";
-inline constexpr char forces_of_bearing[] = "the bearing that takes more";
+inline constexpr char forces_of_bearing[] = "the bearing that takes most";
 // Sag, unit, weight, unit.
 inline constexpr char measured_from_rest[] =
     "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "
