@@ -19,7 +19,7 @@ inline constexpr char given_twice[] = "{}: {}: given {} times ({}); must be give
 // Command, option, what it takes.
 inline constexpr char value_missing[] = "{}: {}: its value is missing; it takes {}";
 // Command, argument, its help.
-inline constexpr char argument_missing[] = "{}: {} is missing; must be a {}";
+inline constexpr char argument_missing[] = "{}: {} is missing; expected {}";
 inline constexpr char value_empty[] = "is empty; it takes {}";
 
 // Values of options. After the option and its value.
