@@ -40,7 +40,8 @@ std::vector<std::string> studies() {
       motor + "gain = 0.1\ntarget = { profile = \"ramp\", final = 2.4, duration = 100.0 }\n",
       rotor_and_balancer +
           "plane = 1.0\n[rotor.tilt]\ntransverse_inertia = 3.0\npolar_inertia = 0.5\nstiffness = [0.0, 9.0]\ndamping = "
-          "[0.0, 0.2]\n[release]\ntime = 0.0\n[speed]\nprofile = \"constant\"\nspeed = 2.4\n"};
+          "[0.0, 4.5]\nbearings_at = [3.0, -3.0]\nbearings_stiffness = [0.5, 0.5]\nbearings_damping = [0.25, 0.25]\n"
+          "[release]\ntime = 0.0\n[speed]\nprofile = \"constant\"\nspeed = 2.4\n"};
 }
 
 // Keys that only a rotor that tilts has; of its study these alone are visited.
@@ -112,7 +113,8 @@ TEST(StudyKeys, EachIsEchoedAsItWasRead) {
   for_each_key([&](const std::string& text, const Study&, const KeyTable& table, const Key& key) {
     if (table.name == "speed.torque.target" || table.name == "sweep") return;
     for (const char* value : {"0.25", "3", "true", "[0.25, 0.75]", "\"sobol\"", "\"proof\"", "\"published\"", "\"II\"",
-                              "450", "600", "2.4", "1e-6", "0", "[0, 5]"}) {
+                              "450", "600", "2.4", "1e-6", "0", "[0, 5]", "[0, 9]", "[0, 4.5]", "[3, -3]",
+                              "[0.5, 0.5]", "[0.25, 0.25]"}) {
       Study study;
       try {
         const std::string given = key.name + std::string(" = ") + value;
