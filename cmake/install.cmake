@@ -43,7 +43,7 @@ set(equipoise_public_headers
       stability/over_plane.hpp curves/bifurcation_chart.hpp charts/chart_julia.hpp charts/chart_plot.hpp charts/chart_report.hpp
       charts/stability_plot.hpp charts/stability_report.hpp
     sweeps/capacity.hpp sweeps/merge.hpp sweeps/survey.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp
-      sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp
+      sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp sweeps/varied_unbalance.hpp
     design/design.hpp design/figures.hpp design/problem.hpp
     trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
     shown/machine_page.hpp shown/motion_path.hpp

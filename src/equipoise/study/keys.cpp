@@ -188,7 +188,7 @@ std::vector<Key> all_keys() {
       {"balancer.contact", nowhere, any, bare, physical,
        "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
       {"balancer.plane", at<par, tilt, &X::plane>, any, D::length, none,
-       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`",
+       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`, and then without a default",
        nullptr, tilts},
       {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
        "e/R, the race's centre from the shaft's, in the rotating frame", nullptr, off_centre},

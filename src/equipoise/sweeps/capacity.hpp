@@ -9,6 +9,7 @@
 #include "equipoise/running/run_options.hpp"
 #include "equipoise/sweeps/survey.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/sweeps/varied_unbalance.hpp"
 
 namespace equipoise {
 
@@ -27,12 +28,6 @@ struct CapacityOptions : RunOptions {
 /// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a
 /// figure.
 std::vector<std::string> capacity_goals(const Study& study);
-
-/// The source of a study in physical units with its unbalance as one quantity, rotor.unbalance in g mm, where it is
-/// stated otherwise (as an eccentricity, a balance grade or places) and neither uncertain nor varied by an axis; else
-/// the same. Of a rotor that tilts rotor.unbalance then stands for its static unbalance, and capacity() varies all of
-/// its unbalances in proportion; throws InputError where they are a couple alone, uncertain or varied by an axis.
-StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes);
 
 /// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
 /// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
