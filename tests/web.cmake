@@ -19,7 +19,9 @@ function(web_test name script)
       ${PROJECT_SOURCE_DIR}/build/web-engine ${EQUIPOISE_NODE} ${PROJECT_SOURCE_DIR}/studies ${ARGN})
   set_tests_properties(${name} PROPERTIES LABELS web TIMEOUT ${longest_test} FIXTURES_REQUIRED web_engine)
 endfunction()
-web_test(web.starts_have_the_fates_of_the_program fates_test.py)
+web_test(web.starts_have_the_fates_of_the_program fates_test.py --quick)
+web_test(web.many_starts_have_the_fates_of_the_program fates_test.py --fused)
+set_tests_properties(web.many_starts_have_the_fates_of_the_program PROPERTIES LABELS long)
 web_test(web.calls_answer_as_the_program_does calls_test.py)
 
 # The page around it, in a browser.

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The browser's engine gives every start the fate that the program gives it.
 
-    fates_test.py PROGRAM ENGINE_FOLDER NODE STUDIES [--starts N] [--only NAME]
+    fates_test.py PROGRAM ENGINE_FOLDER NODE STUDIES [--starts N] [--quick] [--fused] [--only NAME]
 
 Lanes of WebAssembly know no fused multiply-add, nor do those of the program's portable code (--cpu scalar): there starts
 come to the same attractors at the same times. The fastest instruction sets fuse, and a start near the edge of a basin may
-end elsewhere: these are counted, and bounded.
+end elsewhere: with --fused these are counted, and bounded.
 """
 import argparse
 import json
@@ -24,8 +24,12 @@ parser.add_argument("folder", type=os.path.abspath)
 parser.add_argument("node")
 parser.add_argument("studies", type=os.path.abspath)
 parser.add_argument("--starts", type=int, default=2000)
+parser.add_argument("--quick", action="store_true", help="fewer starts, and thicker oil where a search takes long")
+parser.add_argument("--fused", action="store_true", help="compare with the fastest instruction set too")
 parser.add_argument("--only")
 OPTIONS = parser.parse_args()
+if OPTIONS.quick:
+    OPTIONS.starts = 300
 
 
 def text(*path):
@@ -47,17 +51,23 @@ STUDIES = {
     "contact-and-stiction": paper_row().replace(
         "drag = 0.05\n", "drag = 0.05\ncontact_angle = 0.2\nrolling = 0.0002\nstiction = 0.0004\n"),
 }
+# Drags with which the search takes a fifth as long. Few outcomes are left: times of decision tell starts apart.
+THICKER = {"gravity-and-anisotropy": 0.08, "three-balls": 0.15, "contact-and-stiction": 0.08}
 # Only the system's Python may have xarray.
 PYTHON = next((p for p in (sys.executable, "/usr/bin/python3") if subprocess.run(
     [p, "-c", "import xarray"], capture_output=True, check=False).returncode == 0), None)
+# One for all files: it takes longer to begin than to read.
 READER = """
 import json, sys, xarray
-with xarray.open_dataset(sys.argv[1], decode_times=False) as data:
-    print(json.dumps([data[name].values.ravel().tolist() for name in ("outcome", "decision_time", "phi")]))
+for path in sys.stdin:
+    with xarray.open_dataset(path.strip(), decode_times=False) as data:
+        print(json.dumps([data[name].values.ravel().tolist() for name in ("outcome", "decision_time", "phi")]), flush=True)
 """
 # Starts whose fate may differ where lanes fuse operations: they pass so near the edge of a basin that rounding decides.
 # One in five hundred, for chaotic transients; each difference comes from the kernels, not from the engine.
 MOST_FUSED = 0.002
+# Relative difference of times: of steps that pow() chooses, which is another library's, some 1e-8, of few starts 1e-4.
+MOST_LATE = 1e-3
 
 
 @unittest.skipIf(PYTHON is None, "needs python3-xarray")
@@ -65,10 +75,12 @@ class Fates(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.engine = Engine(OPTIONS.node, OPTIONS.folder)
+        cls.reader = subprocess.Popen([PYTHON, "-c", READER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     @classmethod
     def tearDownClass(cls):
         cls.engine.close()
+        cls.reader.communicate()
 
     def program(self, toml, *options):
         with tempfile.TemporaryDirectory() as folder:
@@ -78,31 +90,40 @@ class Fates(unittest.TestCase):
             done = subprocess.run([OPTIONS.program, "basin", study, "--starts", str(OPTIONS.starts), "-o", output, "--quiet",
                                    *options], capture_output=True, text=True, check=False, timeout=600)
             self.assertEqual(done.returncode, 0, done.stderr)
-            read = subprocess.run([PYTHON, "-c", READER, output], capture_output=True, text=True, check=True)
-            return json.loads(read.stdout)
+            self.reader.stdin.write(output + "\n")
+            self.reader.stdin.flush()
+            return json.loads(self.reader.stdout.readline())
 
     def compare(self, name):
         if OPTIONS.only not in (None, name):
             self.skipTest("not asked for")
         toml = STUDIES[name]
+        if OPTIONS.quick and name in THICKER:
+            toml = toml.replace("drag = 0.05", f"drag = {THICKER[name]}")
         fates = {"outcome": [], "time": [], "angles": []}
         size = 500
         for first in range(0, OPTIONS.starts, size):
             part = self.engine.call("ensemble", toml, first, min(size, OPTIONS.starts - first))
             for key, values in fates.items():
                 values.extend(part[key])
-        portable, fused = self.program(toml, "--cpu", "scalar"), self.program(toml)
+        portable = self.program(toml, "--cpu", "scalar")
         angles = sum(a != b for a, b in zip(fates["angles"], portable[2]))
         ends = sum(a != b for a, b in zip(fates["outcome"], portable[0]))
         times = sum(a != b for a, b in zip(fates["time"], portable[1]))
-        elsewhere = sum(a != b for a, b in zip(fates["outcome"], fused[0]))
-        own = sum(a != b for a, b in zip(portable[0], fused[0]))
-        print(f"{name}: of {OPTIONS.starts} starts {ends} end elsewhere than in portable code, {times} at another time; "
-              f"{elsewhere} elsewhere than in the fastest (its own portable code: {own})", file=sys.stderr)
+        late = max(abs(a - b) / b for a, b, end in zip(fates["time"], portable[1], portable[0]) if end > 0)
+        print(f"{name}: of {OPTIONS.starts} starts {ends} end elsewhere than in portable code, {times} at another time, "
+              f"by {late:.1e} of it", file=sys.stderr)
         self.assertEqual(len(fates["outcome"]), OPTIONS.starts)
+        self.assertEqual(len(portable[0]), OPTIONS.starts)
         self.assertEqual(angles, 0)
         self.assertEqual(ends, 0)
-        self.assertLessEqual(elsewhere, MOST_FUSED * OPTIONS.starts)
+        if OPTIONS.quick:
+            self.assertLess(late, MOST_LATE)
+        if OPTIONS.fused:
+            fused = self.program(toml)
+            elsewhere = sum(a != b for a, b in zip(fates["outcome"], fused[0]))
+            print(f"{name}: {elsewhere} end elsewhere than in the fastest", file=sys.stderr)
+            self.assertLessEqual(elsewhere, MOST_FUSED * OPTIONS.starts)
 
     def test_row_2_4(self):
         self.compare("row-2.4")

@@ -1,7 +1,19 @@
 // What a visitor is told: shares, map, motions, comparison, sweep; each from the page as it was built.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { LONGEST, browse, closePage, missing, numberIn, openPage, saved, settledShares, sharesOn } from "./browser.mjs";
+import {
+  LONGEST,
+  STILL,
+  browse,
+  closePage,
+  missing,
+  numberIn,
+  openPage,
+  saved,
+  settledShares,
+  sharedPage,
+  sharesOn,
+} from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -9,10 +21,13 @@ before(async () => {
 });
 after(() => browser?.close());
 
+/** The first study, from the moment it is opened on. */
+const first = sharedPage(() => openPage(browser, STILL));
+
 const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
 
 check("opens from a disk, asks nothing of the world, and answers as published", async () => {
-  const page = await openPage(browser);
+  const page = await first();
   const shares = await settledShares(page, 2000);
   // Wright and Peng's table 2 at 2.4, 60.54 %: four standard errors of 2000 starts are 4.4 points.
   assert.ok(Math.abs(shares.balanced.share - 60.54) < 4.4, JSON.stringify(shares));
@@ -21,11 +36,11 @@ check("opens from a disk, asks nothing of the world, and answers as published", 
   assert.deepEqual(outside, []);
   assert.equal(page.requests.filter((url) => url.startsWith("file:")).length, 1);
   assert.deepEqual(page.errors, []);
-  await closePage(page);
 });
 
 check("the first study's answer is there before the engine is", async () => {
   const page = await openPage(browser, {
+    ...STILL,
     ready: false,
     before: () => (WebAssembly.compile = () => new Promise(() => undefined)),
   });
@@ -37,8 +52,8 @@ check("the first study's answer is there before the engine is", async () => {
 });
 
 check("shares fill in, with intervals that narrow", async () => {
-  const page = await openPage(browser);
-  const first = await sharesOn(page);
+  const page = await first();
+  const before = await sharesOn(page);
   const width = ({ interval }) => {
     const [low, high] = interval.match(/[\d.]+/g).map(Number);
     return high - low;
@@ -46,12 +61,11 @@ check("shares fill in, with intervals that narrow", async () => {
   await settledShares(page, 10_000);
   await page.getByRole("button", { name: "more starts" }).click();
   const later = await settledShares(page, 20_000);
-  assert.ok(width(later.balanced) < width(first.balanced));
-  await closePage(page);
+  assert.ok(width(later.balanced) < width(before.balanced));
 });
 
 check("where balls would overlap the map is blank, says so and plays nothing", async () => {
-  const page = await openPage(browser, { hash: "study=washing-machine&start=0" });
+  const page = await openPage(browser, { ...STILL, hash: "study=washing-machine&start=0&set=sampling.starts%3D20" });
   await page.waitForFunction(() => /Blank: balls would overlap\./.test(document.querySelector("#map .quiet").textContent));
   const map = page.locator("#map canvas");
   const box = await map.boundingBox();
@@ -67,8 +81,8 @@ check("where balls would overlap the map is blank, says so and plays nothing", a
 });
 
 check("the map sharpens; a click on it plays that start, the keyboard too", async () => {
-  const page = await openPage(browser);
-  await page.waitForFunction(() => /(16|32|64|128) × /.test(document.querySelector("#map .quiet").textContent));
+  const page = await first();
+  await page.waitForFunction(() => /(16|32|64|128|256) × /.test(document.querySelector("#map .quiet").textContent));
   const map = page.locator("#map canvas");
   const box = await map.boundingBox();
   await map.hover({ position: { x: box.width * 0.25, y: box.height * 0.75 } });
@@ -92,11 +106,10 @@ check("the map sharpens; a click on it plays that start, the keyboard too", asyn
     (before) => document.querySelector(".angles input").value !== before,
     String(fields[0].toFixed(1)),
   );
-  await closePage(page);
 });
 
 check("every motion is shown with its figures, and can be played", async () => {
-  const page = await openPage(browser);
+  const page = await first();
   const names = await page.$$eval(".motion b", (all) => all.map((one) => one.textContent));
   assert.deepEqual(names.slice(0, 3), ["balanced", "co-drifting (V1)", "drifting apart (V2)"]);
   assert.match(await page.textContent(".motion"), /no whirl.*stable/);
@@ -106,11 +119,10 @@ check("every motion is shown with its figures, and can be played", async () => {
   await page.waitForFunction(() =>
     /ends in “drifting apart \(V2\)”/.test(document.querySelector("#stage .fate").textContent),
   );
-  await closePage(page);
 });
 
 check("two settings on common starts, with the difference and its interval", async () => {
-  const page = await openPage(browser);
+  const page = await first();
   await page.getByRole("button", { name: "Keep this setting as the first" }).click();
   await page.fill('[data-key="speed.speed"] .entry input', "3");
   await page.keyboard.press("Enter");
@@ -124,11 +136,10 @@ check("two settings on common starts, with the difference and its interval", asy
   ); // published: 60.5 and 98.3 %
   const file = await saved(page, "Save the comparison", "differences (CSV)");
   assert.match(file.bytes.toString(), /^name,alias,first,second,difference,low,high\nbalanced,/);
-  await closePage(page);
 });
 
 check("a sweep stacks shares, and its bars lead there", async () => {
-  const page = await openPage(browser);
+  const page = await first();
   const [from, to, values, starts] = await page.$$("#sweep-form input"); // each value is a search of its own: few
   await from.fill("2");
   await to.fill("3");
@@ -146,7 +157,6 @@ check("a sweep stacks shares, and its bars lead there", async () => {
   assert.match(svg.bytes.toString(), /^<svg[^>]*xmlns=/);
   const png = await saved(page, "Save the sweep", "picture (PNG)");
   assert.equal(png.bytes.subarray(1, 4).toString(), "PNG");
-  await page.locator("#sweep-chart g[role=button]").nth(1).click();
-  await page.waitForFunction(() => document.querySelector('[data-key="speed.speed"] .entry input').value === "3");
-  await closePage(page);
+  await page.locator("#sweep-chart g[role=button]").nth(0).click();
+  await page.waitForFunction(() => document.querySelector('[data-key="speed.speed"] .entry input').value === "2");
 });

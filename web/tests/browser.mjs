@@ -55,6 +55,15 @@ export async function openPage(browser, { hash = "", ready = true, before = () =
   return page;
 }
 
+/** For pages of which no motion is looked at: nothing is drawn anew sixty times a second. */
+export const STILL = { reducedMotion: "reduce" };
+
+/** One page for checks that follow one another on it: opened by the first of them. Loading and searching take longest. */
+export function sharedPage(open) {
+  let page;
+  return () => (page ??= open());
+}
+
 export const closePage = (page) => page.context().close();
 
 /** The number in the first text that looks like one. */

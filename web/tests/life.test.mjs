@@ -1,13 +1,21 @@
 // The page as a thing to live with: frame rate, memory, broken workers, phones, keyboards, dark rooms.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { LONGEST, browse, closePage, missing, openPage, settledShares } from "./browser.mjs";
+import { LONGEST, STILL, browse, closePage, missing, openPage, settledShares, sharedPage } from "./browser.mjs";
 
 let browser;
 before(async () => {
   if (!missing) browser = await browse();
 });
 after(() => browser?.close());
+
+/** The first study, playing. */
+const playing = sharedPage(() => openPage(browser));
+/** Of fewer starts, and standing still. */
+const FEW = 2000;
+const standing = sharedPage(() =>
+  openPage(browser, { ...STILL, hash: `study=table-2-omega-2.4&set=sampling.starts%3D${FEW}` }),
+);
 
 const LONGEST_FRAME = 25; // ms: a 60 Hz screen with room for a machine that does other work too
 
@@ -30,7 +38,7 @@ async function frameGaps(page) {
 const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
 
 check("plays on smoothly while workers compute", async () => {
-  const page = await openPage(browser);
+  const page = await playing();
   // Another program may take the machine for a moment: the best of some looks is what the page can do.
   let median = Infinity;
   for (let look = 0; look < 6 && median >= LONGEST_FRAME; ++look) {
@@ -42,7 +50,6 @@ check("plays on smoothly while workers compute", async () => {
   assert.ok(median < LONGEST_FRAME, `${median} ms`);
   const before = await page.textContent("#stage .readout b");
   await page.waitForFunction((time) => document.querySelector("#stage .readout b").textContent !== time, before);
-  await closePage(page);
 });
 
 check("steps, pauses, lets held balls go, and a dragged ball starts where it is dropped", async () => {
@@ -73,7 +80,7 @@ check("steps, pauses, lets held balls go, and a dragged ball starts where it is 
 });
 
 check("a worker that breaks is replaced, said so, and the answer goes on", async () => {
-  const page = await openPage(browser);
+  const page = await playing();
   await settledShares(page, 10_000);
   await page.evaluate(() => {
     [...document.querySelectorAll("button")].find((one) => one.textContent.includes("more starts")).click();
@@ -87,11 +94,10 @@ check("a worker that breaks is replaced, said so, and the answer goes on", async
   await settledShares(page, 20_000);
   const time = await page.textContent("#stage .readout b");
   await page.waitForFunction((text) => document.querySelector("#stage .readout b").textContent !== text, time);
-  await closePage(page);
 });
 
 check("memory stays flat from study to study", async () => {
-  const page = await openPage(browser);
+  const page = await playing();
   const names = await page.$$eval("#preset optgroup[label^='Wright'] option", (all) =>
     all.slice(0, 6).map((one) => one.value),
   );
@@ -111,11 +117,15 @@ check("memory stays flat from study to study", async () => {
   console.log(`heap after each round, MB: ${rounds.map((size) => (size / 1e6).toFixed(1)).join(", ")}`);
   // A study that leaked its map (256 x 256 x 12 bytes) and starts would add 15 MB a round of six.
   assert.ok(rounds[2] - rounds[0] < 8e6, String(rounds));
-  await closePage(page);
 });
 
-check("on a phone nothing is wider than the screen, and touch plays a start", async () => {
-  const page = await openPage(browser, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+check("on a phone the verdict comes first, nothing is wider than the screen, and touch plays a start", async () => {
+  const page = await openPage(browser, { ...STILL, viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+  await page.waitForFunction(() => /^From the first/.test(document.querySelector("#judgement .number")?.textContent ?? ""));
+  const top = (id) => page.$eval(id, (one) => one.getBoundingClientRect().top + window.scrollY);
+  assert.ok((await top("#judgement .call")) < 300);
+  assert.ok((await top("#decision")) < (await top("#answer")));
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await page.waitForFunction(() => /(16|32|64|128) × /.test(document.querySelector("#map .quiet").textContent));
   await page.locator("#map canvas").tap();
@@ -135,8 +145,16 @@ check("on a phone nothing is wider than the screen, and touch plays a start", as
   await closePage(page);
 });
 
+check("shares are those of the starts, whatever the order in which workers took them", async () => {
+  const page = await standing();
+  const first = await settledShares(page, FEW);
+  await page.reload();
+  await page.waitForSelector("#verdict .big");
+  assert.deepEqual(await settledShares(page, FEW), first);
+});
+
 check("by keyboard alone, with a name for everything", async () => {
-  const page = await openPage(browser);
+  const page = await standing();
   await page.keyboard.press("Tab");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "To the answer");
   await page.keyboard.press("Enter");
@@ -150,7 +168,6 @@ check("by keyboard alone, with a name for everything", async () => {
   await slider.focus();
   await page.keyboard.press("ArrowRight");
   await page.waitForFunction(() => document.querySelector('[data-key="speed.speed"]').classList.contains("changed"));
-  await closePage(page);
 });
 
 check("who asked for little motion gets a machine that stands until it is started", async () => {
@@ -158,14 +175,5 @@ check("who asked for little motion gets a machine that stands until it is starte
   assert.equal(await page.textContent("#stage button.main"), "Play");
   const paper = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.equal(paper, "rgb(15, 19, 23)");
-  await closePage(page);
-});
-
-check("shares are those of the starts, whatever the order in which workers took them", async () => {
-  const page = await openPage(browser);
-  const first = await settledShares(page, 10_000);
-  await page.reload();
-  await page.waitForSelector("#verdict .big");
-  assert.deepEqual(await settledShares(page, 10_000), first);
   await closePage(page);
 });

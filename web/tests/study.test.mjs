@@ -2,7 +2,19 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { LONGEST, browse, closePage, download, missing, openPage, saved, settledShares, sharesOn } from "./browser.mjs";
+import {
+  LONGEST,
+  STILL,
+  browse,
+  closePage,
+  download,
+  missing,
+  openPage,
+  saved,
+  settledShares,
+  sharedPage,
+  sharesOn,
+} from "./browser.mjs";
 
 let browser;
 before(async () => {
@@ -10,80 +22,36 @@ before(async () => {
 });
 after(() => browser?.close());
 
+/** The first study, from the moment it is opened on. */
+const first = sharedPage(() => openPage(browser, STILL));
+
 const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
 const machine = new URL("../../studies/examples/washing-machine.toml", import.meta.url);
 
 check("the address reproduces the setting exactly", async () => {
-  const page = await openPage(browser);
+  const page = await openPage(browser, { ...STILL, hash: "study=table-2-omega-2.4&set=sampling.starts%3D500", ready: false });
   await page.fill('[data-key="balancer.drag"] .entry input', "0.07");
   await page.keyboard.press("Enter");
   await page.getByRole("button", { name: "Other start" }).click();
   await page.waitForFunction(() => /drag%3D0.07|drag=0.07/.test(location.hash) && /start=1/.test(location.hash));
   const fates = async (of) => {
-    await settledShares(of, 10_000); // all that were asked for: none before the 500th is still being computed
+    await settledShares(of, 500); // all that were asked for
     const file = await saved(of, "Save shares or starts", "every start");
-    return file.bytes.toString().split("\n").slice(0, 501);
+    return file.bytes.toString().trim().split("\n");
   };
-  const first = await fates(page);
+  const fatesHere = await fates(page);
+  assert.equal(fatesHere.length, 501);
   const angles = await page.$$eval(".angles input", (all) => all.map((input) => input.value));
-  const other = await openPage(browser, { hash: new URL(page.url()).hash.slice(1) });
+  const other = await openPage(browser, { ...STILL, hash: new URL(page.url()).hash.slice(1) });
   assert.equal(await other.inputValue('[data-key="balancer.drag"] .entry input'), "0.07");
-  assert.deepEqual(await fates(other), first);
+  assert.deepEqual(await fates(other), fatesHere);
   await other.waitForFunction((wanted) => document.querySelector(".angles input").value === wanted, angles[0]);
   await closePage(page);
   await closePage(other);
 });
 
-check("a wrong value is refused beside its field in the program's words, and what was there stays", async () => {
-  const page = await openPage(browser);
-  const before = await sharesOn(page);
-  await page.fill('[data-key="balancer.mass"] .entry input', "-1");
-  await page.keyboard.press("Enter");
-  const wrong = page.locator('[data-key="balancer.mass"] .wrong');
-  await wrong.filter({ hasText: "greater than 0" }).waitFor();
-  assert.match(await wrong.textContent(), /balancer\.mass.*-1/);
-  assert.equal(await page.getAttribute('[data-key="balancer.mass"] .entry input', "aria-invalid"), "true");
-  assert.ok("balanced" in (await sharesOn(page)) && "balanced" in before);
-  await page.fill('[data-key="balancer.mass"] .entry input', "0.06");
-  await page.keyboard.press("Enter");
-  await page.waitForFunction(() => document.querySelector('[data-key="balancer.mass"] .wrong').textContent === "");
-  await closePage(page);
-});
-
-check("a machine in physical units, opened from a file: units, menus, a study that comes back", async () => {
-  const page = await openPage(browser);
-  await page.setInputFiles("#study-file", machine.pathname);
-  await page.waitForSelector('[data-key="rotor.mass"]');
-  const value = await page.inputValue('[data-key="rotor.mass"] .entry input');
-  assert.equal(await page.inputValue('[data-key="rotor.mass"] select.unit'), "kg");
-  // The same mass in grams: the number follows its unit, and the answer stays what it is.
-  await page.selectOption('[data-key="rotor.mass"] select.unit', "g");
-  await page.waitForFunction(
-    (grams) => Number(document.querySelector('[data-key="rotor.mass"] .entry input').value) === grams,
-    1000 * Number(value),
-  );
-  const study = await download(page, () => page.click("#save-study"));
-  assert.match(study.bytes.toString(), /\[rotor\]/);
-  assert.equal(study.name, "study.toml");
-  assert.match(await page.textContent("#terminal pre"), /^equipoise basin /);
-  await closePage(page);
-});
-
-check("a broken file is refused in one line, and the page goes on", async () => {
-  const page = await openPage(browser);
-  await page.setInputFiles("#study-file", {
-    name: "broken.toml",
-    mimeType: "text/plain",
-    buffer: Buffer.from("[rotor\n"),
-  });
-  await page.waitForFunction(() => [...document.querySelectorAll(".wrong")].some((one) => one.textContent.length > 5));
-  await page.selectOption("#preset", { label: await page.locator("#preset option").nth(1).textContent() });
-  await page.waitForFunction(() => [...document.querySelectorAll(".wrong")].every((one) => one.textContent === ""));
-  await closePage(page);
-});
-
 check("pictures and tables can be taken home", async () => {
-  const page = await openPage(browser);
+  const page = await first();
   await settledShares(page, 500);
   const shares = await saved(page, "Save shares or starts", "shares (CSV)");
   assert.match(shares.bytes.toString(), /^code,name,alias,count,total,share,low,high\n1,balanced,/);
@@ -102,5 +70,49 @@ check("pictures and tables can be taken home", async () => {
     const { bytes } = await saved(page, "Save the map", item);
     assert.ok(bytes.toString("latin1").startsWith(begin), item);
   }
-  await closePage(page);
+});
+
+check("a wrong value is refused beside its field in the program's words, and what was there stays", async () => {
+  const page = await first();
+  const before = await sharesOn(page);
+  await page.fill('[data-key="balancer.mass"] .entry input', "-1");
+  await page.keyboard.press("Enter");
+  const wrong = page.locator('[data-key="balancer.mass"] .wrong');
+  await wrong.filter({ hasText: "greater than 0" }).waitFor();
+  assert.match(await wrong.textContent(), /balancer\.mass.*-1/);
+  assert.equal(await page.getAttribute('[data-key="balancer.mass"] .entry input', "aria-invalid"), "true");
+  assert.ok("balanced" in (await sharesOn(page)) && "balanced" in before);
+  await page.fill('[data-key="balancer.mass"] .entry input', "0.06");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector('[data-key="balancer.mass"] .wrong').textContent === "");
+});
+
+check("a broken file is refused in one line, and the page goes on", async () => {
+  const page = await first();
+  await page.setInputFiles("#study-file", {
+    name: "broken.toml",
+    mimeType: "text/plain",
+    buffer: Buffer.from("[rotor\n"),
+  });
+  await page.waitForFunction(() => [...document.querySelectorAll(".wrong")].some((one) => one.textContent.length > 5));
+  await page.selectOption("#preset", { label: await page.locator("#preset option").nth(1).textContent() });
+  await page.waitForFunction(() => [...document.querySelectorAll(".wrong")].every((one) => one.textContent === ""));
+});
+
+check("a machine in physical units, opened from a file: units, menus, a study that comes back", async () => {
+  const page = await first();
+  await page.setInputFiles("#study-file", machine.pathname);
+  await page.waitForSelector('[data-key="rotor.mass"]');
+  const value = await page.inputValue('[data-key="rotor.mass"] .entry input');
+  assert.equal(await page.inputValue('[data-key="rotor.mass"] select.unit'), "kg");
+  // The same mass in grams: the number follows its unit, and the answer stays what it is.
+  await page.selectOption('[data-key="rotor.mass"] select.unit', "g");
+  await page.waitForFunction(
+    (grams) => Number(document.querySelector('[data-key="rotor.mass"] .entry input').value) === grams,
+    1000 * Number(value),
+  );
+  const study = await download(page, () => page.click("#save-study"));
+  assert.match(study.bytes.toString(), /\[rotor\]/);
+  assert.equal(study.name, "study.toml");
+  assert.match(await page.textContent("#terminal pre"), /^equipoise basin /);
 });
