@@ -24,11 +24,13 @@ equipoise_test(pilot_test unit unit/pilot_test.cpp)
 equipoise_test(smooth_batch_test equivalence equivalence/smooth_batch_test.cpp)
 equipoise_test(hybrid_batch_test equivalence equivalence/hybrid_batch_test.cpp)
 equipoise_test(event_fates_test equivalence equivalence/event_fates_test.cpp
-  LONG BranchesWithEvents.FollowWhatTouchesAndWhatSticks Of/EventFates.HoldTwentyTimesLater/stiction_gravity)
-equipoise_test(many_balls_fates_test equivalence equivalence/many_balls_fates_test.cpp
-  LONG Of/ManyBalls.ComeToWhatTheyAreSaidTo/of_16_of_three_kinds)
-equipoise_test(smooth_fates_test equivalence equivalence/smooth_fates_test.cpp)
-equipoise_test(stalled_fates_test equivalence equivalence/stalled_fates_test.cpp
+  LONG BranchesWithEvents.FollowWhatTouchesAndWhatSticks Of/EventFates.HoldTwentyTimesLater/stiction_gravity
+  Of/EventFates.HoldTwentyTimesLater/stiction_motor)
+equipoise_test(many_balls_fates_test equivalence equivalence/many_balls_fates_test.cpp LIBRARIES equipoise_machine_follow
+  LONG Of/ManyBalls.ComeToWhatTheyAreSaidTo/of_12 Of/ManyBalls.ComeToWhatTheyAreSaidTo/of_16
+  Of/ManyBalls.ComeToWhatTheyAreSaidTo/of_16_of_three_kinds)
+equipoise_test(smooth_fates_test equivalence equivalence/smooth_fates_test.cpp LIBRARIES equipoise_machine_follow)
+equipoise_test(stalled_fates_test equivalence equivalence/stalled_fates_test.cpp LIBRARIES equipoise_machine_follow
   LONG Case/StalledFates.StandStillForGood/dry_friction_and_contact)
 equipoise_test(basin_test equivalence equivalence/basin_test.cpp equivalence/basin_sampling_test.cpp equivalence/full_state_test.cpp)
 equipoise_test(decisions_test equivalence equivalence/decisions_test.cpp)

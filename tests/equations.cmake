@@ -2,19 +2,17 @@
 include(${PROJECT_SOURCE_DIR}/cmake/sundials.cmake)
 find_package(SUNDIALS REQUIRED COMPONENTS arkode nvecserial)
 
-equipoise_test(inertial_frame_test equivalence
-  equivalence/inertial_frame_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
+equipoise_test_library(equipoise_lagrangian equivalence/lagrangian.cpp equivalence/cases.cpp
   LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test_library(equipoise_tilt_reference equivalence/tilt_reference.cpp)
+equipoise_test_library(equipoise_machine_follow equivalence/machine_follow.cpp)
+
+equipoise_test(inertial_frame_test equivalence equivalence/inertial_frame_test.cpp LIBRARIES equipoise_lagrangian)
 equipoise_test(study_equations_test equivalence equivalence/study_equations_test.cpp)
-equipoise_test(energy_balance_test equivalence
-  equivalence/energy_balance_test.cpp equivalence/lagrangian.cpp equivalence/cases.cpp
-  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
-equipoise_test(force_balance_test equivalence
-  equivalence/force_balance_test.cpp equivalence/lagrangian.cpp
-  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared rapidcheck rapidcheck_gtest)
-equipoise_test(hybrid_sundials_test equivalence
-  equivalence/hybrid_sundials_test.cpp equivalence/lagrangian.cpp
-  LIBRARIES SUNDIALS::arkode_shared SUNDIALS::nvecserial_shared)
+equipoise_test(energy_balance_test equivalence equivalence/energy_balance_test.cpp LIBRARIES equipoise_lagrangian)
+equipoise_test(force_balance_test equivalence equivalence/force_balance_test.cpp
+  LIBRARIES equipoise_lagrangian rapidcheck rapidcheck_gtest)
+equipoise_test(hybrid_sundials_test equivalence equivalence/hybrid_sundials_test.cpp LIBRARIES equipoise_lagrangian)
 equipoise_test(hybrid_energy_test equivalence equivalence/hybrid_energy_test.cpp)
 equipoise_test(linearisation_test unit unit/linearisation_test.cpp unit/tangent_test.cpp)
 equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
@@ -54,17 +52,18 @@ equipoise_test(floquet_test equivalence equivalence/floquet_test.cpp)
 equipoise_test(attractors_test equivalence equivalence/attractors_test.cpp)
 equipoise_test(machine_test equivalence equivalence/machine_test.cpp equivalence/machine_reference.cpp)
 equipoise_test(machine_limits_test equivalence equivalence/machine_limits_test.cpp)
-equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp
-  LONG Passed.OfUndecidedStartsIsToldByWhereTheyWereLastSeen)
+equipoise_test(machine_labels_test equivalence equivalence/machine_labels_test.cpp LIBRARIES equipoise_machine_follow
+  LONG Passed.OfUndecidedStartsIsToldByWhereTheyWereLastSeen Case/MachineLabels.HoldTenTimesLater/five_light_balls)
 equipoise_test(event_motion_test equivalence equivalence/event_motion_test.cpp)
 equipoise_test(tilt_test equivalence equivalence/tilt_equations_test.cpp equivalence/tilt_study_test.cpp
-               equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp)
-equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp
+               equivalence/tilt_physical_test.cpp equivalence/tilt_explain_test.cpp
+  LIBRARIES equipoise_tilt_reference)
+equipoise_test(tilt_answers_test equivalence equivalence/tilt_answers_test.cpp equivalence/tilt_surveys_test.cpp LIBRARIES equipoise_tilt_reference
   LONG TiltFates.OfTwoHundredAreThoseOfFixedAxes TiltFates.AfterARampAndUnderAMotorAreThoseOfFixedAxes)
-equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
+equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp LIBRARIES equipoise_tilt_reference
   LONG TiltFamilies.StartsComeToWhatTheirRotorsComeTo TiltFamilies.SoDoStartsWhoseBallsAreHeld)
-equipoise_test(tilt_certificate_test equivalence equivalence/tilt_certificate_test.cpp)
+equipoise_test(tilt_certificate_test equivalence equivalence/tilt_certificate_test.cpp WHOLE LIBRARIES equipoise_tilt_reference)
 equipoise_test(tilt_motor_test equivalence equivalence/tilt_motor_test.cpp equivalence/tilt_bearings_test.cpp
-  equivalence/tilt_observation_test.cpp)
-equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp
+  equivalence/tilt_observation_test.cpp LIBRARIES equipoise_tilt_reference)
+equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp LIBRARIES equipoise_tilt_reference
   LONG TiltDesign.FindsBallsThatBalanceEachPlane)

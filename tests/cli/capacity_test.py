@@ -8,9 +8,10 @@ import math
 import os
 import re
 import sys
+import tempfile
 import unittest
 
-from program import ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
+from program import EASY, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
 
 # At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
 QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
@@ -31,19 +32,16 @@ with xarray.open_dataset(sys.argv[1]) as data:
 
 class Capacity(Case):
     def test_the_boundary_is_where_basin_has_it(self):
-        # At 4 critical speeds a drag of 0.1 lets all starts balance until balance itself becomes unstable near 0.065.
-        found = answer("capacity", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--at-least", "0.9",
-                       "--between", "0.03:0.09", "--precision", "0.02", "--starts", "300")
+        found = answer(*QUICK[:-4], "--precision", "0.02", "--starts", "300")
         cell = found["cells"][0]
         self.assertTrue(cell["low"] <= cell["value"] <= cell["high"], cell)
-        self.assertTrue(0.06 < cell["low"] and cell["high"] < 0.07, cell)
-        below = answer("basin", ROW, "--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "300",
-                       "--set", f"rotor.eccentricity={cell['low']}")
+        self.assertTrue(0.095 < cell["low"] and cell["high"] < 0.105, cell)
+        below = answer("basin", ROW, *QUICK[2:6], "--starts", "300", "--set", f"rotor.eccentricity={cell['low']}")
         self.assertGreaterEqual(below["outcomes"][0]["share"], 0.9)
 
     def test_what_lies_outside_of_the_range_is_said(self):
-        at = ["--set", "speed.speed=4", "--set", "balancer.drag=0.1", "--starts", "100", "--precision", "0.1"]
-        all_balance = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
+        at = [*QUICK[2:6], "--starts", "100", "--precision", "0.1"]
+        all_balance = answer("capacity", ROW, *at, "--between", "0.08:0.09")["cells"][0]
         self.assertEqual((all_balance["always"], all_balance["value"]), (True, None))
         at = ["--set", "speed.speed=2", "--set", "balancer.drag=0.01", "--starts", "100"]  # table 1: nothing balances
         none_does = answer("capacity", ROW, *at, "--between", "0.01:0.02")["cells"][0]
@@ -56,8 +54,8 @@ class Capacity(Case):
         by_length = self.file("length.toml", text_of(WASHER).replace('unbalance = "100 kg mm"', 'eccentricity = "2.5 mm"'))
         for path, key, unit, most in ((WASHER, "rotor.unbalance", "g mm", balls),
                                       (by_length, "rotor.unbalance", "g mm", balls),
-                                      (ROW, "rotor.eccentricity", "", 0.1)):
-            file = ["-o", self.path("found.nc")]
+                                      (EASY[0], "rotor.eccentricity", "", 0.1)):
+            file = ["-o", self.path("found.nc"), *(EASY[1:] if path == EASY[0] else [])]
             found = answer("capacity", path, *few, *file)
             self.assertEqual((found["of"], found["unit"]), (key, unit))
             self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
@@ -82,8 +80,9 @@ class DrawnValues(Case):
         trial = found["cells"][0]["trials"][0]
         alone = answer("basin", ROW, *QUICK[2:6], "--starts", "200", *drawn, "--set", f"rotor.eccentricity={trial['value']}")
         self.assertEqual(trial["count"], alone["outcomes"][0]["count"])
-        self.assertEqual(found["cells"], answer(*QUICK, *drawn)["cells"])
-        text = run(*QUICK, *drawn, "--quiet").stdout
+        kept = ["-o", self.path("drawn.nc")]
+        self.assertEqual(found["cells"], answer(*QUICK, *drawn, *kept)["cells"])
+        text = run(*QUICK, *drawn, *kept, "--quiet").stdout  # read from the file
         self.assertIn("drawn with each start: rotor.damping uniform, 0.4 to 0.6", text)
 
     def test_rotors_that_can_balance_count_where_that_of_the_medians_cannot(self):
@@ -97,10 +96,16 @@ class DrawnValues(Case):
 
 
 class Files(Case):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.file_of_two = os.path.join(folder.name, "c.nc")
+        cls.command = [*QUICK, "--over", "rotor.damping=0.5,0.6", "-o", cls.file_of_two]
+        cls.first = answer(*cls.command)
+
     def test_a_finished_file_is_read_and_tells_all(self):
-        nc, table = self.path("c.nc"), self.path("c.csv")
-        command = [*QUICK, "--over", "rotor.damping=0.5,0.6", "-o", nc]
-        first = answer(*command)
+        nc, table, command, first = self.file_of_two, self.path("c.csv"), self.command, self.first
         before = content(nc)
         again = answer(*command, "--csv", table, "--threads", "1")
         self.assertEqual((first["resumed_trials"], again["resumed_trials"]),
@@ -130,9 +135,8 @@ class Files(Case):
         self.assertEqual(answer(*QUICK, "-o", nc)["cells"], first["cells"])
 
     def test_xarray_opens_the_file_with_names_and_units(self):
-        nc = self.path("c.nc")
-        cell = answer(*QUICK, "--over", "rotor.damping=0.5,0.6", "-o", nc)["cells"][1]
-        seen = with_xarray(XARRAY, nc)
+        cell = self.first["cells"][1]
+        seen = with_xarray(XARRAY, self.file_of_two)
         self.assertEqual(seen["dampings"], [0.5, 0.6])
         self.assertEqual((seen["capacity"], seen["low"], seen["high"]), (cell["value"], cell["low"], cell["high"]))
         self.assertEqual(seen["tried"], [t["value"] for t in cell["trials"]])

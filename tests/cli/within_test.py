@@ -17,8 +17,8 @@ LONG = {
     "basin": ("basin", *EASY, "--starts", "1000000000"),
     "attractors": ("attractors", ROW, "--starts", "100000000"),
     "along": ("attractors", ROW, "--along", "speed.final=1.4:6.5:0.005"),
-    "map": ("map", ROW, "--size", "4096x4096"),
-    "sweep": ("sweep", ROW, "--over", "speed.final=1.5:6:0.001"),
+    "map": ("map", ROW, "--size", "2048x2048"),
+    "sweep": ("sweep", ROW, "--over", "speed.final=1.5:6:0.01"),
     "capacity": ("capacity", ROW, "--starts", "10000000"),
     "compare": ("compare", ROW, *EASY, "--set-second", "balancer.drag=0.26", "--starts", "100000000"),
     "design": ("design", WASHER, "--trajectories", "100000000"),
@@ -94,7 +94,7 @@ class GoingOn(Case):
             goes_on = "the same command goes on from " + self.parts in done.stderr
             self.assertTrue(goes_on or not kept, "what was kept is lost: " + done.stderr)
             kept = goes_on
-            seconds *= 1.05  # a slow or busy machine may have nothing to keep in time
+            seconds *= 1.3  # a slow or busy machine may have nothing to keep in time
         return self.fail("never done")
 
     def same_file(self, seconds, *arguments):

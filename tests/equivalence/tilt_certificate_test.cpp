@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -37,11 +38,16 @@ std::vector<std::vector<std::string>> cases() {
   return {{"speed.speed=4"}, damped({"speed.speed=4"}), damped({motor}), damped({control})};
 }
 
-CertifyResult proofs(const std::vector<std::string>& overrides) { return certify(long_rotor_with(overrides), {}); }
+// One proof of a study for all tests.
+const CertifyResult& proofs(const std::vector<std::string>& overrides) {
+  static std::map<std::vector<std::string>, CertifyResult> made;
+  const auto at = made.find(overrides);
+  return at != made.end() ? at->second : made.emplace(overrides, certify(long_rotor_with(overrides), {})).first->second;
+}
 
 TEST(TiltCertificate, IsFoundForEveryStableStateAndReadsBack) {
   for (const auto& overrides : cases()) {
-    const CertifyResult r = proofs(overrides);
+    const CertifyResult& r = proofs(overrides);
     EXPECT_TRUE(r.proved()) << overrides.front() << r.note;
     ASSERT_EQ(r.states.size(), 4u);
     const CertificateFile file = checked_certificates(certificates_json(r), "file");
@@ -56,7 +62,7 @@ TEST(TiltCertificate, IsFoundForEveryStableStateAndReadsBack) {
 // On random points of the set, most of them near its edge, V decreases by the equations in fixed axes.
 TEST(TiltCertificate, IsTrueInFixedAxes) {
   for (const auto& overrides : {cases()[0], cases()[1]}) {
-    const CertifyResult r = proofs(overrides);
+    const CertifyResult& r = proofs(overrides);
     const Certificate& c = r.states.front().certificate;
     const model::System system = c.system();
     const Eigen::VectorXd centre = model::balanced_state(system, c.speed, c.phi.data());
@@ -126,7 +132,7 @@ TEST(TiltCertificate, SaysWhyThereIsNone) {
   EXPECT_EQ(proofs({"balancer.balls=6", "balancer.plane=[2, 2, 2, -2, -2, -2]", "initial.phi=[0, 1, 2, 3, 4, 5]"}).note,
             words::proof::two_planes_of_two);
   // No form makes an unstable state one that attracts.
-  const CertifyResult unstable = proofs({"speed.speed=1"});
+  const CertifyResult& unstable = proofs({"speed.speed=1"});
   EXPECT_FALSE(unstable.proved());
   EXPECT_TRUE(unstable.states.empty());
 }

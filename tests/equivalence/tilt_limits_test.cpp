@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/design/design.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/html/given_machine.hpp"
@@ -132,7 +133,9 @@ TEST(TiltBasinTransients, OfRotorsThatDifferAreThoseOfEach) {
 // The verdict each way: limits that every start keeps, that the bare rotor keeps too, and that few starts keep; and
 // where figures are told.
 TEST(TiltBasinTransients, AreJudgedAtTheBearings) {
+  AttractorSearchCache searched;  // one search for all: limits and bearings change no motion
   BasinOptions options;
+  options.searches = &searched;
   options.transients = true;
   const auto text = [&](double displacement, double velocity, const char* bearings) {
     std::string told = basin_text(basin(limited(displacement, velocity, bearings), options), {});

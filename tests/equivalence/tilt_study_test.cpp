@@ -212,7 +212,7 @@ double difference(const Trajectory& run, std::size_t k, const FixedFlow& flow, c
                            apart(f.v1 * back - i1 * f.w * z, run.x_dot[k], run.y_dot[k]),
                            apart(f.v2 * back - i1 * f.w * s, run.tilt_x_dot[k], run.tilt_y_dot[k]),
                            std::fabs(f.w - run.psi_dot[k]), std::fabs(f.psi - run.psi[k])});
-  for (std::size_t i = 0; i < f.theta.size(); ++i)
+  for (Eigen::Index i = 0; i < f.theta.size(); ++i)
     worst = std::max(
         {worst, std::fabs(f.theta[i] - f.psi - run.phi[i][k]), std::fabs(f.rate[i] - f.w - run.phi_dot[i][k])});
   return worst;
