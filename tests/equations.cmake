@@ -18,6 +18,7 @@ equipoise_test(linearisation_test unit unit/linearisation_test.cpp unit/tangent_
 equipoise_test(ball_rest_test unit unit/ball_rest_test.cpp)
 equipoise_test(stability_test unit unit/stability_test.cpp)
 equipoise_test(chart_test unit unit/chart_test.cpp)
+equipoise_test(continuum_plane_test unit unit/continuum_plane_test.cpp)
 equipoise_test(locked_chart_test unit unit/locked_chart_test.cpp)
 equipoise_test(cycle_chart_test unit unit/cycle_chart_test.cpp)
 equipoise_test(cycle_lines_test unit unit/cycle_lines_test.cpp unit/cycle_points_test.cpp)

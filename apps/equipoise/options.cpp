@@ -92,9 +92,13 @@ TextStyle& asked_style() {
 
 void add_no_changes(CLI::App& app, bool& no_changes) { app.add_flag("--no-changes", no_changes, help::no_changes); }
 
-void add_text_style(CLI::App& app) {
+void add_wide(CLI::App& app) {
   app.add_flag_callback(
       "--wide", [] { asked_style().width = 0; }, help::wide);
+}
+
+void add_text_style(CLI::App& app) {
+  add_wide(app);
   app.add_flag_callback(
       "--details", [] { asked_style().details = true; }, help::details);
 }

@@ -81,6 +81,8 @@ void add_no_changes(CLI::App& app, bool& no_changes);
 
 /// --wide and --details, of commands whose text has tables or long lines to fit.
 void add_text_style(CLI::App& app);
+/// --wide alone.
+void add_wide(CLI::App& app);
 /// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
 TextStyle text_style();
 

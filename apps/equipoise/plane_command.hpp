@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/basin_slices/slice_axis.hpp"
+#include "equipoise/stability/over_plane.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -38,17 +39,6 @@ inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& 
   add_computing(app, a);
 }
 
-/// An error of the library's own check of a plane, under the option that gave what is wrong.
-template <class Settings>
-InputError under_option(const InputError& e, const Settings& settings) {
-  if (e.where() != "stability") return e;
-  const char* option = e.key() == settings.x.key   ? "--x"
-                       : e.key() == settings.y.key ? "--y"
-                       : e.key() == "size"         ? "--size"
-                                                   : nullptr;
-  return option ? InputError(option, e.key() == "size" ? "" : e.key(), e.value(), e.problem()) : e;
-}
-
 /// Reads the study, computes and puts out. `place(study, size, settings)` sets the axes and what else the command has;
 /// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result,
 /// title)` makes its FormMakers, which may refer to both.
@@ -67,7 +57,7 @@ int run_plane(const PlaneArguments& a, Settings settings, Place place, Compute c
     try {
       return compute(study, settings);
     } catch (const InputError& e) {
-      throw under_option(e, settings);
+      throw under_names(e, settings.x, settings.y, {"--x", "--y", "--size", "stability"});
     }
   }();
   progress.finish();

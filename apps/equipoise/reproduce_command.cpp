@@ -148,7 +148,7 @@ int run_reproduce(ReproduceArguments& a) {
   if (!folder.empty() && !r.partial) draw_pictures(r, folder);
   if (!a.report.empty() && !r.partial) write_report(r, a.report, a.explorer, folder);
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
-  put(a.json ? reproduction_json(r) : reproduction_text(r));
+  put(a.json ? reproduction_json(r) : reproduction_text(r, text_style()));
   std::optional<WorkLeft> left = progress.left();
   if (left && left->total > 0) left->what = words::starts;
   return r.partial ? ended_early(left, "-o DIR", a.output) : r.differs() ? check_failed : done;
@@ -167,6 +167,7 @@ Command add_reproduce(CLI::App& app) {
   app.add_option("--explorer", a->explorer, help::reproduce::explorer)->type_name("PAGE");
   app.add_option("-o,--output", a->output, help::reproduce::output)->type_name("DIR");
   app.add_option("--pixels", a->pixels, help::reproduce::pixels)->type_name("P");
+  add_wide(app);
   add_computing(app, *a);
   app.add_flag("--json", a->json, help::json);
   return [a] { return run_reproduce(*a); };

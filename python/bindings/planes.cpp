@@ -117,6 +117,16 @@ py::dict summary_of(const Map& kept) {
   return summary;
 }
 
+// What `compute` makes of a plane; what is wrong with its axes is named as Python has it.
+template <class Settings, class Compute>
+auto over_axes(const Settings& how, const char* made, const Compute& compute) {
+  try {
+    return Call::run(compute);
+  } catch (const InputError& e) {
+    throw under_names(e, how.x, how.y, {"x", "y", "size", made});
+  }
+}
+
 using Stability = Kept<StabilityPlane>;
 
 Stability look_at_balance(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::string& output,
@@ -127,7 +137,7 @@ Stability look_at_balance(const PyStudy& s, const py::tuple& x, const py::tuple&
   call.set(how);
   set_axes(study, x, y, how);
   how.output = output;
-  StabilityPlane plane = Call::run([&] { return stability(study, how); });
+  StabilityPlane plane = over_axes(how, "stability", [&] { return stability(study, how); });
   return {std::move(plane), call.interrupted()};
 }
 
@@ -152,6 +162,16 @@ py::dict summary_of_plane(const Stability& kept) {
   py::dict summary;
   add_axes(summary, plane);
   summary["own"] = plane.own ? py::object(py::make_tuple(plane.own->x, plane.own->y)) : py::none();
+  summary["continuum"] = py::none();
+  if (plane.own && plane.own->continuum) {
+    const ContinuumPart& part = *plane.own->continuum;
+    py::dict told;
+    told["drawn"] = part.drawn;
+    told["stable"] = part.stable;
+    told["slowest_rate"] = py::make_tuple(part.slowest_rate, part.fastest_rate);
+    told["growth_rate"] = py::make_tuple(part.least_growth, part.most_growth);
+    summary["continuum"] = told;
+  }
   summary["answer"] = stability_answer(plane);
   summary["complete"] = plane.complete;
   summary["seconds"] = plane.seconds;
@@ -171,7 +191,7 @@ Chart draw_chart(const PyStudy& s, const py::tuple& x, const py::tuple& y, std::
   how.boxes = boxes;
   how.undecided = 0.01 * undecided;
   how.output = output;
-  BifurcationChart chart = Call::run([&] { return bifurcation_chart(study, how); });
+  BifurcationChart chart = over_axes(how, "chart", [&] { return bifurcation_chart(study, how); });
   return {std::move(chart), call.interrupted()};
 }
 

@@ -61,6 +61,10 @@ class StabilityResult(Result):
     x_edges, y_edges : tuple[float, float]
     own : tuple[float, float] or None
         The study's own two values.
+    continuum : dict or None
+        Where the study's balanced states form a continuum, as of three balls: how many were `drawn` evenly from it and
+        are `stable`, the range of their `slowest_rate` and of the others' `growth_rate`. `kind` and `growth` are of one
+        of them, with the balls spread evenly.
     answer : str
         What `text` begins with.
     complete : bool
@@ -86,6 +90,7 @@ class StabilityResult(Result):
         self.x_edges: tuple[float, float] = summary["x_edges"]
         self.y_edges: tuple[float, float] = summary["y_edges"]
         self.own: Optional[tuple[float, float]] = summary["own"]
+        self.continuum: Optional[dict[str, Any]] = summary["continuum"]
         self.answer: str = summary["answer"]
         self.complete: bool = summary["complete"]
         self.seconds: float = summary["seconds"]

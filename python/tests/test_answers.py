@@ -168,9 +168,25 @@ def test_chart(program, tmp_path):
     again = pickle.loads(pickle.dumps(made))
     assert again.answer == made.answer and "balance is stable" in again._repr_html_() and "curves" in repr(made)
     made.save(tmp_path / "again.nc")
-    for wrong in (dict(x="initial.phi_1"), dict(y_range=(-1.0, 1.0)), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
-        with pytest.raises(eq.StudyError):
-            eq.chart(study, **{"size": 4, "boxes": 0, "x_range": (1.0, 2.0), "y_range": (0.1, 0.2), **wrong})
+    for wrong, where in (
+        (dict(x="initial.phi_1"), "x: initial.phi_1"),
+        (dict(y_range=(-1.0, 1.0)), "y: balancer.drag"),
+        (dict(y="speed.final"), "x: speed.final"),
+        (dict(size=(0, 5)), ""),
+        (dict(x_range=(1.0, 1.0)), "x_range"),
+    ):
+        settings = {"size": 4, "x_range": (1.0, 2.0), "y_range": (0.1, 0.2), **wrong}
+        for refused in (eq.stability, eq.chart):
+            with pytest.raises(eq.StudyError, match="^" + where):
+                refused(study, **settings)
+
+
+def test_planes_of_three_balls_tell_of_the_continuum():
+    study = eq.Study.from_file(PAPER).replace({"balancer.balls": 3, "balancer.mass": [0.04, 0.05, 0.06]})
+    made = eq.stability(study, size=3, x_range=(1.0, 2.0), y_range=(0.1, 0.2))
+    assert made.continuum["drawn"] == 1024 and 0 <= made.continuum["stable"] <= 1024
+    assert "with the balls spread evenly" in made.answer and "1024 balanced states" in made.answer
+    assert eq.stability(eq.Study.from_file(PAPER), size=3, x_range=(1.0, 2.0), y_range=(0.1, 0.2)).continuum is None
 
 
 def test_sweeps(program, tmp_path):

@@ -79,6 +79,19 @@ class Tables(unittest.TestCase):
         self.assertEqual(len(early[2]["published_law"]["differences"]), 5)
 
 
+class Texts(Case):
+    def test_fit_80_columns_unless_wide(self):
+        """Table 3 has shares under both laws, and cells that are not comparable."""
+        narrow = run("reproduce", "table-3", "--starts", "20", "--quiet").stdout
+        wide = run("reproduce", "table-3", "--starts", "20", "--quiet", "--wide").stdout
+        self.assertLessEqual(max(map(len, narrow.splitlines())), 80)
+        self.assertGreater(max(map(len, wide.splitlines())), 80)
+        self.assertRegex(wide.splitlines()[1], "^row +motion +printed +computed +95 % interval +p +kinematic$")
+        # The same words and numbers, but for the run's times.
+        of = [sorted(w for w in re.sub(r"[0-9.]+ s\b|kinematic|law|;", " ", text).split()) for text in (narrow, wide)]
+        self.assertEqual(*of)
+
+
 class Interruption(Case):
     def test_what_was_interrupted_is_resumed_to_the_same_numbers(self):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as whole:

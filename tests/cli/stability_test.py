@@ -11,6 +11,20 @@ import unittest
 
 from program import DRIVE, ROW, WASHER, Case, answer, content, interrupted, rows_of, run, started, with_xarray
 
+MACHINE = """[rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping = "400 N s/m"
+eccentricity = "0.2 mm"
+[balancer]
+balls = 2
+race_radius = "30 mm"
+mass = "60 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "constant"
+speed = "2000 rpm"
+"""
 PLANE = ["--x-range", "0.5:6", "--y-range", "0.01:0.3"]
 
 
@@ -66,12 +80,28 @@ class Results(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("rpm", done.stdout)
 
+    def test_drag_is_a_torque_or_a_force_as_in_studies(self):
+        """D = c R^2, with a race of 30 mm."""
+        study = self.file("machine.toml", MACHINE)
+        of = [answer("stability", study, "--x-range", "1000 rpm:3000 rpm", "--y-range", between, "--size", "3x3")
+              for between in ("0.1 N s/m:1 N s/m", "9e-5 N m s:9e-4 N m s", "0.1 N s/m:9e-4 N m s")]
+        for other in of[1:]:
+            for one, same in zip(of[0]["y"]["values"], other["y"]["values"]):
+                self.assertAlmostEqual(one, same, delta=1e-12 * one)
+        chart = answer("chart", study, "--x", "speed.final=1000rpm:3000rpm", "--y", "balancer.drag=0.1 N s/m:1 N s/m",
+                       "--size", "4x4", "--boxes", "0")
+        self.assertAlmostEqual(chart["y"]["low"], of[1]["y"]["values"][0] - (of[1]["y"]["values"][1] - of[1]["y"]["values"][0]) / 2)
+        unlike = self.file("unlike.toml", MACHINE.replace('"60 g"', '["60 g", "50 g"]'))
+        self.refused("stability", unlike, "--x-range", "1000 rpm:3000 rpm", "--y-range", "0.1 N s/m:1 N s/m",
+                     words=("--y-range", "balancer.drag takes no quantities", "masses differ", "two plain numbers"))
+
     def test_bad_ranges_are_refused_in_one_line(self):
         self.refused("stability", ROW, "--x-range", "0.5:6", "--y-range", "-1:0.3", words=("balancer.drag",))
         self.refused("stability", ROW, "--y-range", "0.1:0.3", words=("--x-range", "LOW:HIGH"))
         mass = ("--x-range", "0.5:6", "--y", "rotor.unbalance", "--y-range", "100 g mm:1100 g mm")
         self.refused("stability", ROW, *mass, words=("--y-range", "dimensionless", "LOW:HIGH"))
-        self.refused("stability", WASHER, *mass, words=("--y-range", "rotor.unbalance takes no quantities", "rotor.eccentricity"))
+        self.refused("stability", WASHER, *mass, words=("--y-range", "rotor.unbalance takes no quantities", "rotor.eccentricity with millimetres"))
+        self.assertNotIn("plain numbers", run("stability", WASHER, *mass).stderr)
         self.refused("stability", ROW, *PLANE, "--x", "initial.x", words=("initial.x", "does not depend on starts"))
         self.refused("stability", ROW, *PLANE, "--set", "balancer.balls=0", words=("balls",))
 

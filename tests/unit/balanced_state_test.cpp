@@ -108,6 +108,12 @@ TEST(BalancedStates, DoNotExistUnderGravity) {
   expect_none(p);
 }
 
+TEST(BalancedStates, OfALoneBallSayWhatItCancels) {
+  for (const double unbalance : {0.01, 0.09})
+    EXPECT_EQ(balanced_states(rotor(unbalance, {0.05})).reason,
+              "one ball alone cancels its own unbalance, neither more nor less");
+}
+
 TEST(BalancedStates, DoNotDependOnTheSupports) {
   Parameters p = rotor(0.01, {0.05, 0.05});
   p.stiffness = {1.0, 2.0};

@@ -52,8 +52,10 @@ SliceAxis slice_axis(const Study& study, const std::string& key, const std::stri
     const study::GivenValue given = study::read_given(text, unit);
     if (given.problem.empty() && std::isfinite(given.value)) return given.value;
     if (!unit && !axis.angle() && is_quantity(text))
-      reject(study.scales ? fmt::format(words::sweeps::key_without_quantities, key)
-                          : fmt::format(words::sweeps::quantities_without_scales, allowed));
+      reject(!study.scales ? fmt::format(words::sweeps::quantities_without_scales, allowed)
+             : key == "balancer.drag"
+                 ? fmt::format(words::sweeps::key_without_quantities, key)
+                 : fmt::format(words::sweeps::key_of_dimensionless_study, key));
     reject((unit ? given.problem + "; " : std::string()) + allowed);
     return given.value;
   };

@@ -14,6 +14,7 @@
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/words/chart.hpp"
 #include "equipoise/words/plots.hpp"
+#include "equipoise/words/stability.hpp"
 
 namespace equipoise {
 
@@ -137,6 +138,7 @@ std::string chart_plot_script(const BifurcationChart& chart, const std::string& 
   if (items.empty()) add("NaN notitle");
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
                         quoted(parameters_text(chart.study, {plane.x.key, plane.y.key}) +
+                               (plane.one_of_many() ? words::stability::of_spread_balls : "") +
                                (chart.complete ? "" : words::plots::partial_early)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,

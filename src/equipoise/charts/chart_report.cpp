@@ -14,6 +14,7 @@
 #include "equipoise/charts/chart_regions_text.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/text/computed.hpp"
+#include "equipoise/text/motion_words.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/chart.hpp"
 #include "equipoise/words/reports.hpp"
@@ -200,7 +201,7 @@ std::string chart_notes(const BifurcationChart& chart) {
     text += fmt::format(words::chart::precise, std::max(error, 1e-16));
   }
   text += lost_curves_text(chart) + cycles_end_text(chart);
-  if (chart.study.parameters.balls_collide()) text += words::chart::contact_bound;
+  if (chart.plane.contact()) text += words::chart::contact_bound;
   if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
     text += words::chart::boxes_used_up;
@@ -274,6 +275,9 @@ std::string chart_json(const BifurcationChart& chart) {
   for (const auto& [letter, axis] : {std::pair{"x", &chart.plane.x}, {"y", &chart.plane.y}})
     json[letter] = {{"key", axis->key}, {"low", axis->low}, {"high", axis->high}, {"points", axis->pixels}};
   json["answer"] = chart_answer(chart);
+  json["one_of_many"] = chart.plane.one_of_many();
+  const auto* own = chart.plane.own ? &*chart.plane.own : nullptr;
+  json["continuum"] = own && own->continuum ? ChartJson(continuum_json(*own->continuum)) : ChartJson(nullptr);
   json["curves"] = ChartJson::array();
   for (const ChartCurve& c : chart.curves) json["curves"].push_back(curve_json(c));
   json["specials"] = ChartJson::array();

@@ -171,6 +171,7 @@ std::string stability_plot_script(const StabilityPlane& whole, const std::string
   const std::string details = parameters_text(plane.study, {plane.x.key, plane.y.key});
   script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
                         quoted(details + "; " + words::stability::darker_is_faster +
+                               (plane.one_of_many() ? words::stability::of_spread_balls : "") +
                                (plane.complete ? "" : words::plots::partial_early)));
   script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
   script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,

@@ -13,9 +13,9 @@
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/echo/given_value.hpp"
-#include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/engineering.hpp"
+#include "equipoise/text/motion_words.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
 #include "equipoise/words/stability.hpp"
@@ -26,15 +26,6 @@ namespace {
 
 constexpr std::array balance_kinds{BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
                                    BalanceKind::unknown};
-
-// Whether balanced states, where there are any, form a continuum. In two planes the balls of each balance its share.
-bool leaves_angles_free(const model::Parameters& p) {
-  if (!p.tilts()) return p.balls > 2 || p.eccentricity == 0.0;
-  const std::vector<double> planes = model::planes_of(p);
-  if (planes.size() > 2) return p.balls > 4;
-  const auto* const first = p.tilt.plane.data();
-  return std::any_of(planes.begin(), planes.end(), [&](double z) { return std::count(first, first + p.balls, z) > 2; });
-}
 
 // A value of a key: dimensionless, and in its unit where the study has one.
 std::string parameter_text(const Study& study, const std::string& key, double value) {
@@ -51,21 +42,23 @@ std::string part_text(const StabilityPlane& plane, BalanceKind kind) {
 
 std::string parts_sentence(const StabilityPlane& plane) {
   const std::string x = key_words(plane.x.key), y = key_words(plane.y.key);
+  const char* balance =
+      plane.one_of_many() ? words::stability::balance_of_spread_balls : words::stability::balance;
   const std::size_t missing = plane.count(BalanceKind::not_computed);
   if (missing == plane.points.size()) return fmt::format(words::stability::nothing_computed, x, y);
   std::vector<std::string> parts;
   for (const BalanceKind kind : balance_kinds) {
     const std::size_t count = plane.count(kind);
-    if (count == plane.points.size()) return fmt::format(words::stability::everywhere, x, y, balance_words(kind));
+    if (count == plane.points.size()) return fmt::format(words::stability::everywhere, x, y, balance, balance_words(kind));
     if (count > 0) parts.push_back(fmt::format(words::stability::part, balance_words(kind), part_text(plane, kind)));
   }
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
   if (missing > 0)
-    return fmt::format(words::stability::by_parts_of_a_stopped_plane, x, y, text,
+    return fmt::format(words::stability::by_parts_of_a_stopped_plane, x, y, balance, text,
                        part_text(plane, BalanceKind::not_computed));
-  return fmt::format(words::stability::by_parts, x, y, text);
+  return fmt::format(words::stability::by_parts, x, y, balance, text);
 }
 
 std::string own_words(const StabilityPlane& plane, const BalancePoint& p) {
@@ -86,6 +79,22 @@ std::string own_words(const StabilityPlane& plane, const BalancePoint& p) {
     default:
       return words::stability::own_unknown;
   }
+}
+
+std::string continuum_sentence(const StabilityPlane& plane, const ContinuumPart& part) {
+  namespace w = words::stability;
+  const PageQuantities quantities(plane.study);
+  const bool all = part.stable == part.drawn;
+  std::string text = part.slowest_rate == 0.0 ? w::continuum_unstable
+                     : part.stable == 0       ? w::continuum_few_stable
+                                              : fmt::format(w::continuum_part, all ? "all" : std::to_string(part.stable));
+  if (part.stable > 0)
+    text += fmt::format(
+        w::continuum_decay,
+        quantities.range(-1.0 / part.fastest_rate, -1.0 / part.slowest_rate, study::Dimension::time));
+  if (part.most_growth > 0.0)
+    text += fmt::format(w::continuum_growth, quantities.text(1.0 / part.most_growth, study::Dimension::time));
+  return fmt::format(w::continuum_drawn, part.drawn, text);
 }
 
 std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary& b) {
@@ -123,6 +132,9 @@ PlaneJson own_json(const StabilityPlane& plane) {
   if (!plane.own) return nullptr;
   PlaneJson json{{"x", plane.own->x}, {"y", plane.own->y}};
   json.update(point_json(plane.own->point));
+  json["continuum"] = nullptr;
+  if (const auto& part = plane.own->continuum)
+    json["continuum"] = continuum_json(*part);
   json["boundaries"] = PlaneJson::array();
   for (const BalanceBoundary& b : plane.own->boundaries)
     json["boundaries"].push_back({{"axis", b.along_x ? "x" : "y"},
@@ -164,6 +176,7 @@ std::string stability_answer(const StabilityPlane& plane) {
   };
   text += " " + fmt::format(words::stability::own_point, own(plane.x, plane.own->x), own(plane.y, plane.own->y),
                             own_words(plane, plane.own->point));
+  if (plane.own->continuum) text += " " + continuum_sentence(plane, *plane.own->continuum);
   if (plane.own->boundaries.empty()) text += std::string(" ") + words::stability::own_outside;
   for (const BalanceBoundary& b : plane.own->boundaries) text += " " + boundary_sentence(plane, b);
   return text;
@@ -176,12 +189,9 @@ std::string plane_notes(const StabilityPlane& plane) {
        {gravity_left_out, words::stability::gravity},
        {unequal_supports_left_out, words::stability::unequal_supports},
        {motor_left_out, words::stability::motor}}};
-  const auto count = [&](const auto& holds) {
-    return static_cast<std::size_t>(std::count_if(plane.points.begin(), plane.points.end(), holds));
-  };
-  const std::size_t exists = count([](const BalancePoint& p) { return std::isfinite(p.growth); });
+  const std::size_t exists = plane.count_if([](const BalancePoint& p) { return std::isfinite(p.growth); });
   for (const auto& [bit, name] : all) {
-    const std::size_t points = count([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
+    const std::size_t points = plane.count_if([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
     if (points > 0)
       text += fmt::format(
           words::stability::left_out_at,
@@ -189,14 +199,9 @@ std::string plane_notes(const StabilityPlane& plane) {
                            : fmt::format(words::stability::some_points, points, points == 1 ? "" : "s"),
           name);
   }
-  const model::Parameters& p = plane.study.parameters;
-  if (leaves_angles_free(p)) text += words::stability::one_of_many;
-  if (p.balls_collide()) text += words::stability::balls_at_rest;
-  const auto by_multipliers = [&](const BalancePoint& point) {
-    return (p.gravity != 0.0 && !(point.left_out & gravity_left_out)) ||
-           (!p.isotropic() && !(point.left_out & unequal_supports_left_out));
-  };
-  if (exists > 0 && count([&](const BalancePoint& q) { return std::isfinite(q.growth) && by_multipliers(q); }) > 0)
+  if (plane.one_of_many()) text += words::stability::one_of_many;
+  if (plane.contact()) text += words::stability::balls_at_rest;
+  if (plane.count_if([](const BalancePoint& p) { return p.by_multipliers && std::isfinite(p.growth); }) > 0)
     text += words::stability::by_multipliers;
   if (!plane.complete)
     text += fmt::format(words::stability::partial, plane.points.size() - plane.count(BalanceKind::not_computed),
@@ -245,6 +250,7 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
 std::string stability_json(const StabilityPlane& plane) {
   PlaneJson json{{"x", plane_axis_json(plane.x)}, {"y", plane_axis_json(plane.y)}};
   json["answer"] = stability_answer(plane);
+  json["one_of_many"] = plane.one_of_many();
   for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
     json["points"][balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
   json["own"] = own_json(plane);

@@ -24,18 +24,16 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   static_cast<RunOptions&>(grid) = settings;
   grid.x = settings.x;
   grid.y = settings.y;
-  const PlaneStudies studies(study, settings.x, settings.y);
   // An axis may bring what the study itself has not, such as gravity.
-  for (const double x : {settings.x.centre(0), settings.x.centre(settings.x.pixels - 1)})
-    for (const double y : {settings.y.centre(0), settings.y.centre(settings.y.pixels - 1)})
-      check_offers(studies.at(x, y), model::ResultKind::curves);
+  const PlaneStudies studies(study, settings.x, settings.y,
+                             [](const Study& there) { check_offers(there, model::ResultKind::curves); });
   BifurcationChart chart;
   chart.study = chart.plane.study = study;
   chart.plane.x = settings.x;
   chart.plane.y = settings.y;
   chart.cycles = settings.cycles;
   if (!settings.output.empty()) check_chart_file(settings.output, chart);
-  chart.plane = stability(study, grid);
+  chart.plane = stability(studies, grid);
   if (chart.plane.complete) {
     const BalancePlane plane(studies, settings.x, settings.y);
     add_curves(plane, settings.stop, chart);

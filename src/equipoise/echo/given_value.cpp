@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <vector>
 
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/study/keys.hpp"
@@ -25,6 +26,8 @@ std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
   const model::Parameters& p = study.parameters;
   if (!std::equal(p.mass.begin() + 1, p.mass.begin() + p.balls, p.mass.begin())) return std::nullopt;
   unit->scale *= p.mass.front();  // D = beta m R^2 omega_c
+  unit->other = Dimension::damping;
+  unit->other_scale = scale_of(Dimension::damping, *study.scales) * p.mass.front();
   return unit;
 }
 
@@ -37,8 +40,11 @@ GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& u
     given.problem = words::units::no_plain_number;
     return given;
   }
-  const Measured measured = measure(text, {unit->dimension});
-  given.value = measured.value / unit->scale;
+  std::vector<Dimension> wanted{unit->dimension};
+  if (unit->other) wanted.push_back(*unit->other);
+  const Measured measured = measure(text, wanted);
+  const bool other = unit->other && measured.dimension == *unit->other;
+  given.value = measured.value / (other ? unit->other_scale : unit->scale);
   given.problem = measured.problem;
   return given;
 }

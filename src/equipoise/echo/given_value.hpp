@@ -13,6 +13,8 @@ namespace equipoise::study {
 struct ValueUnit {
   Dimension dimension{};
   double scale = 1.0;
+  std::optional<Dimension> other = {};  ///< that may be given instead, as a study's drag as force for a speed
+  double other_scale = 1.0;
 };
 
 /// For a dimension that every dimensionless study has (scale_of()); empty if the study has no scales.

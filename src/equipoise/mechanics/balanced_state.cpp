@@ -32,7 +32,9 @@ BalancedStates balanced_states(const Parameters& p) {
   for (int i = 0; i < p.balls; ++i) largest = std::max(largest, p.mass[i]);
   const double slack = lambda + total - 2.0 * largest;
   if (slack < -equal_within * (lambda + total)) {
-    result.reason = lambda == largest ? words::mechanics::unbalance_too_large : words::mechanics::one_ball_outweighs;
+    result.reason = p.balls == 1        ? words::mechanics::lone_ball
+                    : lambda == largest ? words::mechanics::unbalance_too_large
+                                        : words::mechanics::one_ball_outweighs;
     return result;
   }
   if (p.balls_collide()) {

@@ -211,6 +211,7 @@ bool Cancelling::cancels(double unbalance) const {
 
 const char* Cancelling::why_not(double unbalance) const {
   if (!fit()) return words::mechanics::balls_do_not_fit;
+  if (lone) return words::mechanics::lone_ball;
   if (!all_tried) return words::mechanics::no_order_found;
   if (unbalance > most()) return words::mechanics::cancel_less_side_by_side;
   if (unbalance < least()) return words::mechanics::no_room_to_cancel_little;
@@ -222,6 +223,7 @@ Cancelling cancelling(const Parameters& p, const std::vector<double>& width) {
   const double total = p.total_mass(), heaviest = *std::max_element(p.mass.begin(), p.mass.begin() + p.balls);
   const double least = std::max(0.0, 2.0 * heaviest - total);  // for balls without size
   Cancelling result;
+  result.lone = p.balls == 1;
   result.uncertain = (width.empty() ? equal_within : turned_within) * total;
   if (width.empty()) {
     result.ranges = {{least, total}};

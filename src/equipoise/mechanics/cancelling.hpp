@@ -22,6 +22,7 @@ struct Cancelling {
   bool all_tried = true;  ///< no order can reach anything else
   /// Why they cannot cancel it, as text after a colon; where `all_tried` is false, what was tried.
   const char* why_not(double unbalance) const;
+  bool lone = false;       ///< a single ball
   double uncertain = 0.0;  ///< error of the ends: 1e-6 of all masses; rounding for balls without size
 };
 

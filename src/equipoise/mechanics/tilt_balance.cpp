@@ -33,8 +33,6 @@ constexpr double nothing = 1e-12;
 Complex static_unbalance(const Parameters& p) { return std::polar(p.eccentricity, p.eccentricity_angle); }
 
 struct Race : BallPlane {
-  double turn = 0.0;  // from the rotor's angles to those of the plane rotor
-
   void to_own(const double* phi, double* own) const {
     for (std::size_t k = 0; k < balls.size(); ++k) own[k] = phi[balls[k]] - turn;
   }

@@ -20,6 +20,7 @@ struct BallPlane {
   double at;  ///< along the shaft
   std::vector<int> balls;
   Parameters rotor;
+  double turn = 0.0;  ///< from the rotor's angles to those of the plane rotor
 };
 /// Of a rotor whose balls run in one plane or two. Empty for more planes, which have no share of their own, and where
 /// balls in one plane leave a couple.

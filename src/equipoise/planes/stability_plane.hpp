@@ -11,6 +11,7 @@
 #include "equipoise/columns/column.hpp"
 #include "equipoise/results/basin_slice.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/types/attractor.hpp"
 
 namespace equipoise {
 
@@ -38,6 +39,9 @@ struct BalancePoint {
   BalanceKind kind = BalanceKind::not_computed;
   short unstable = 0;                                        ///< eigenvalues with a positive real part
   unsigned char left_out = 0;                                ///< bits of LeftOut
+  bool one_of_many : 1 = false;                              ///< a member of a continuum, with the balls spread evenly
+  bool contact : 1 = false;                                  ///< balls that can touch
+  bool by_multipliers : 1 = false;                           ///< the equations depend on the rotor's angle
   double growth = std::numeric_limits<double>::quiet_NaN();  ///< largest real part of an eigenvalue
   double frequency = growth;                                 ///< its imaginary part, 0 or more
   double margin = growth;                                    ///< lambda + sum mu_i - 2 max(lambda, mu_i)
@@ -87,6 +91,7 @@ inline constexpr std::array<const char*, 6> boundary_change_names{"none", "hopf"
 struct OwnPoint {
   double x = 0.0, y = 0.0;
   BalancePoint point;
+  std::optional<ContinuumPart> continuum;   ///< of members drawn evenly from all, where the point is one of many
   std::vector<BalanceBoundary> boundaries;  ///< down and up along x, then y; none if it lies outside the plane
 };
 
@@ -104,11 +109,20 @@ struct StabilityPlane {
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(x.pixels) + static_cast<std::size_t>(column);
   }
-  std::size_t count(BalanceKind kind) const {
+  template <class Holds>
+  std::size_t count_if(const Holds& holds) const {
     std::size_t sum = 0;
-    for (const BalancePoint& p : points) sum += p.kind == kind;
+    for (const BalancePoint& p : points) sum += holds(p);
     return sum;
   }
+  std::size_t count(BalanceKind kind) const {
+    return count_if([=](const BalancePoint& p) { return p.kind == kind; });
+  }
+  /// Whether some of its points, or the study itself, are members of a continuum of balanced states.
+  bool one_of_many() const {
+    return (own && own->point.one_of_many) || count_if([](const BalancePoint& p) { return p.one_of_many; }) > 0;
+  }
+  bool contact() const { return count_if([](const BalancePoint& p) { return p.contact; }) > 0; }
 };
 
 }  // namespace equipoise

@@ -95,23 +95,52 @@ Json answer_json(const ConclusionResult& c) {
   return {{"answer", name_of(c.answer)}, {"differences", differences}};
 }
 
-std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first) {
-  const CellWords words = cell_words(row, c);
-  return fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}  {}\n", first ? row.published->label : "",
-                     c.published->attractor, words.printed, words.computed, words.interval, words.p_value,
-                     words.kinematic, c.verdict == Verdict::agrees ? "" : verdict_text(c));
+// Columns of a table's text. Verdicts, and shares under the other law without a column, stand below a narrow line.
+struct CellColumns {
+  std::size_t label = 26, printed = 9, computed = 9, interval = 20;
+  bool kinematic = true, below = false;
+
+  CellColumns(const ReproducedTable& t, const TextStyle& style) {
+    if (style.width == 0) return;
+    label = 0;
+    for (const ReproducedRow& row : t.rows) label = std::max(label, row.published->label.size() + 2);
+    printed = 7, computed = 8, interval = 19;
+    kinematic = t.published->ramps && line("", "", "", "", "", "", "").size() <= style.width;
+    below = true;
+  }
+  std::string line(const std::string& row, const std::string& motion, const std::string& print, const std::string& own,
+                   const std::string& between, const std::string& p, const std::string& other) const {
+    return fmt::format("{:<{}}{:<9}{:>{}} {:>{}}  {:<{}}{:>8}{:>{}}", row, label, motion, print, printed, own, computed,
+                       between, interval, p, kinematic ? other : "", kinematic ? 10 : 0);
+  }
+};
+
+std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first, const CellColumns& columns,
+                      const TextStyle& style) {
+  const CellWords cell = cell_words(row, c);
+  const std::string line =
+      columns.line(first ? row.published->label : "", c.published->attractor, cell.printed, cell.computed,
+                   cell.interval, cell.p_value, cell.kinematic);
+  const std::string verdict = c.verdict == Verdict::agrees ? "" : verdict_text(c);
+  if (!columns.below) return fmt::format("{}  {}\n", line, verdict);
+  std::string below =
+      columns.kinematic || !row.by_kinematic_law ? "" : fmt::format(words::paper::kinematic_share, cell.kinematic);
+  if (!verdict.empty()) below += (below.empty() ? "" : "; ") + verdict;
+  return line + "\n" + (below.empty() ? "" : filled(std::string(columns.label, ' '), below, style));
 }
 
-std::string table_text(const ReproducedTable& t) {
+std::string table_text(const ReproducedTable& t, const TextStyle& style) {
   std::string text = fmt::format("Table {}: {}\n", t.published->number, t.published->title);
-  text += fmt::format("{:<26}{:<9}{:>9} {:>9}  {:<20}{:>8}{:>10}\n", "row", "motion", "printed", "computed",
-                      "95 % interval", "p", t.published->ramps ? "kinematic" : "");
+  const CellColumns columns(t, style);
+  text += columns.line("row", "motion", "printed", "computed", "95 % interval", "p",
+                       t.published->ramps ? "kinematic" : "") +
+          "\n";
   std::uint64_t undecided = 0, lost = 0, starts = 0;
   for (const ReproducedRow& row : t.rows) {
     bool first = true;
     for (const ReproducedCell& c : row.cells) {
       if (is_idle(c)) continue;
-      text += cell_line(row, c, first);
+      text += cell_line(row, c, first, columns, style);
       first = false;
     }
     for (const auto* e : {&row.by_published_law, &row.by_kinematic_law})
@@ -169,9 +198,9 @@ bool Reproduction::differs() const {
   return std::any_of(tables.begin(), tables.end(), [](const ReproducedTable& t) { return t.differing > 0; });
 }
 
-std::string reproduction_text(const Reproduction& r) {
+std::string reproduction_text(const Reproduction& r, const TextStyle& style) {
   std::string text;
-  for (const ReproducedTable& t : r.tables) text += table_text(t);
+  for (const ReproducedTable& t : r.tables) text += table_text(t, style);
   text += lead_text(r) + conclusions_text(r);
   if (r.open) text += open_text(*r.open);
   if (!r.tables.empty()) {
@@ -182,7 +211,7 @@ std::string reproduction_text(const Reproduction& r) {
   text += fmt::format(words::paper::this_run, r.run_seconds, r.run_cpu_seconds, version_string);
   for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);
   if (r.partial) text += words::paper::partial;
-  return text;
+  return style.width > 0 ? lines_filled(text, style) : text;
 }
 
 std::string reproduction_json(const Reproduction& r) {

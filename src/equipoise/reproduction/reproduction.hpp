@@ -9,6 +9,7 @@
 #include "equipoise/literature/reproduction.hpp"
 #include "equipoise/reproduction/open_questions.hpp"
 #include "equipoise/reproduction/paper_figures.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 
@@ -44,7 +45,7 @@ struct Reproduction {
 };
 
 /// Tables for the terminal.
-std::string reproduction_text(const Reproduction& r);
+std::string reproduction_text(const Reproduction& r, const TextStyle& style = wide_style);
 /// One JSON object; docs/reference/commands/reproduce.md lists the keys.
 std::string reproduction_json(const Reproduction& r);
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "equipoise/basin_slices/start_pixels.hpp"
+#include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
 #include "equipoise/results/explanation.hpp"
 #include "equipoise/stability/balanced_rates.hpp"
 
@@ -57,10 +58,12 @@ BalancePoint balance_at(const Study& study) {
   if (!speed || *speed == 0.0) return point;
   const model::CentredTwin twin = model::centred_twin(study.parameters, *speed);
   point.margin = balance_margin(twin.parameters);
+  point.contact = study.parameters.balls_collide();
   const States states = model::balanced_states(twin.parameters);
   if (states.kind == States::Kind::none) return point;
   point.kind = BalanceKind::unknown;
   const bool family = states.kind == States::Kind::continuum;
+  point.one_of_many = family;
   std::vector<BallAngles> members = states.angles;
   if (family) {
     const model::Parameters& p = twin.parameters;
@@ -72,6 +75,7 @@ BalancePoint balance_at(const Study& study) {
   LinearRotor rotor = linear_rotor(study, *speed, family);
   const model::System linear = linear_system(system, rotor);
   point.left_out = rotor.left_out;
+  point.by_multipliers = !linear.autonomous();
   const std::size_t different = same_rates(linear) ? 1 : members.size();
   for (std::size_t k = 0; k < different; ++k) {
     BallAngles phi = members[k];
@@ -81,6 +85,22 @@ BalancePoint balance_at(const Study& study) {
     take_rates(found->rates, point);
   }
   return point;
+}
+
+std::optional<ContinuumPart> continuum_at(const Study& study) {
+  const model::System system = study.system();
+  const auto speed = speed_in_balance(study, system);
+  if (!speed || *speed == 0.0) return std::nullopt;
+  const model::CentredTwin twin = model::centred_twin(study.parameters, *speed);
+  if (model::balanced_states(twin.parameters).kind != model::BalancedStates::Kind::continuum) return std::nullopt;
+  LinearRotor rotor = linear_rotor(study, *speed, true);
+  const model::System linear = linear_system(system, rotor);
+  model::Parameters with_room = linear.parameters();
+  with_room.contact_angle = study.parameters.contact_angle;  // members whose balls overlap are none
+  const model::System drawn(with_room, linear.drive());
+  if (!ContinuumOfEquilibria::is_of(drawn)) return std::nullopt;
+  const ContinuumPart part = ContinuumOfEquilibria(drawn).survey();
+  return part.drawn > 0 ? std::optional(part) : std::nullopt;
 }
 
 }  // namespace equipoise

@@ -1,6 +1,8 @@
 // What balance does at one point of a plane: a study's.
 #pragma once
 
+#include <optional>
+
 #include "equipoise/planes/stability_plane.hpp"
 #include "equipoise/study/study.hpp"
 
@@ -10,5 +12,9 @@ namespace equipoise {
 /// isolated states the more stable one; of a continuum the member that balanced_angles() finds. A motor that holds its
 /// speed takes part in the motion, unless gravity or unequal supports act. The study has balls and nothing uncertain.
 BalancePoint balance_at(const Study& study);
+
+/// Of a study whose balanced states form a continuum: which part of it is stable, by members drawn evenly, as
+/// ContinuumOfEquilibria surveys it. Empty for other studies, and where no members were found.
+std::optional<ContinuumPart> continuum_at(const Study& study);
 
 }  // namespace equipoise

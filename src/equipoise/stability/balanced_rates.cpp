@@ -10,7 +10,9 @@
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/fan.hpp"
 #include "equipoise/mechanics/held_speed.hpp"
+#include "equipoise/mechanics/inscribed_polygon.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/mechanics/tilt_balance.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
@@ -43,6 +45,20 @@ std::optional<BalancedRates> rates_on_section(const model::System& system, const
       [&](std::complex<double> m) { return std::log(std::abs(m) > noise ? m : std::complex<double>(noise)) / turn; });
   found.rates = without_continuum(rates, freedom, zero);
   return found;
+}
+
+// One in each plane; empty for balls in more planes than two.
+std::optional<BallAngles> polygons(const model::Parameters& p) {
+  if (!p.tilts()) return model::inscribed_polygon(p);
+  const std::vector<model::BallPlane> planes = model::planes_of_balls(p);
+  if (planes.empty()) return std::nullopt;
+  BallAngles phi{};
+  for (const model::BallPlane& plane : planes) {
+    const BallAngles own = model::inscribed_polygon(plane.rotor);
+    for (std::size_t k = 0; k < plane.balls.size(); ++k)
+      phi[static_cast<std::size_t>(plane.balls[k])] = own[k] + plane.turn;
+  }
+  return phi;
 }
 
 bool overlap(const BallAngles& phi, const std::vector<double>& width) {
@@ -78,6 +94,8 @@ std::optional<BallAngles> balanced_angles(const model::BalancedStates& states, c
   using Kind = model::BalancedStates::Kind;
   if (states.kind == Kind::none) return std::nullopt;
   if (states.kind == Kind::isolated) return states.angles.front();
+  if (auto spread = polygons(p); spread && model::project_to_balanced(p, spread->data()) && !overlap(*spread, width))
+    return spread;
   BallAngles phi{};
   for (const double reach : {0.5, 0.9, 0.2}) {  // spread evenly on the light side, then moved into balance
     for (int i = 0; i < p.balls; ++i)

@@ -7,18 +7,13 @@
 #include <cmath>
 #include <mutex>
 
-#include <fmt/format.h>
-
-#include "equipoise/base/error.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/planes/stability_file.hpp"
 #include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/stability/balance_at.hpp"
-#include "equipoise/stability/plane_studies.hpp"
 #include "equipoise/start_runs/checks.hpp"
-#include "equipoise/words/stability.hpp"
 
 namespace equipoise {
 
@@ -26,23 +21,6 @@ namespace {
 
 // Points that a thread takes at once: milliseconds of work, seconds where multipliers are integrated.
 constexpr std::size_t points_at_once = 64;
-
-void check_axis(const SliceAxis& axis) {
-  const auto reject = [&](const std::string& value, const std::string& problem) {
-    throw InputError("stability", axis.key, value, problem);
-  };
-  if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
-    reject(fmt::format("{}", axis.pixels), fmt::format(words::stability::points_range, most_slice_pixels));
-  if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
-    reject(fmt::format("{} to {}", axis.low, axis.high), words::stability::rising_range);
-}
-
-void check_size(const StabilityPlane& plane) {
-  const std::uint64_t points = static_cast<std::uint64_t>(plane.x.pixels) * static_cast<std::uint64_t>(plane.y.pixels);
-  if (points > most_stability_points)
-    throw InputError("stability", "size", fmt::format("{}x{}", plane.x.pixels, plane.y.pixels),
-                     fmt::format(words::stability::too_many_points, 1e-6 * static_cast<double>(most_stability_points)));
-}
 
 // From the own value of one parameter to the end of the plane, the other parameter held.
 class WayToBoundary {
@@ -102,7 +80,7 @@ class WayToBoundary {
 std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPlane& plane) {
   const auto x = studies.own_x(), y = studies.own_y();
   if (!x || !y) return std::nullopt;
-  OwnPoint own{*x, *y, balance_at(studies.at(*x, *y)), {}};
+  OwnPoint own{*x, *y, balance_at(studies.at(*x, *y)), continuum_at(studies.at(*x, *y)), {}};
   const auto inside = [](const SliceAxis& axis, double value) { return axis.low <= value && value <= axis.high; };
   if (!inside(plane.x, *x) || !inside(plane.y, *y)) return own;
   for (const bool along_x : {true, false}) {
@@ -120,17 +98,13 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPl
   return own;
 }
 
-StabilityPlane computed(const Study& given, const StabilitySettings& settings) {
+StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& settings) {
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin = cpu_seconds();
   StabilityPlane plane;
-  plane.study = with_medians(given);
+  plane.study = studies.study();
   plane.x = settings.x;
   plane.y = settings.y;
-  check_axis(plane.x);
-  check_axis(plane.y);
-  check_size(plane);
-  const PlaneStudies studies(plane.study, plane.x, plane.y);
   if (!settings.output.empty()) check_stability_file(settings.output, plane);
   plane.threads = thread_count(settings.threads);
   plane.cpu_target = cpu_target();
@@ -161,11 +135,22 @@ StabilityPlane computed(const Study& given, const StabilitySettings& settings) {
 
 }  // namespace
 
-StabilityPlane stability(const Study& study, const StabilitySettings& settings) {
-  check_has_balls(study);
-  reject_if_lacking(study, model::ResultKind::maps);
+StabilityPlane stability(const Study& given, const StabilitySettings& settings) {
+  check_has_balls(given);
+  reject_if_lacking(given, model::ResultKind::maps);
+  return stability(PlaneStudies(with_medians(given), settings.x, settings.y), settings);
+}
+
+InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names) {
+  if (e.where() != "stability") return e;
+  const bool size = e.key() == "size";
+  const char* name = e.key() == x.key ? names.x : e.key() == y.key ? names.y : size ? names.size : names.made;
+  return InputError(name, size ? "" : e.key(), e.value(), e.problem());
+}
+
+StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings) {
   const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, [&](const StabilitySettings& s) { return computed(study, s); });
+  return reported(settings, [&](const StabilitySettings& s) { return computed(studies, s); });
 }
 
 }  // namespace equipoise

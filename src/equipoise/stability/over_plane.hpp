@@ -1,15 +1,14 @@
 // Where balance is stable, at every point of a plane of two parameters.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/planes/stability_plane.hpp"
 #include "equipoise/running/run_options.hpp"
+#include "equipoise/stability/plane_studies.hpp"
 
 namespace equipoise {
-
-inline constexpr std::uint64_t most_stability_points = std::uint64_t{1} << 24;
 
 /// Progress is in points.
 struct StabilitySettings : RunOptions {
@@ -21,5 +20,14 @@ struct StabilitySettings : RunOptions {
 /// Throws InputError for a study without balls, for keys, ranges and values that make no valid study, and for an output
 /// with other content.
 StabilityPlane stability(const Study& study, const StabilitySettings& settings);
+/// Over these studies, whose axes are those of `settings`; of a study with balls and nothing uncertain.
+StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings);
+
+/// What a caller names the two axes and the size of a plane, and what is made of it.
+struct PlaneNames {
+  const char *x, *y, *size, *made;
+};
+/// An error of PlaneStudies under the name that the caller gave what is wrong.
+InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names);
 
 }  // namespace equipoise

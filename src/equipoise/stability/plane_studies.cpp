@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -50,6 +52,23 @@ void put_value(Study& study, const std::string& key, double value) {
   for (double* place : places_of(study, key)) *place = value;
 }
 
+void check_axis(const SliceAxis& axis) {
+  const auto reject = [&](const std::string& value, const std::string& problem) {
+    throw InputError("stability", axis.key, value, problem);
+  };
+  if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
+    reject(fmt::format("{}", axis.pixels), fmt::format(words::stability::points_range, most_slice_pixels));
+  if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
+    reject(fmt::format("{} to {}", axis.low, axis.high), words::stability::rising_range);
+}
+
+void check_size(const SliceAxis& x, const SliceAxis& y) {
+  const std::uint64_t points = static_cast<std::uint64_t>(x.pixels) * static_cast<std::uint64_t>(y.pixels);
+  if (points > most_stability_points)
+    throw InputError("stability", "size", fmt::format("{}x{}", x.pixels, y.pixels),
+                     fmt::format(words::stability::too_many_points, 1e-6 * static_cast<double>(most_stability_points)));
+}
+
 void check_key(const std::string& key) {
   const std::string table = key.substr(0, key.find('.'));
   if ((table != "rotor" && table != "balancer" && table != "speed") || table == key || key == "balancer.balls")
@@ -67,7 +86,12 @@ Study checked_with(const Study& study, const std::string& key, double value) {
 
 }  // namespace
 
-PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y) : study_(study), x_(x), y_(y) {
+PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y,
+                           const std::function<void(const Study&)>& check)
+    : study_(study), x_(x), y_(y) {
+  check_axis(x);
+  check_axis(y);
+  check_size(x, y);
   check_key(x.key);
   check_key(y.key);
   if (x.key == y.key) throw InputError("stability", x.key, "", words::stability::same_key_twice);
@@ -75,6 +99,7 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
   for (const double at_y : {y.centre(0), y.centre(y.pixels - 1)})
     for (const double at_x : {x.centre(0), x.centre(x.pixels - 1)}) {
       const Study there = checked_with(checked_with(study_, x.key, at_x), y.key, at_y);
+      if (check) check(there);
       if (!direct_) continue;
       Study put_there = study_;
       put_value(put_there, x.key, at_x);

@@ -75,15 +75,19 @@ TableUnits::TableUnits(const std::optional<model::Scales>& scales) {
   rate = " /s";
 }
 
+nlohmann::ordered_json continuum_json(const ContinuumPart& part) {
+  return {{"drawn", part.drawn},
+          {"stable", part.stable},
+          {"slowest_rate", {part.slowest_rate, part.fastest_rate}},
+          {"growth_rate", {part.least_growth, part.most_growth}}};
+}
+
 nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
   const int balls = study.parameters.balls;
   const Motion& m = a.motion;
   Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
   if (a.continuum)
-    json["continuum"] = {{"drawn", a.continuum->drawn},
-                         {"stable", a.continuum->stable},
-                         {"slowest_rate", {a.continuum->slowest_rate, a.continuum->fastest_rate}},
-                         {"growth_rate", {a.continuum->least_growth, a.continuum->most_growth}}};
+    json["continuum"] = continuum_json(*a.continuum);
   const bool periodic = m.kind == MotionKind::periodic;
   json["period"] = motion_number("period").value(m);  // null of what is not periodic
   json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + (periodic ? balls : 0));

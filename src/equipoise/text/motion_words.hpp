@@ -23,6 +23,7 @@ struct TableUnits {
 /// The slowest decay of a deviation, without shifts in time: "stable, slowest rate -0.02510".
 std::string stability_text(const Attractor& a, const TableUnits& units);
 
+nlohmann::ordered_json continuum_json(const ContinuumPart& part);
 /// The keys of `equipoise attractors --json`, without shares and state.
 nlohmann::ordered_json motion_json(const Attractor& a, const Study& study);
 

@@ -7,6 +7,7 @@ namespace equipoise::words::mechanics {
 inline constexpr char gravity_moves_balls[] = "gravity keeps the balls moving in the rotating frame";
 inline constexpr char unbalance_too_large[] = "the unbalance is larger than all balls together can cancel";
 inline constexpr char one_ball_outweighs[] = "one ball outweighs the unbalance and the other balls together";
+inline constexpr char lone_ball[] = "one ball alone cancels its own unbalance, neither more nor less";
 inline constexpr char one_plane_leaves_couple[] =
     "the balls run in one plane, where they cannot cancel the couple unbalance beside the static one";
 inline constexpr char no_angles_cancel_both[] =

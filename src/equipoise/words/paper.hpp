@@ -80,6 +80,8 @@ inline constexpr char lead_on_table_7[] =
     "balls released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
 inline constexpr char open_questions[] =
     "Open questions: balanced share of starts in a box of the whole state space, and at rest\n";
+// Percent.
+inline constexpr char kinematic_share[] = "kinematic law {}";
 // Conclusion, table, answers by both laws.
 inline constexpr char one_conclusion[] = "  {} (table {}).\n    published law: {}; kinematic law: {}\n";
 inline constexpr char conclusions[] =

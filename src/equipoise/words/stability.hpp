@@ -18,12 +18,14 @@ inline constexpr char no_such_file[] = "holds no plane of stability; {}";
 inline constexpr char these_results[] = "this plane of this study";
 inline constexpr char file_title[] = "where balance is stable in a plane of two parameters";
 
-// The answer. Keys in words.
-inline constexpr char everywhere[] = "Over {} and {}, balance is {} at every point of the grid.";
-inline constexpr char by_parts[] = "Over {} and {}, balance is {}.";
+// The answer. Keys in words, balance or one of many balanced states, what it is.
+inline constexpr char everywhere[] = "Over {} and {}, {} is {} at every point of the grid.";
+inline constexpr char by_parts[] = "Over {} and {}, {} is {}.";
 // The last: percent.
 inline constexpr char by_parts_of_a_stopped_plane[] =
-    "Over {} and {}, balance is {}; {} of the plane was not computed (PARTIAL).";
+    "Over {} and {}, {} is {}; {} of the plane was not computed (PARTIAL).";
+inline constexpr char balance[] = "balance";
+inline constexpr char balance_of_spread_balls[] = "balance with the balls spread evenly, one state of a continuum,";
 inline constexpr char nothing_computed[] = "Over {} and {}, nothing was computed (PARTIAL).";
 // What it is, percent.
 inline constexpr char part[] = "{} in {}";
@@ -43,6 +45,15 @@ inline constexpr char own_unstable[] = "it is unstable: a deviation grows by a f
 inline constexpr char own_none[] = "no balanced state exists";
 inline constexpr char own_marginal[] = "linear theory does not decide: the slowest deviation hardly changes";
 inline constexpr char own_unknown[] = "no balanced motion was found";
+// Of a continuum: members drawn, what they are.
+inline constexpr char continuum_drawn[] = "Of {} balanced states drawn evenly from the continuum {}.";
+// Number.
+inline constexpr char continuum_part[] = "{} are stable";
+inline constexpr char continuum_unstable[] = "all are unstable";
+inline constexpr char continuum_few_stable[] = "all are unstable, though stable ones were found beside them";
+// Time each.
+inline constexpr char continuum_decay[] = ": their slowest deviations fall to 1/e in {}";
+inline constexpr char continuum_growth[] = "; deviations of unstable ones grow by a factor e in {} or more";
 // Frequency.
 inline constexpr char swings[] = ", swinging at {}";
 inline constexpr char own_outside[] = "These values lie outside the plane.";
@@ -78,8 +89,9 @@ inline constexpr char gravity[] = "gravity";
 inline constexpr char unequal_supports[] = "the difference between the supports in x and y";
 inline constexpr char motor[] = "what the motor does about deviations of the speed";
 inline constexpr char one_of_many[] =
-    "The balanced states form a continuum; the rates are those of one of them, with the balls spread on the light "
-    "side.\n";
+    "The balanced states form a continuum. What is called stable or unstable, and its rates, are those of one of them, "
+    "with the balls spread evenly: laid end to end in their order, unbalance and balls are a polygon inscribed in a "
+    "circle.\n";
 inline constexpr char balls_at_rest[] = "Balls at rest in balance do not touch, so contact plays no part.\n";
 inline constexpr char by_multipliers[] =
     "The equations depend on the rotor's angle: rates are those of multipliers, and frequencies are known but for "
@@ -94,6 +106,7 @@ inline constexpr char made_with[] = "{} points; {}, {:.0f} points/s; equipoise {
 inline constexpr char legend[] = "balance {}, {}";
 inline constexpr char legend_not_computed[] = "not computed, {}";
 inline constexpr char darker_is_faster[] = "darker: faster";
+inline constexpr char of_spread_balls[] = "; balls spread evenly, one balanced state of many";
 inline constexpr char line_hopf[] = "a pair crosses (Hopf)";
 inline constexpr char line_zero[] = "a real eigenvalue crosses";
 inline constexpr char line_existence[] = "balance ends";

@@ -75,7 +75,9 @@ inline constexpr char example_with_units[] = "1.5:6, or two quantities with unit
 // Key, what is allowed.
 inline constexpr char quantities_without_scales[] = "the study is dimensionless, and quantities need scales; {}";
 inline constexpr char key_without_quantities[] =
-    "{} takes no quantities here; must be another key, as rotor.eccentricity with millimetres, or two plain numbers";
+    "{} takes no quantities here, for the balls' masses differ; must be two plain numbers";
+inline constexpr char key_of_dimensionless_study[] =
+    "{} takes no quantities here; must be another key, as rotor.eccentricity with millimetres";
 inline constexpr char size_form[] = "must be WIDTHxHEIGHT, each a whole number from 1 to {}, e.g. 512x512";
 inline constexpr char tie_form[] = "must be phi_I=phi_J or phi_I=phi_J+ANGLE, e.g. phi_2=phi_1+pi";
 inline constexpr char tie_balls[] = "must name two different balls from 1 to {}";
