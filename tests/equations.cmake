@@ -24,8 +24,6 @@ equipoise_test(continuum_plane_test unit unit/continuum_plane_test.cpp)
 equipoise_test(locked_chart_test unit unit/locked_chart_test.cpp)
 equipoise_test(cycle_chart_test unit unit/cycle_chart_test.cpp)
 equipoise_test(cycle_lines_test unit unit/cycle_lines_test.cpp unit/cycle_points_test.cpp)
-equipoise_test(cycle_doublings_test unit unit/cycle_doublings_test.cpp
-  LONG CycleDoublings.SpecialPointsHaveTheMultipliersThatNameThem)
 equipoise_test(system_test unit unit/system_test.cpp unit/gravity_well_test.cpp)
 equipoise_test(balanced_state_test unit unit/balanced_state_test.cpp)
 equipoise_test(cancelling_test unit unit/cancelling_test.cpp)
