@@ -19,13 +19,7 @@ constexpr double curve_tolerance = 1e-12;  // of a step of the integrations
 // What a thousand such steps leave, magnified by multipliers.
 constexpr CurveFollower::Limits cycle_limits{CurveFollower::longest_step, 1e-9, 0.08, 0.2, true};
 constexpr double cycle_difference = 1e-6;  // in the unit square
-
-// Towards a state at rest the equations lose their grip: at its end two multipliers are 1. A cycle that has become as
-// small as this is taken to end there, whether the next place is found or not.
-bool shrinks_to_rest(const CurvePlace& before, const CurvePlace& now) {
-  constexpr double small = 0.01;  // radians
-  return now.point.swing < small && now.point.swing < before.point.swing;
-}
+constexpr double smallest_swing = 0.005;   // radians; a smaller cycle is taken to shrink to a state at rest
 
 CurveKind kind_of(CycleChange change) {
   return change == CycleChange::fold   ? CurveKind::cycle_fold
@@ -217,7 +211,8 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
     alike += (a.nodes[k] - middle_a / count)
                  .cwiseQuotient(shooting_.unit())
                  .dot((b.nodes[k] - middle_b / count).cwiseQuotient(shooting_.unit()));
-  if (alike < 0.0 || shrinks_to_rest(before, place)) return CurveEnd::vanishes;
+  if (alike < 0.0 || (place.point.swing < smallest_swing && place.point.swing < before.point.swing))
+    return CurveEnd::vanishes;
   if (b.period > longest_period(*plane_.system(place.at), b, birth_period_)) return CurveEnd::long_period;
   if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) {
     const double end = place.pair.mean > 0.0 ? 1.0 : -1.0;
@@ -228,8 +223,10 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
   return std::nullopt;
 }
 
+// Towards a state at rest the equations lose their grip: at its end two multipliers are 1.
 void CycleCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace& before, Way& way) const {
-  const bool shrinks = !way.places.empty() && shrinks_to_rest(way.places.front(), before);
+  const bool shrinks =
+      way.places.size() > 1 && before.point.swing < way.places.front().point.swing && before.point.swing < 2.0 * smallest_swing;
   way.end = shrinks ? CurveEnd::vanishes : CurveEnd::lost;
 }
 
