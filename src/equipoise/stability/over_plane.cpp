@@ -13,6 +13,7 @@
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
 #include "equipoise/stability/balance_at.hpp"
+#include "equipoise/stability/plane_studies.hpp"
 #include "equipoise/start_runs/checks.hpp"
 
 namespace equipoise {

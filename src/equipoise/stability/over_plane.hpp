@@ -6,9 +6,10 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/planes/stability_plane.hpp"
 #include "equipoise/running/run_options.hpp"
-#include "equipoise/stability/plane_studies.hpp"
 
 namespace equipoise {
+
+class PlaneStudies;
 
 /// Progress is in points.
 struct StabilitySettings : RunOptions {
