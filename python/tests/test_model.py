@@ -132,18 +132,20 @@ def test_a_rotor_that_tilts_has_its_slopes_in_every_form(tmp_path):
     assert not hasattr(flat, "tilt_x") and "tilt_x" not in flat.to_xarray()
 
 
-def test_a_study_with_bearings_has_the_displacement_at_each(tmp_path):
+def test_a_study_with_bearings_has_displacement_and_force_at_each(tmp_path):
     study = eq.Study.from_file(studies / "tilting-washer.toml")
     run = eq.simulate(study, t=np.linspace(0.0, 20.0, 11))
     assert run.bearing_radial.shape == (11, 2)
     # Nothing has moved the shaft yet: it rests under its weight.
     np.testing.assert_allclose(run.bearing_radial[0], 0.0, atol=1e-15)
     assert (run.bearing_radial[-1] > 1e-4).all()
+    # And the bearings share the weight, in which nothing else acts.
+    np.testing.assert_allclose(run.bearing_force[0].sum(), np.hypot(run.bearing_x[0], run.bearing_y[0]), rtol=1e-12)
     dataset = run.to_xarray()
-    assert dataset.bearing_radial.dims == ("t", "bearing") and list(dataset.bearing) == [1, 2]
+    assert dataset.bearing_radial.dims == dataset.bearing_force.dims == ("t", "bearing") and list(dataset.bearing) == [1, 2]
     assert {"bearing_radial_1", "bearing_radial_2"} <= set(run.to_pandas().columns)
     run.save(tmp_path / "run.csv")
-    assert (tmp_path / "run.csv").read_text().splitlines()[0].endswith(",bearing_radial_1,bearing_radial_2")
+    assert (tmp_path / "run.csv").read_text().splitlines()[0].endswith(",bearing_radial_1,bearing_radial_2,bearing_force_1,bearing_force_2")
     run.save(tmp_path / "run.nc")
     import xarray
 
