@@ -106,7 +106,7 @@ class Design(Case):
         self.assertIsNone(told(bare + "\n" + proposed)["proposed_design"])
 
     def test_within_leaves_time_to_check_the_best(self):
-        done = run("design", self.study(), "--within", "4s", "--set", "design.trajectories=100_000_000", "--json", "--quiet")
+        done = run("design", self.study(), "--within", "6s", "--set", "design.trajectories=100_000_000", "--json", "--quiet")
         self.assertEqual(done.returncode, 4, done.stderr)
         told = json.loads(done.stdout)
         self.assertTrue(told["partial"] and told["chosen"]["held_out"])
