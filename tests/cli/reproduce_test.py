@@ -87,7 +87,7 @@ class Texts(Case):
         self.assertLessEqual(max(map(len, narrow.splitlines())), 80)
         self.assertGreater(max(map(len, wide.splitlines())), 80)
         self.assertRegex(wide.splitlines()[1], "^row +motion +printed +computed +95 % interval +p +kinematic$")
-        # The same words and numbers, but for the run's times.
+        # The same words and numbers; the run's times differ.
         of = [sorted(w for w in re.sub(r"[0-9.]+ s\b|kinematic|law|;", " ", text).split()) for text in (narrow, wide)]
         self.assertEqual(*of)
 

@@ -2,7 +2,8 @@
 #include "equipoise/columns/watched_shaft.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace equipoise {
 
@@ -24,12 +25,9 @@ WatchedShaft watched_shaft(const Study& study) {
   shaft.places = {*least, *most};
   if (study.standards.standing_mass || draws_other_supports(study.uncertain)) return shaft;
   shaft.bearings = study.each_bearing();
-  const auto first = [&](std::size_t k) {
-    const auto found = std::find_if(shaft.bearings.begin() + static_cast<std::ptrdiff_t>(k), shaft.bearings.end(),
-                                    [&](const model::Bearing& b) { return b.at == shaft.places[k]; });
-    std::iter_swap(shaft.bearings.begin() + static_cast<std::ptrdiff_t>(k), found);
-  };
-  for (std::size_t k = 0; k < shaft.places.size() && !shaft.bearings.empty(); ++k) first(k);
+  std::vector<model::Bearing>& each = shaft.bearings;
+  std::sort(each.begin(), each.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  if (each.size() > 2) std::swap(each[1], each.back());  // the outermost two first
   return shaft;
 }
 
