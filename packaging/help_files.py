@@ -44,16 +44,17 @@ class Help:
 
     def __init__(self, program, *command):
         text = subprocess.run([program, *command, "--help"], check=True, capture_output=True, text=True).stdout
-        self.about, self.usage, *rest = text.split("\n", 2)
-        self.usage = self.usage.removeprefix("Usage: ")
-        self.sections, self.footer, section = {}, [], None
-        for line in rest[0].split("\n"):
+        head, rest = text.split("\n\n", 1)
+        self.about, self.usage = (" ".join(part.split()) for part in head.split("Usage: "))
+        self.sections, footer, section = {}, [], None
+        for line in rest.split("\n"):
             if re.fullmatch(r"[A-Z]\w+:", line):
                 section = self.sections.setdefault(line[:-1], [])
             elif section is not None and re.match(r" {2,}\S", line):
                 section.append(line)
             elif line:
-                self.footer.append(line)
+                footer.append(line)
+        self.footer = " ".join(footer)
         self.sections = {name: self.entries(lines) for name, lines in self.sections.items()}
 
     @staticmethod
@@ -89,15 +90,11 @@ def tagged(entry):
 
 
 def exit_codes(footer):
-    """The help's line of exit codes as a list, and its other lines."""
-    codes, others = "", []
-    for line in footer:
-        if line.startswith("Exit codes: "):
-            for code, words in re.findall(r"(\d+) (.*?)(?=, \d+ |\.$)", line):
-                codes += f".TP\n.B {code}\n{roff(words)}\n"
-        else:
-            others.append(roff(line))
-    return codes, "\n".join(others)
+    """The help's exit codes as a list, and its other sentences."""
+    listed, others = re.fullmatch(r"Exit codes: (.*?\.) (.*)", footer).groups()
+    codes = "".join(f".TP\n.B {code}\n{roff(words)}\n"
+                    for code, words in re.findall(r"(\d+) (.*?)(?=, \d+ |\.$)", listed))
+    return codes, roff(others)
 
 
 def page(name, help_text, version, body, see_also):

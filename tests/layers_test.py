@@ -70,7 +70,7 @@ ROOMS = {
         "analyses",
     "basin_slices":
         "running math types mechanics statistics study echo kernels periodic_orbits attractors columns results io "
-        "result_files spin_up rotor_family start_runs ensembles continuation",
+        "result_files spin_up rotor_family start_runs ensembles continuation toml",
     "stability":
         "running math model types mechanics study kernels periodic_orbits attractors results planes spin_up "
         "attractor_search start_runs continuation basin_slices",

@@ -91,7 +91,7 @@ Command add_attractors(CLI::App& app) {
   app.add_option("--along", a->along, help::attractors::along)->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output, help::attractors::output)->type_name("FILE");
   app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE");
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, help::json);

@@ -165,7 +165,8 @@ Command add_basin(CLI::App& app) {
   app.add_flag("--no-transients", a->no_transients, help::basin::no_transients)->excludes(asked);
   app.add_option("--report", a->report, help::basin::report)->type_name("FILE.html");
   add_no_changes(app, a->no_changes);
-  add_text_style(app);
+  add_wide(app);
+  add_details(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, help::json);

@@ -118,7 +118,7 @@ Command add_capacity(CLI::App& app) {
   app.add_option("--seed", a->seed, help::capacity::seed)->type_name("S");
   app.add_option("-o,--output", a->output, help::capacity::output)->type_name("FILE");
   add_forms(app, *a, {help::capacity::csv, help::plot});
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_capacity(*a); };

@@ -92,7 +92,7 @@ Command add_certify(CLI::App& app) {
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, help::certify::output)->type_name("FILE.json");
   app.add_flag("--json", a->json, help::json);
-  add_text_style(app);
+  add_wide(app);
   add_within(app, a->within);
   app.add_flag("--quiet", a->quiet, help::quiet);
   return [a] { return run_certify(*a); };

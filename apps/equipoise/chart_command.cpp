@@ -18,25 +18,16 @@ namespace equipoise::app {
 namespace {
 
 struct ChartArguments : PlaneArguments {
-  std::string x, y, julia;
+  std::string julia;
   std::optional<std::string> boxes;
   double undecided = 1.0;
   bool cycles = false;
 };
 
-SliceAxis chart_axis(const Study& study, const std::string& text, int points, const std::string& option) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-    throw InputError(option, "", text, equipoise::words::chart::axis_form);
-  return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), points, option);
-}
-
 int run_chart(const ChartArguments& a) {
   return run_plane(
       a, ChartSettings(),
-      [&](const Study& study, const SliceSize& size, ChartSettings& settings) {
-        settings.x = chart_axis(study, a.x, size.width, "--x");
-        settings.y = chart_axis(study, a.y, size.height, "--y");
+      [&](const Study& study, ChartSettings& settings) {
         if (!(a.undecided > 0.0 && a.undecided < 100.0))
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
@@ -63,11 +54,9 @@ int run_chart(const ChartArguments& a) {
 
 Command add_chart(CLI::App& app) {
   const auto a = std::make_shared<ChartArguments>();
-  a->size = "64x64";
+  static_cast<PlaneAxes&>(*a) = {"speed.final", "balancer.drag", "", "", "64x64"};
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--x", a->x, help::chart::x)->type_name("KEY=LOW:HIGH");
-  app.add_option("--y", a->y, help::chart::y)->type_name("KEY=LOW:HIGH");
-  app.add_option("--size", a->size, help::chart::size)->type_name("WIDTHxHEIGHT");
+  add_plane_axes(app, *a, help::parameter_x, help::parameter_y, help::chart::size);
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
   app.add_flag("--cycles", a->cycles, help::chart::cycles);

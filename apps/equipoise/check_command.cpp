@@ -29,7 +29,7 @@ int run_check(const CheckArguments& a) {
 Command add_check(CLI::App& app) {
   const auto a = std::make_shared<CheckArguments>();
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   return [a] { return run_check(*a); };
 }

@@ -86,7 +86,7 @@ Command add_compare(CLI::App& app) {
   app.add_option("--seed", a->seed, help::compare::seed)->type_name("S");
   app.add_option("--set-second", a->second_overrides, help::compare::set_second)->type_name("KEY=VALUE")->take_all();
   app.add_flag("--transients", a->transients, help::compare::transients);
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   app.add_flag("--json", a->json, help::json);

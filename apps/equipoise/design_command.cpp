@@ -90,7 +90,7 @@ Command add_design(CLI::App& app) {
   app.add_option("--seed", a->seed, help::design::seed)->type_name("S");
   app.add_option("-o,--output", a->output, help::design::output)->type_name("FILE");
   add_forms(app, *a, {help::design::csv, help::plot});
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_design(*a); };

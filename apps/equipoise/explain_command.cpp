@@ -48,7 +48,7 @@ Command add_explain(CLI::App& app) {
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
   app.add_flag("--cost", a->cost, help::explain::cost);
   app.add_option("--within", a->within, help::explain::within)->type_name("TIME");
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   app.add_flag("--json", a->json, help::json);
   return [a] { return run_explain(*a); };

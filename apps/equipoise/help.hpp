@@ -26,6 +26,12 @@ inline constexpr char quiet[] = "no progress";
 inline constexpr char json[] = "print one JSON object";
 inline constexpr char report[] = "the same as a page to take to a meeting: one file that needs nothing else";
 inline constexpr char plot[] = "a picture (.png or .svg); drawn by gnuplot";
+inline constexpr char parameter_x[] =
+    "what varies from left to right: a key of rotor, balancer or speed that takes a number, and its range, e.g. "
+    "speed.final=0.5:6, \"speed.final=900 rpm:4000 rpm\" (default speed.final)";
+inline constexpr char parameter_y[] = "the same from bottom to top (default balancer.drag)";
+inline constexpr char x_range[] = "the range of --x, where it names only a key";
+inline constexpr char y_range[] = "the same for --y";
 
 namespace attractors {
 inline constexpr char about[] = "every steady motion of the final speed: refined, named, with its share";
@@ -124,12 +130,9 @@ inline constexpr char file[] = "file of results (.nc), or the unfinished part of
 namespace map {
 inline constexpr char about[] = "the outcome of a start at every pixel of a plane of two quantities";
 inline constexpr char x[] =
-    "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number (default "
-    "initial.phi_1)";
+    "what varies from left to right: a key of rotor, balancer, speed, release or initial that takes a number, and its "
+    "range, e.g. initial.phi_1=-pi/2:pi/2 (default initial.phi_1; ball angles: a whole turn)";
 inline constexpr char y[] = "the same from bottom to top (default initial.phi_2)";
-inline constexpr char x_range[] =
-    "range, e.g. 1.5:6, -pi/2:pi/2, \"900 rpm:4000 rpm\" (default for ball angles: a whole turn)";
-inline constexpr char y_range[] = "the same for --y";
 inline constexpr char size[] = "pixels (default 512x512)";
 inline constexpr char tie[] = "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated";
 inline constexpr char refine[] =
@@ -186,9 +189,6 @@ inline constexpr char set[] = "override a study key, e.g. initial.phi=[1.0,4.0];
 namespace chart {
 inline constexpr char about[] =
     "curves in a plane of two parameters on which balance changes, and what is proved beside";
-inline constexpr char x[] =
-    "what varies from left to right, and its range: a key of rotor, balancer or speed, e.g. speed.final=0.5:6";
-inline constexpr char y[] = "the same from bottom to top, e.g. balancer.drag=0.001:1";
 inline constexpr char size[] = "points of the grid from which curves begin (default 64x64)";
 inline constexpr char boxes[] = "most boxes that proofs may try (default 200000); 0: prove nothing";
 inline constexpr char undecided[] = "proofs end when no more of the plane than this is undecided (default 1)";
@@ -201,11 +201,6 @@ inline constexpr char plot[] = "a picture (.png or .svg) of curves, points and b
 
 namespace stability {
 inline constexpr char about[] = "where balance is stable in a plane of two parameters, by eigenvalues alone";
-inline constexpr char x[] =
-    "what varies from left to right: a key of rotor, balancer or speed that takes a number (default speed.final)";
-inline constexpr char y[] = "the same from bottom to top (default balancer.drag)";
-inline constexpr char x_range[] = "range, e.g. 0.5:6, \"900 rpm:4000 rpm\"";
-inline constexpr char y_range[] = "the same for --y";
 inline constexpr char size[] = "points (default 512x512)";
 inline constexpr char output[] = "all points as NetCDF (.nc)";
 inline constexpr char csv[] = "one line per point (.csv)";

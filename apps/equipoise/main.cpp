@@ -71,6 +71,7 @@ std::vector<char*> words_of(const CLI::App& app, int argc, char** argv) {
 int run(int given, char** arguments) {
   CLI::App app(help::program);
   app.name("equipoise");
+  fold_help(app);
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text);
   app.footer(help::exit_codes);

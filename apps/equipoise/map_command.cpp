@@ -10,13 +10,13 @@
 
 #include "commands.hpp"
 #include "equipoise/plots/map_plot.hpp"
-#include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/map_html.hpp"
 #include "equipoise/reports/map_report.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "options.hpp"
+#include "plane_axes.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "streams.hpp"
@@ -28,8 +28,8 @@ namespace equipoise::app {
 
 namespace {
 
-struct MapArguments : ResultForms, ComputingArguments {
-  std::string study, x = "initial.phi_1", y = "initial.phi_2", x_range, y_range, size = "512x512", from;
+struct MapArguments : ResultForms, ComputingArguments, PlaneAxes {
+  std::string study, from;
   std::vector<std::string> overrides, ties;
   std::optional<std::string> refine;
 };
@@ -57,10 +57,10 @@ int run_map(const MapArguments& a) {
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = at_medians(parse_study(text, name, a.overrides));
   check_has_balls(study);
-  const SliceSize size = map_size(a.size, "--size");
+  const ReadAxes axes = read_axes(study, a);
   BasinSliceSettings settings;
-  settings.x = slice_axis(study, a.x, a.x_range, size.width, "--x-range");
-  settings.y = slice_axis(study, a.y, a.y_range, size.height, "--y-range");
+  settings.x = axes.x;
+  settings.y = axes.y;
   for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
   if (a.refine) settings.block = block_option(*a.refine);
   require_ending("--from", a.from, ".nc");
@@ -71,7 +71,13 @@ int run_map(const MapArguments& a) {
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   settings.progress = progress.listener();
-  const BasinSlice map = basin_slice(study, settings);
+  const BasinSlice map = [&] {
+    try {
+      return basin_slice(study, settings);
+    } catch (const InputError& e) {
+      throw under_names(e, axes.x, axes.y, {"--x", "--y", "--size", "map"});
+    }
+  }();
   progress.finish();
   if (map.read_whole) say(words::map_read, a.output);
   put_map(a, map, [&] { return given_machine(text, name, a.overrides); });
@@ -82,18 +88,15 @@ int run_map(const MapArguments& a) {
 
 Command add_map(CLI::App& app) {
   const auto a = std::make_shared<MapArguments>();
+  static_cast<PlaneAxes&>(*a) = {"initial.phi_1", "initial.phi_2", "", "", "512x512"};
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--x", a->x, help::map::x)->type_name("KEY");
-  app.add_option("--y", a->y, help::map::y)->type_name("KEY");
-  app.add_option("--x-range", a->x_range, help::map::x_range)->type_name("LOW:HIGH");
-  app.add_option("--y-range", a->y_range, help::map::y_range)->type_name("LOW:HIGH");
-  app.add_option("--size", a->size, help::map::size)->type_name("WIDTHxHEIGHT");
+  add_plane_axes(app, *a, help::map::x, help::map::y, help::map::size);
   app.add_option("--tie", a->ties, help::map::tie)->type_name("PHI_I=PHI_J+ANGLE")->take_all();
   app.add_option("--refine", a->refine, help::map::refine)->type_name("N");
   app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
   app.add_option("--from", a->from, help::map::from)->type_name("FILE");
   add_forms(app, *a, {nullptr, help::map::plot});
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_map(*a); };

@@ -97,8 +97,7 @@ void add_wide(CLI::App& app) {
       "--wide", [] { asked_style().width = 0; }, help::wide);
 }
 
-void add_text_style(CLI::App& app) {
-  add_wide(app);
+void add_details(CLI::App& app) {
   app.add_flag_callback(
       "--details", [] { asked_style().details = true; }, help::details);
 }

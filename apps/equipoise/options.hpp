@@ -79,10 +79,10 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 /// --no-changes, of commands that give a verdict.
 void add_no_changes(CLI::App& app, bool& no_changes);
 
-/// --wide and --details, of commands whose text has tables or long lines to fit.
-void add_text_style(CLI::App& app);
-/// --wide alone.
+/// --wide, of commands whose text has tables or long lines to fit.
 void add_wide(CLI::App& app);
+/// --details, of commands whose text has them.
+void add_details(CLI::App& app);
 /// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
 TextStyle text_style();
 

@@ -7,18 +7,18 @@
 
 #include "commands.hpp"
 #include "equipoise/base/error.hpp"
-#include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "help.hpp"
 #include "options.hpp"
+#include "plane_axes.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"
 #include "time_limit.hpp"
 
 namespace equipoise::app {
 
-struct PlaneArguments : ResultForms, ComputingArguments {
-  std::string study, size;
+struct PlaneArguments : ResultForms, ComputingArguments, PlaneAxes {
+  std::string study;
   std::vector<std::string> overrides;
 };
 
@@ -34,19 +34,22 @@ inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& 
   app.add_option("--csv", a.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", a.plot, words.plot)->type_name("FILE");
   app.add_flag("--json", a.json, help::json);
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a.overrides);
   add_computing(app, a);
 }
 
-/// Reads the study, computes and puts out. `place(study, size, settings)` sets the axes and what else the command has;
+/// Reads the study, computes and puts out. `set(study, settings)` sets what the command has besides axes;
 /// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result,
 /// title)` makes its FormMakers, which may refer to both.
-template <class Settings, class Place, class Compute, class Forms>
-int run_plane(const PlaneArguments& a, Settings settings, Place place, Compute compute, Forms forms) {
+template <class Settings, class Set, class Compute, class Forms>
+int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compute, Forms forms) {
   begin_computing(a);
   const Study study = at_medians(read_study(a.study, a.overrides));
-  place(study, map_size(a.size, "--size"), settings);
+  const auto [x, y] = read_axes(study, a);
+  settings.x = x;
+  settings.y = y;
+  set(study, settings);
   check_forms(a);
   settings.output = a.output;
   settings.threads = threads_option(a.threads);

@@ -11,17 +11,9 @@ namespace equipoise::app {
 
 namespace {
 
-struct StabilityArguments : PlaneArguments {
-  std::string x = "speed.final", y = "balancer.drag", x_range, y_range;
-};
-
-int run_stability(const StabilityArguments& a) {
+int run_stability(const PlaneArguments& a) {
   return run_plane(
-      a, StabilitySettings(),
-      [&](const Study& study, const SliceSize& size, StabilitySettings& settings) {
-        settings.x = slice_axis(study, a.x, a.x_range, size.width, "--x-range");
-        settings.y = slice_axis(study, a.y, a.y_range, size.height, "--y-range");
-      },
+      a, StabilitySettings(), [](const Study&, StabilitySettings&) {},
       [](const Study& study, const StabilitySettings& settings) { return stability(study, settings); },
       [](const StabilityPlane& plane, const std::string& title) {
         return FormMakers{[&] { return stability_text(plane, text_style()); },
@@ -35,14 +27,10 @@ int run_stability(const StabilityArguments& a) {
 }  // namespace
 
 Command add_stability(CLI::App& app) {
-  const auto a = std::make_shared<StabilityArguments>();
-  a->size = "512x512";
+  const auto a = std::make_shared<PlaneArguments>();
+  static_cast<PlaneAxes&>(*a) = {"speed.final", "balancer.drag", "", "", "512x512"};
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--x", a->x, help::stability::x)->type_name("KEY");
-  app.add_option("--y", a->y, help::stability::y)->type_name("KEY");
-  app.add_option("--x-range", a->x_range, help::stability::x_range)->type_name("LOW:HIGH");
-  app.add_option("--y-range", a->y_range, help::stability::y_range)->type_name("LOW:HIGH");
-  app.add_option("--size", a->size, help::stability::size)->type_name("WIDTHxHEIGHT");
+  add_plane_axes(app, *a, help::parameter_x, help::parameter_y, help::stability::size);
   add_plane_forms(app, *a, {help::stability::output, help::stability::csv, help::stability::plot});
   return [a] { return run_stability(*a); };
 }

@@ -168,7 +168,7 @@ Command add_sweep(CLI::App& app) {
   app.add_option("-o,--output", a->output, help::sweep::output)->type_name("FILE");
   app.add_option("--shard", a->shard, help::sweep::shard)->type_name("I/N");
   add_forms(app, *a, sweep_words);
-  add_text_style(app);
+  add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
   return [a] { return run_sweep(*a); };
@@ -179,7 +179,7 @@ Command add_merge(CLI::App& app) {
   app.add_option("files", a->files, help::merge::files)->required()->type_name("FILE");
   app.add_option("-o,--output", a->output, help::merge::output)->type_name("FILE")->required();
   add_forms(app, *a, sweep_words);
-  add_text_style(app);
+  add_wide(app);
   return [a] { return run_merge(*a); };
 }
 

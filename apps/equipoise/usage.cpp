@@ -10,6 +10,7 @@
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/nearest_name.hpp"
+#include "equipoise/text/table_text.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {
@@ -92,6 +93,24 @@ std::string missing(const CLI::App& command, const std::string& message) {
 }
 
 }  // namespace
+
+void fold_help(CLI::App& app) {
+  constexpr std::size_t descriptions = 30;  // the column where they begin
+  CLI::Formatter plain;
+  plain.column_width(descriptions);
+  app.formatter_fn([plain](const CLI::App* command, std::string name, CLI::AppFormatMode mode) {
+    const TextStyle style;
+    const std::string help = plain.make_help(command, std::move(name), mode);
+    std::string folded;
+    for (std::size_t at = 0; at < help.size();) {
+      const std::size_t end = std::min(help.find('\n', at), help.size());
+      const std::string line = help.substr(at, end - at);
+      folded += line.empty() ? "\n" : lines_filled(line, style, line.starts_with("  ") ? descriptions : 0);
+      at = end + 1;
+    }
+    return folded;
+  });
+}
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();

@@ -49,6 +49,16 @@ void set_axes(const Study& study, const py::tuple& x, const py::tuple& y, Settin
   how.y = slice_axis(study, y[0].cast<std::string>(), y[1].cast<std::string>(), rows, "y_range");
 }
 
+// What `compute` makes of a plane; what is wrong with its axes is named as Python has it.
+template <class Settings, class Compute>
+auto over_axes(const Settings& how, const char* made, const Compute& compute) {
+  try {
+    return Call::run(compute);
+  } catch (const InputError& e) {
+    throw under_names(e, how.x, how.y, {"x", "y", "size", made});
+  }
+}
+
 Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties, int block,
              const std::string& output, const std::string& from, const py::dict& settings) {
   const Study study = with_medians(s.study);
@@ -60,7 +70,7 @@ Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std
   how.block = block;
   how.output = output;
   how.from = from;
-  BasinSlice map = Call::run([&] { return basin_slice(study, how); });
+  BasinSlice map = over_axes(how, "map", [&] { return basin_slice(study, how); });
   return {std::move(map), call.interrupted(), s.source};
 }
 
@@ -115,16 +125,6 @@ py::dict summary_of(const Map& kept) {
   summary["complete"] = map.complete;
   summary["seconds"] = map.seconds;
   return summary;
-}
-
-// What `compute` makes of a plane; what is wrong with its axes is named as Python has it.
-template <class Settings, class Compute>
-auto over_axes(const Settings& how, const char* made, const Compute& compute) {
-  try {
-    return Call::run(compute);
-  } catch (const InputError& e) {
-    throw under_names(e, how.x, how.y, {"x", "y", "size", made});
-  }
 }
 
 using Stability = Kept<StabilityPlane>;

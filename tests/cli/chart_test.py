@@ -77,7 +77,7 @@ class Results(Case):
         self.assertNotIn("cycles", run("chart", ROW, *near).stdout)
 
     def test_bad_axes_are_refused_in_one_line(self):
-        self.refused("chart", ROW, "--x", "speed.final", "--y", "balancer.drag=0.1:1", words=("--x", "KEY=LOW:HIGH"))
+        self.refused("chart", ROW, "--x", "speed.final", "--y", "balancer.drag=0.1:1", words=("--x-range", "LOW:HIGH"))
         self.refused("chart", ROW, *AXES, "--undecided", "0", words=("--undecided", "percent"))
         self.refused("chart", ROW, "--x", "initial.x=0:1", "--y", "balancer.drag=0.1:1", words=("--x", "initial.x"))
         self.refused("chart", ROW, *AXES, "--boxes", "-3", words=("--boxes", "-3", "from 0 to"))

@@ -237,6 +237,7 @@ class Errors(Case):
         for command in commands:
             told = run("help", command)
             self.assertEqual((told.returncode, told.stderr, told.stdout), (0, "", run(command, "--help").stdout), command)
+            self.assertLessEqual(max(map(len, told.stdout.splitlines())), 80, command)
         self.assertEqual(run("help").stdout, run("--help").stdout)
 
     def test_help_and_version_go_to_standard_output(self):

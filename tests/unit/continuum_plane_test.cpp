@@ -19,6 +19,7 @@
 #include "equipoise/curves/bifurcation_chart.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/inscribed_polygon.hpp"
+#include "equipoise/basin_slices/slice_axis.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "../support/charted_plane.hpp"
 

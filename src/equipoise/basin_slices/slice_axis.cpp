@@ -10,9 +10,9 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/echo/given_value.hpp"
+#include "equipoise/toml/overrides.hpp"
 #include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
@@ -78,6 +78,14 @@ SliceSize map_size(const std::string& text, const std::string& option) {
   if (!good || !allowed(size.width) || !allowed(size.height))
     throw InputError(option, "", display_text(text), fmt::format(words::sweeps::size_form, most_slice_pixels));
   return size;
+}
+
+InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names) {
+  const char* axis = e.key() == x.key ? names.x : e.key() == y.key ? names.y : nullptr;
+  const bool overridden = axis && e.where() == overrides_name;
+  if (!overridden && e.where() != "stability" && e.where() != "map") return e;
+  const bool size = e.key() == "size";
+  return InputError(axis ? axis : size ? names.size : names.made, size ? "" : e.key(), e.value(), e.problem());
 }
 
 AngleLink angle_link(const std::string& text, const std::string& option) {

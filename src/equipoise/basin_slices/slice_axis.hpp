@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "equipoise/base/error.hpp"
 #include "equipoise/results/basin_slice.hpp"
 
 namespace equipoise {
@@ -17,6 +18,13 @@ struct SliceSize {
   int width = 512, height = 512;
 };
 SliceSize map_size(const std::string& text, const std::string& option);
+
+/// What a caller names the two axes and the size of a plane, and what is made of it.
+struct PlaneNames {
+  const char *x, *y, *size, *made;
+};
+/// An error of stability(), bifurcation_chart() or basin_slice() under the name that the caller gave what is wrong.
+InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names);
 
 /// "phi_2=phi_1+pi", "phi_3=phi_1".
 AngleLink angle_link(const std::string& text, const std::string& option);

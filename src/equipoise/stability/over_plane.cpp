@@ -142,13 +142,6 @@ StabilityPlane stability(const Study& given, const StabilitySettings& settings) 
   return stability(PlaneStudies(with_medians(given), settings.x, settings.y), settings);
 }
 
-InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names) {
-  if (e.where() != "stability") return e;
-  const bool size = e.key() == "size";
-  const char* name = e.key() == x.key ? names.x : e.key() == y.key ? names.y : size ? names.size : names.made;
-  return InputError(name, size ? "" : e.key(), e.value(), e.problem());
-}
-
 StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings) {
   const ChosenCpuTarget chosen(settings.cpu_target);
   return reported(settings, [&](const StabilitySettings& s) { return computed(studies, s); });

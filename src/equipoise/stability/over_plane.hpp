@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "equipoise/base/error.hpp"
 #include "equipoise/planes/stability_plane.hpp"
 #include "equipoise/running/run_options.hpp"
 
@@ -23,12 +22,5 @@ struct StabilitySettings : RunOptions {
 StabilityPlane stability(const Study& study, const StabilitySettings& settings);
 /// Over these studies, whose axes are those of `settings`; of a study with balls and nothing uncertain.
 StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings);
-
-/// What a caller names the two axes and the size of a plane, and what is made of it.
-struct PlaneNames {
-  const char *x, *y, *size, *made;
-};
-/// An error of PlaneStudies under the name that the caller gave what is wrong.
-InputError under_names(const InputError& e, const SliceAxis& x, const SliceAxis& y, const PlaneNames& names);
 
 }  // namespace equipoise

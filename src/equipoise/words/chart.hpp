@@ -4,7 +4,6 @@
 namespace equipoise::words::chart {
 
 // Input.
-inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6";
 inline constexpr char undecided_range[] = "must be a part of the plane in percent, more than 0 and less than 100";
 
 inline constexpr char julia_prescribed[] = "is for rotors at a prescribed speed";
