@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/plots/sweep_plot.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/sweep_html.hpp"
@@ -132,7 +133,7 @@ int run_sweep(const SweepArguments& a) {
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(sweep_survey(*plan), options.threads, options.stop);
   if (const std::size_t blocks = plan->blocks(); options.shard >= blocks)
-    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, blocks == 1 ? "" : "s",
+    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, plural(blocks),
                           SweepPlan::block_length,
                           blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
   ProgressLine progress(a.quiet);

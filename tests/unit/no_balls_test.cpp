@@ -11,6 +11,7 @@
 #include "equipoise/analyses/certify.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/explain/explain.hpp"
+#include "equipoise/explain/study_check.hpp"
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
@@ -55,6 +56,16 @@ TEST(NoBalls, NeedNeitherMassNorDrag) {
     EXPECT_EQ(to_toml(parse_study(to_toml(study), "again")), to_toml(study));
     EXPECT_FALSE(holds(to_toml(study), "mass = []"));
   }
+}
+
+TEST(NoBalls, TheCheckSpeaksOfNone) {
+  for (const std::string& text : {bare, bare_machine}) {
+    const std::string said = check_study(text, "s").text();
+    EXPECT_TRUE(holds(said, "\nBalls: none: nothing cancels the unbalance.\n")) << said;
+    EXPECT_TRUE(holds(said, "\nMatters most: not judged: there are no balls.\n")) << said;
+    EXPECT_FALSE(holds(said, "its balls")) << said;
+  }
+  EXPECT_TRUE(holds(check_study(bare, "s", {"balancer.balls=2", "balancer.mass=0.1", "balancer.drag=0.1"}).text(), "its balls"));
 }
 
 TEST(NoBalls, SimulateGivesTheRotor) {

@@ -1,4 +1,5 @@
 // Sentences, two tables and notes; numbers of curves, points and boxes.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/charts/chart_report.hpp"
 
 #include <algorithm>
@@ -208,7 +209,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (!chart.no_cycles.empty()) text += fmt::format(words::chart::no_cycles, chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
   if (chart.cycles_left > 0)
-    text += fmt::format(words::chart::partial_cycles, chart.cycles_left, chart.cycles_left == 1 ? "" : "s",
+    text += fmt::format(words::chart::partial_cycles, chart.cycles_left, plural(chart.cycles_left),
                         chart.cycles_left == 1 ? "was" : "were");
   else if (!chart.complete && chart.plane.complete)
     text += words::chart::partial;
@@ -265,7 +266,7 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
   if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
   return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
-                                                              chart.curves.size() == 1 ? "" : "s", chart.boxes.size(),
+                                                              plural(chart.curves.size()), chart.boxes.size(),
                                                               computed_text(chart), version_string),
                              style);
 }

@@ -1,4 +1,5 @@
 // Sentences, a small table and notes; rows of numbers.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/charts/stability_report.hpp"
 
 #include <algorithm>
@@ -196,7 +197,7 @@ std::string plane_notes(const StabilityPlane& plane) {
       text += fmt::format(
           words::stability::left_out_at,
           points >= exists ? words::stability::all_points
-                           : fmt::format(words::stability::some_points, points, points == 1 ? "" : "s"),
+                           : fmt::format(words::stability::some_points, points, plural(points)),
           name);
   }
   if (plane.one_of_many()) text += words::stability::one_of_many;

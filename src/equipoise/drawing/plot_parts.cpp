@@ -1,4 +1,5 @@
 // Colours, labels and canvas of the pictures.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::string parameters_text(const Study& study, const std::vector<std::string>& 
   const auto fixed = [&](const std::string& key) {
     return std::find(varied.begin(), varied.end(), key) == varied.end();
   };
-  std::string text = fmt::format("{} ball{}", p.balls, p.balls == 1 ? "" : "s");
+  std::string text = fmt::format("{} ball{}", p.balls, plural(p.balls));
   if (fixed("balancer.mass") && p.equal_balls()) text += fmt::format(", μ = {}", p.mass[0]);
   if (fixed("balancer.drag") && p.equal_balls()) text += fmt::format(", β = {}", p.drag[0]);
   if (fixed("rotor.eccentricity")) text += fmt::format(", λ = {}", p.eccentricity);

@@ -1,4 +1,5 @@
 // Each quantity changed by a fifth, and what that does to capacity and to the approach to balance.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/explain/study_check.hpp"
 
 #include <algorithm>
@@ -48,12 +49,16 @@ std::string of_both(const std::array<double, 2>& values, Text&& text) {
   return values[0] == values[1] ? text(values[0]) : fmt::format("{} and {} (x, y)", text(values[0]), text(values[1]));
 }
 
+const char* with_balls(const Explanation& e) {
+  return e.study.parameters.balls > 0 ? words::study_check::with_its_balls : "";
+}
+
 // Of a machine that tilts: its critical speeds and its speed.
 std::string whirl_words(const Explanation& e) {
   std::string speeds;
   for (const double speed : e.tilt->with_balls.excited())
     speeds += (speeds.empty() ? "" : ", ") + speed_of(e.study, speed);
-  const std::string line = fmt::format(words::study_check::tilting_with_critical_speeds, speeds);
+  const std::string line = fmt::format(words::study_check::tilting_with_critical_speeds, speeds) + with_balls(e);
   if (!e.speed) return line + words::study_check::no_speed_held;
   return line + fmt::format(words::study_check::runs_at_highest, speed_of(e.study, *e.speed),
                             std::abs(*e.speed) / e.critical_with_balls[1]);
@@ -70,7 +75,8 @@ std::string machine_line(const Explanation& e) {
   line += of_both(s.parameters.stiffness, stiffness);
   if (e.tilt) return line + whirl_words(e);
   line += fmt::format(words::study_check::with_critical_speed,
-                      of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); }));
+                      of_both(e.critical_with_balls, [&](double v) { return speed_of(s, v); })) +
+          with_balls(e);
   const double critical = std::max(e.critical_with_balls[0], e.critical_with_balls[1]);
   if (e.run_up && !e.run_up->shaken)
     line += fmt::format(words::study_check::may_stall, speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
@@ -111,7 +117,7 @@ std::string origin_of_unbalance(const study::Document& document) {
                    document.root.find_path("rotor.balance_grade");
   const double degrees = 180.0 / pi * study::resultant_direction(document);
   return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
-                     count == 1 ? "" : "s", degrees == 0.0 ? 0.0 : degrees);
+                     plural(count), degrees == 0.0 ? 0.0 : degrees);
 }
 
 // Of a machine that tilts: what the balls of each plane can cancel.
@@ -134,6 +140,7 @@ std::string planes_words(const Explanation& e) {
 std::string balls_line(const Explanation& e) {
   const Study& s = e.study;
   const model::Parameters& p = s.parameters;
+  if (p.balls == 0) return words::study_check::no_balls;
   const auto [least, most] = std::minmax_element(p.mass.begin(), p.mass.begin() + p.balls);
   std::string masses = quantity(s, *least, Dimension::mass);
   if (!s.scales) masses = fmt::format("{:.5g} M", *least);
@@ -260,6 +267,7 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
 }
 
 std::string most_line(const Study& study, const BallDetails& balls) {
+  if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
   constexpr double part = 0.2;
   const Measures before = measures_of(study, balls);
   Effect worst;

@@ -1,4 +1,5 @@
 // Words, tables and drawings for a design.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/html/design_html.hpp"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ class DesignDocument {
         v.spin_up->slope ? fmt::format(words::pages::slope_at_most, *v.spin_up->slope, unit,
                                        v.spin_up->time_unit.empty() ? words::pages::unit_of_time : v.spin_up->time_unit)
                          : "";
-    return fmt::format(words::pages::points_from, v.spin_up->points, v.spin_up->points == 1 ? "" : "s", v.low, v.high,
+    return fmt::format(words::pages::points_from, v.spin_up->points, plural(v.spin_up->points), v.low, v.high,
                        unit, v.spin_up->until, v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
   }
 

@@ -1,4 +1,5 @@
 // Tables about the machine, and words about the run.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/html/page_parts.hpp"
 
 #include <algorithm>
@@ -211,7 +212,7 @@ std::string model_words(const Study& study, const RunWords& run) {
                       version_string, run.cpu_target);
   constexpr double shown = 0.05;
   if (run.seconds >= shown)
-    text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, run.threads == 1 ? "" : "s", run.seconds,
+    text += fmt::format(", {} thread{}, {:.1f} s ({:.1f} s CPU)", run.threads, plural(run.threads), run.seconds,
                         run.cpu_seconds);
   return text;
 }

@@ -1,4 +1,5 @@
 // Words and tables around a sweep's drawings.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/html/sweep_html.hpp"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ class SweepDocument {
     constexpr std::size_t most = 4;
     for (std::size_t k = 0; k < told.size() && k < most; ++k)
       add(Paragraph{
-          fmt::format(words::pages::note_of_cells, told[k].second, told[k].second == 1 ? "" : "s", told[k].first),
+          fmt::format(words::pages::note_of_cells, told[k].second, plural(told[k].second), told[k].first),
           Tone::open});
     if (told.size() > most) add(Paragraph{fmt::format(words::pages::more_notes, told.size() - most)});
   }

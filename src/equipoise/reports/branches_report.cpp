@@ -1,4 +1,5 @@
 // Branches as text, JSON and CSV.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/branches_report.hpp"
 
 #include <algorithm>
@@ -151,7 +152,7 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   if (events.empty()) text += "  none\n";
   std::string notes = fmt::format(words::reports::range_may_go_on, r.values.front(), r.values.back(), r.starts);
   if (r.partial) notes += words::reports::partial_branches;
-  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, r.threads == 1 ? "" : "s",
+  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, plural(r.threads),
                        r.cpu_target, version_string);
   return text + lines_filled(notes, style);
 }

@@ -1,4 +1,5 @@
 // Proofs about balanced states as text and as JSON.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/certify_report.hpp"
 
 #include <algorithm>
@@ -166,7 +167,7 @@ std::string check_text(const CertificateFile& file, const TextStyle& style) {
     const Certificate& c = file.certificates[i];
     const int balls = c.parameters.balls;
     text += fmt::format(words::reports::certificate_line, c.speed, c.motor ? words::reports::by_a_motor : "", balls,
-                        balls == 1 ? "" : "s", c.level, boxes_text(c),
+                        plural(balls), c.level, boxes_text(c),
                         file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
   }
   for (std::size_t i = 0; i < file.member_checks.size(); ++i) {

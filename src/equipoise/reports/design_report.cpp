@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/design_words/design_words.hpp"
 #include "equipoise/reports/result_tables.hpp"
@@ -204,7 +205,7 @@ std::string design_text(const DesignResult& r, const TextStyle& style) {
   if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, thing_of), style);
   if (r.partial) text += lines_filled(stopped_design_text(r), style);
   if (r.resumed > 0) text += fmt::format(words::reports::ensembles_from_earlier, r.resumed);
-  return text + lines_filled(fmt::format(words::reports::design_made_with, r.candidates,
+  return text + lines_filled(fmt::format(words::reports::design_made_with, r.candidates, plural(r.candidates),
                                          design_method_names[static_cast<std::size_t>(r.method)], r.trajectories,
                                          r.budget, computed_text(r), version_string),
                              style);

@@ -1,4 +1,5 @@
 // Sweeps as text, JSON and CSV.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/sweep_report.hpp"
 
 #include <algorithm>
@@ -84,11 +85,11 @@ std::string others_text(const Columns& columns) {
   for (std::size_t k = 0; k < std::min(columns.others.size(), most_named); ++k) {
     const SweepColumn& c = columns.others[k];
     text += fmt::format(words::reports::another_motion, k ? "; " : "", c.title, percent(c.largest, 2), c.cells,
-                        c.cells == 1 ? "" : "s");
+                        plural(c.cells));
   }
   const std::size_t unnamed = columns.others.size() - std::min(columns.others.size(), most_named);
   if (unnamed > 0) text += fmt::format("; {} more", unnamed);
-  return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), columns.others.size() == 1 ? "" : "s", text);
+  return fmt::format("Others: {} motion{}: {}.\n", columns.others.size(), plural(columns.others.size()), text);
 }
 
 const SweepOutcome* find(const SweepCell& cell, int id) {
@@ -216,8 +217,8 @@ std::string sweep_text(const SweepResult& r, const TextStyle& style) {
   for (const auto& cell : r.cells)
     if (cell) ++done, starts += cell->starts;
   if (done < r.cells.size()) notes += fmt::format(words::reports::partial_sweep, done, r.cells.size());
-  notes += fmt::format(words::reports::sweep_made_with, done, starts, r.study.sampling.seed);
-  if (r.resumed_cells > 0) notes += fmt::format(words::reports::cells_from_earlier, r.resumed_cells);
+  notes += fmt::format(words::reports::sweep_made_with, done, plural(done), starts, r.study.sampling.seed);
+  if (r.resumed_cells > 0) notes += fmt::format(words::reports::cells_from_earlier, r.resumed_cells, plural(r.resumed_cells));
   if (r.seconds > 0.0) notes += "; " + computed_text(r);
   return text + lines_filled(notes + fmt::format("; equipoise {}\n", version_string), style);
 }

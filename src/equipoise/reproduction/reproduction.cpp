@@ -1,4 +1,5 @@
 // The reproduced paper as text for the terminal and as JSON.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
 
 #include <algorithm>
@@ -206,7 +207,7 @@ std::string reproduction_text(const Reproduction& r, const TextStyle& style) {
   if (!r.tables.empty()) {
     text += summary_text(r);
     text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}).\n", r.ensembles, r.starts,
-                        r.seconds, r.cpu_seconds, r.threads, r.threads == 1 ? "" : "s", r.cpu_target);
+                        r.seconds, r.cpu_seconds, r.threads, plural(r.threads), r.cpu_target);
   }
   text += fmt::format(words::paper::this_run, r.run_seconds, r.run_cpu_seconds, version_string);
   for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);

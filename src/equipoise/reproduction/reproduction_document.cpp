@@ -1,4 +1,5 @@
 // The report, block by block.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
@@ -233,7 +234,7 @@ void settings(const Reproduction& r, const std::string& explorer, Document& d) {
   d.blocks.push_back(Heading{2, "Settings", "settings"});
   d.blocks.push_back(Paragraph{fmt::format("Made by: {}", r.command)});
   d.blocks.push_back(Paragraph{fmt::format(words::paper::cost_of_page, version_string, r.threads,
-                                           r.threads == 1 ? "" : "s", r.cpu_target, r.ensembles, r.starts, r.seconds,
+                                           plural(r.threads), r.cpu_target, r.ensembles, r.starts, r.seconds,
                                            r.cpu_seconds, r.run_seconds, r.run_cpu_seconds)});
   d.blocks.push_back(Paragraph{words::paper::settings});
   DocumentTable table{

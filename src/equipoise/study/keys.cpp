@@ -310,7 +310,7 @@ std::vector<Key> all_keys() {
       {"limits.force", at<lim, &L::force>, positive, D::force, none,
        "on the supports, or of a rotor that tilts on each bearing that is known, weight included, in M R omega_c^2"},
       {"limits.velocity", at<lim, &L::velocity>, positive, D::velocity, none,
-       "root mean square, of the centre of the race, in R omega_c"},
+       "root mean square of both directions together, of the centre of the race, in R omega_c"},
       {"limits.share",
        at<lim, &L::share>,
        {0.0, 1.0, true, true},

@@ -160,7 +160,7 @@ inline constexpr double default_basin_tolerance = 1e-6;
 struct Limits {
   std::optional<double> displacement;  ///< radial, in R
   std::optional<double> force;         ///< on the supports, in M R omega_c^2
-  std::optional<double> velocity;      ///< root mean square, of the centre of the race, in R omega_c
+  std::optional<double> velocity;      ///< root mean square of both directions together, of the centre of the race, in R omega_c
   std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
   std::optional<double> residual;      ///< unbalance left in the end over the rotor's mass, U/M in R
   std::optional<double> grade;         ///< U/M times the speed in the end, e omega, in R omega_c

@@ -1,4 +1,5 @@
 // Reads KEY=FROM:TO:STEP and KEY=A,B,C.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zi
       reject(zip ? words::sweeps::repeats_on_zipped_axis : words::sweeps::repeats);
     if (along_another) {
       if (axes.front().size() != size)
-        reject(fmt::format(words::sweeps::zipped_sizes, size, size == 1 ? "" : "s", keys.front(), axes.front().size()));
+        reject(fmt::format(words::sweeps::zipped_sizes, size, plural(size), keys.front(), axes.front().size()));
       axes.front().parameters.push_back(std::move(parameter));
       continue;
     }

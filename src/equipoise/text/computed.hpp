@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/text/text.hpp"
 
@@ -14,7 +15,7 @@ namespace equipoise {
 template <class Result>
 std::string computed_text(const Result& r) {
   return fmt::format("{:.2f} s, {:.2f} s CPU on {} thread{} ({})", r.seconds, r.cpu_seconds, r.threads,
-                     r.threads == 1 ? "" : "s", r.cpu_target);
+                     plural(r.threads), r.cpu_target);
 }
 
 /// Time, threads and instruction set; the study; the version.

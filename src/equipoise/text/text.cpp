@@ -1,4 +1,5 @@
 // Numbers and studies as text.
+#include "equipoise/base/plural.hpp"
 #include "equipoise/text/text.hpp"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ std::string study_heading(const Study& study) {
   if (p.balls == 0)
     text += words::text::no_balls_semicolon;
   else
-    text += fmt::format(words::text::balls_are, p.balls, p.balls == 1 ? "" : "s",
+    text += fmt::format(words::text::balls_are, p.balls, plural(p.balls),
                         shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
                         shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
   text += fmt::format(words::text::rotor_is, shown(p.eccentricity, Dimension::length),

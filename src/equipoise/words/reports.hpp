@@ -231,7 +231,7 @@ inline constexpr char not_beaten[] = "{} candidates that no other beats";
 inline constexpr char what_limits_it[] = "\nWhat limits it:\n";
 inline constexpr char ensembles_from_earlier[] = "\n{} ensembles from an earlier run. ";
 // Candidates, method, trajectories, budget, how it was computed, version.
-inline constexpr char design_made_with[] = "\n{} candidates by {}, {} trajectories of {}; {}; equipoise {}\n";
+inline constexpr char design_made_with[] = "\n{} candidate{} by {}, {} trajectories of {}; {}; equipoise {}\n";
 // Version, whether partial.
 inline constexpr char csv_front[] = "# equipoise {}: candidates that no other beats{}\n";
 
@@ -309,7 +309,7 @@ inline constexpr char amplitude_at_centre_of_mass[] =
 inline constexpr char farthest_at_bearings[] = "{} at the bearings, at the farthest";
 // Forces.
 inline constexpr char forces_at_bearings[] = "{} of force at the bearings, at the largest";
-inline constexpr char rms_velocity[] = " rms velocity";
+inline constexpr char rms_velocity[] = " rms velocity in one direction";
 inline constexpr char amplitude_of_force[] = " amplitude of the force on the supports";
 inline constexpr char amplitude_of_sum[] = " amplitude of the force on all supports together";
 inline constexpr char no_couple_in_sum[] = ", in which a couple does not show";
@@ -379,8 +379,8 @@ inline constexpr char intervals_are[] = "Behind ± or in brackets: 95 % interval
 // Cells done, all.
 inline constexpr char partial_sweep[] = "PARTIAL: {} of {} cells; the rest is missing.\n";
 // Cells, starts, seed.
-inline constexpr char sweep_made_with[] = "{} cells, {} starts, seed {}, the same starts in every cell";
-inline constexpr char cells_from_earlier[] = "; {} cells from an earlier run";
+inline constexpr char sweep_made_with[] = "{} cell{}, {} starts, seed {}, the same starts in every cell";
+inline constexpr char cells_from_earlier[] = "; {} cell{} from an earlier run";
 inline constexpr char csv_cells_missing[] = ", PARTIAL: cells are missing";
 
 }  // namespace equipoise::words::reports

@@ -9,13 +9,15 @@ inline constexpr char lines[] = "Machine: {}.\nUnbalance: {}.\nBalls: {}.\nAssum
 inline constexpr char mass_on[] = "{} on ";
 inline constexpr char supports_of[] = "supports of ";
 inline constexpr char with_critical_speed[] = ", critical speed {}";
-inline constexpr char runs_at[] = " with its balls; runs at {}, {:.3g} times that";
+// After critical speeds, unless there are no balls.
+inline constexpr char with_its_balls[] = " with its balls";
+inline constexpr char runs_at[] = "; runs at {}, {:.3g} times that";
 // The speed where the motor's torque vanishes, that where unbalance takes all of it.
 inline constexpr char may_stall[] =
-    " with its balls; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives";
+    "; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives";
 inline constexpr char tilting_with_critical_speeds[] = ", tilting, critical speeds {}";
-inline constexpr char runs_at_highest[] = " with its balls; runs at {}, {:.3g} times the highest";
-inline constexpr char no_speed_held[] = " with its balls; no speed is held in the end";
+inline constexpr char runs_at_highest[] = "; runs at {}, {:.3g} times the highest";
+inline constexpr char no_speed_held[] = "; no speed is held in the end";
 inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
 inline constexpr char static_and_couple[] = "{} static and {} couple";
 inline constexpr char couple_direction[] = "; x of the model points along the couple, at {:.3g} degrees";
@@ -24,6 +26,7 @@ inline constexpr char grade_at_speed[] = "; {} at {}";
 inline constexpr char resultant_of_places[] =
     "; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points";
 inline constexpr char of_the_rotor_too[] = "the rotor's own and of ";
+inline constexpr char no_balls[] = "none: nothing cancels the unbalance";
 inline constexpr char on_a_circle[] = " on a circle of {}";
 inline constexpr char nothing_to_cancel[] = "; they cancel {}, and there is nothing to cancel";
 // Range, "up to" or "at most", a factor, nothing or that balance is impossible.
@@ -61,6 +64,7 @@ inline constexpr char changes_settling[] =
 inline constexpr char stays_impossible[] =
     "none of these: with each of them changed alone by 20 % balance stays impossible";
 inline constexpr char nothing_matters[] = "none of these, by these rules";
+inline constexpr char nothing_without_balls[] = "not judged: there are no balls";
 inline constexpr char how_judged[] =
     " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
     "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
