@@ -66,5 +66,6 @@ equipoise_test(tilt_families_test equivalence equivalence/tilt_families_test.cpp
 equipoise_test(tilt_certificate_test equivalence equivalence/tilt_certificate_test.cpp WHOLE LIBRARIES equipoise_tilt_reference)
 equipoise_test(tilt_motor_test equivalence equivalence/tilt_motor_test.cpp equivalence/tilt_bearings_test.cpp
   equivalence/tilt_observation_test.cpp LIBRARIES equipoise_tilt_reference)
-equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp LIBRARIES equipoise_tilt_reference
+equipoise_test(tilt_transients_test equivalence equivalence/tilt_transients_test.cpp equivalence/tilt_limits_test.cpp
+               equivalence/tilt_grade_test.cpp LIBRARIES equipoise_tilt_reference
   LONG TiltDesign.FindsBallsThatBalanceEachPlane)

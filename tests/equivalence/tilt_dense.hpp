@@ -22,11 +22,14 @@ struct Seen {
   std::vector<double> force;      // of each bearing, or of all supports together
   std::vector<double> velocity2;  // by place
   double power = 0.0;             // of a motor
-  double unbalance = 0.0;
+  double unbalance = 0.0;         // judged() in the planes of the outermost two places
 };
 
 // Centre and slope where the rotor rests, by Cramer's rule.
 std::array<double, 2> rest_of(const model::Parameters& p);
+
+// The unbalance of the worse of the outermost two places' planes, over that plane's share; at one place the static one.
+double judged(const model::Parameters& p, const std::vector<double>& places, const Fixed& f);
 
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
           const double* y, const std::vector<Held>& bearings = {});

@@ -253,6 +253,23 @@ std::array<double, 2> rest_of(const model::Parameters& p) {
   return {-p.gravity * (mass * c - first * b) / d, -p.gravity * (first * a - mass * b) / d};
 }
 
+// What ISO 21940-11 judges: two unbalances in the outermost planes with the sum and the moment of all, each over the
+// share of the plane by the lever rule.
+double judged(const model::Parameters& p, const std::vector<double>& places, const Fixed& f) {
+  Complex sum = std::polar(p.eccentricity, f.psi + p.eccentricity_angle),
+          moment = std::polar(p.tilt.misalignment * (p.tilt.transverse_inertia - p.tilt.polar_inertia), f.psi);
+  for (int i = 0; i < p.balls; ++i) {
+    sum += std::polar(p.mass[i], f.theta[i]);
+    moment += std::polar(p.tilt.plane[i] * p.mass[i], f.theta[i]);
+  }
+  const double a = *std::min_element(places.begin(), places.end()), b = *std::max_element(places.begin(), places.end());
+  if (a == b) return std::abs(sum);
+  const Complex at_b = (moment - a * sum) / (b - a), at_a = sum - at_b;
+  const double most = a < 0.0 && b > 0.0 ? 0.7 : 1.3;
+  const auto share = [&](double far) { return std::min(most, std::max(0.3, std::abs(far) / (b - a))); };
+  return std::max(std::abs(at_a) / share(b), std::abs(at_b) / share(a));
+}
+
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
           const double* y, const std::vector<Held>& bearings) {
   const Fixed f = flow.state(y);
@@ -270,9 +287,7 @@ Seen seen(const model::Parameters& p, const std::vector<double>& places, const F
     s.force.push_back(std::hypot(b.stiffness[0] * place.real() + b.damping[0] * rate.real(),
                                  b.stiffness[1] * place.imag() + b.damping[1] * rate.imag()));
   }
-  Complex unbalance = std::polar(p.eccentricity, f.psi + p.eccentricity_angle);
-  for (int i = 0; i < p.balls; ++i) unbalance += std::polar(p.mass[i], f.theta[i]);
-  s.unbalance = std::abs(unbalance);
+  s.unbalance = judged(p, places, f);
   return s;
 }
 

@@ -20,7 +20,9 @@ struct TransientRow {
   float peak_radial = 0.0f, peak_radial_after_release = 0.0f, peak_radial_at_end = 0.0f;
   float peak_force = 0.0f;  ///< of springs and dampers on the support
   float rms_force = 0.0f, rms_velocity = 0.0f;
-  float residual_unbalance = 0.0f;  ///< |lambda + sum mu_i e^{i phi_i}|
+  /// |lambda + sum mu_i e^{i phi_i}|. Of a rotor that tilts that of the worse of its outermost bearings' planes, over its
+  /// share of what the rotor may have.
+  float residual_unbalance = 0.0f;
   /// 0 without a limit; infinite: the motion at the end exceeds it, or r still did when the start was last followed.
   float time_above = 0.0f;
   float settling_time = 0.0f;  ///< infinite in the same cases

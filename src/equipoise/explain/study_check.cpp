@@ -15,6 +15,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
 #include "equipoise/text/engineering.hpp"
@@ -97,10 +98,9 @@ std::string unbalance_line(const Explanation& e) {
         s.scales ? quantity(s, e.tilt->couple, Dimension::inertia) : fmt::format("{:.5g} M R^2", e.tilt->couple));
   if (s.scales) {
     line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
-    if (e.speed && !e.tilt) {
-      const double grade = 1000.0 * eccentricity * s.scales->length * std::abs(*e.speed) * s.scales->frequency;
-      line += fmt::format(words::study_check::grade_at_speed, grade_text(grade), speed_of(s, *e.speed));
-    }
+    if (const auto grade = e.speed ? own_balance_grade(s, *e.speed) : std::nullopt)
+      line += fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
+                          grade_text(*grade), speed_of(s, *e.speed));
   }
   return line;
 }

@@ -17,6 +17,7 @@
 #include "equipoise/plots/drawings.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/basin_report.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/sampling_text.hpp"
@@ -194,7 +195,7 @@ class MachineDocument {
   }
 
   DocumentTable ends_table() const {
-    const bool open = basin_.undecided.count > 0, graded = study_.scales && !study_.parameters.tilts();
+    const bool open = basin_.undecided.count > 0, graded = is_graded(study_);
     DocumentTable table;
     table.header = {physical_ ? words::text::what_the_balls_do : "outcome", "share", "95 % interval"};
     if (open) table.header.push_back("bounds");
@@ -219,7 +220,9 @@ class MachineDocument {
       table.rows.push_back(std::move(cells));
     }
     table.caption = words::pages::ends_table_caption;
-    if (graded) table.caption += words::pages::grade_to_compare;
+    if (graded)
+      table.caption +=
+          study_.parameters.tilts() ? words::pages::grade_in_planes : words::pages::grade_to_compare;
     table.caption += ".";
     return table;
   }

@@ -12,9 +12,9 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/version.hpp"
-#include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/echo/physical_echo.hpp"
 #include "equipoise/text/grade_text.hpp"
@@ -139,7 +139,7 @@ class Derived {
                                  shown_.text(plane.unbalance, Dimension::unbalance),
                                  shown_.text(plane.least, Dimension::unbalance),
                                  shown_.text(plane.most, Dimension::unbalance));
-    return text;
+    return text + grade_without_balls();
   }
 
   std::string speeds() const {
@@ -161,11 +161,12 @@ class Derived {
       text += fmt::format(words::pages::balls_can_cancel,
                           shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
                           e_.ball_width.empty() ? "" : words::text::side_by_side);
-    if (study_.scales && e_.speed)
-      text += fmt::format(words::pages::grade_without_balls,
-                          grade_text(model::balance_grade(study_.parameters.eccentricity * study_.scales->length,
-                                                          *e_.speed * study_.scales->frequency)));
-    return text;
+    return text + grade_without_balls();
+  }
+
+  std::string grade_without_balls() const {
+    const auto grade = e_.speed ? own_balance_grade(study_, *e_.speed) : std::nullopt;
+    return grade ? fmt::format(words::pages::grade_without_balls, grade_text(*grade)) : "";
   }
 
   const Explanation& e_;

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/version.hpp"
-#include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/reports/explain_report.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
 
@@ -140,9 +140,8 @@ std::string explain_json(const Explanation& e) {
     json["without_balls"] = {{"displacement", pair_json(e.bare->displacement, Dimension::length, scales)},
                              {"force", pair_json(e.bare->force, Dimension::force, scales)}};
   json["balance_grade"] = nullptr;
-  if (scales && e.speed && !e.tilt)
-    json["balance_grade"] = grade_json(
-        model::balance_grade(e.study.parameters.eccentricity * scales->length, *e.speed * scales->frequency));
+  if (e.speed)
+    if (const auto grade = own_balance_grade(e.study, *e.speed)) json["balance_grade"] = grade_json(*grade);
   if (e.tilt) json["tilt"] = tilt_json(*e.tilt, scales);
   json["reynolds_number"] = e.reynolds ? Json(*e.reynolds) : Json(nullptr);
   json["advice"] = advice_json(e);

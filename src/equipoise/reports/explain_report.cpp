@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/start_text.hpp"
@@ -281,6 +281,14 @@ class Text {
     if (!t.forces.empty()) item("", fmt::format(words::reports::forces_at_bearings, list(t.forces, Dimension::force)));
     item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_sum +
                  (t.forces.empty() ? words::reports::no_couple_in_sum : ""));
+    quality(words::reports::grade_in_planes);
+  }
+
+  // `how`: what it is of. Of a rotor that tilts without two bearings, why there is none.
+  void quality(const char* how) {
+    if (!scales_) return;
+    const auto grade = own_balance_grade(e_.study, *e_.speed);
+    item(words::text::balance_quality, grade ? grade_text(*grade) + how : words::reports::no_grade_without_planes);
   }
 
   void bare(const BareVibration& v) {
@@ -291,10 +299,7 @@ class Text {
     const std::array<double, 2> rms{v.displacement[0] * w / std::sqrt(2.0), v.displacement[1] * w / std::sqrt(2.0)};
     item("", by_direction(rms, Dimension::velocity) + words::reports::rms_velocity);
     item("", by_direction(v.force, Dimension::force) + words::reports::amplitude_of_force);
-    if (!scales_) return;
-    const double grade =
-        model::balance_grade(e_.study.parameters.eccentricity * scales_->length, *e_.speed * scales_->frequency);
-    item(words::text::balance_quality, grade_text(grade) + words::reports::grade_is_a_figure);
+    quality(words::reports::grade_is_a_figure);
   }
 
   void rules() {

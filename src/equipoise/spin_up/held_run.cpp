@@ -13,6 +13,7 @@
 #include "equipoise/integrate/first_time.hpp"
 #include "equipoise/mechanics/forced_vibration.hpp"
 #include "equipoise/mechanics/frames.hpp"
+#include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/model/held_state.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
@@ -85,7 +86,8 @@ class HeldFollower {
       if (first.layout().error >= 0) state[first.layout().error] = 0.0;
       model::hold_balls(first, state.data(), y_.data());
     }
-    unbalance_ = std::abs(model::unbalance(p_, &full_[model::index::phi(0)]));
+    const double* phi = &full_[model::index::phi(0)];
+    unbalance_ = tilt ? model::judged_unbalance(p_, watched_.shaft.places, phi) : std::abs(model::unbalance(p_, phi));
     size_ = std::max({p_.all_unbalances(), std::fabs(sag_), std::hypot(start.x, start.y)});
     if (size_ == 0.0) size_ = 1.0;
   }

@@ -191,9 +191,6 @@ void free_balls_of_machine(Document& document) {
 
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
 void read_grade(Document& document) {
-  if (document.root.find_path("rotor.tilt"))
-    for (const char* key : {"residual", "grade"})
-      if (TableReader limits(document, "limits"); limits.has(key)) limits.fail(key, words::study::limit_of_no_tilt);
   const StudyValue* value = document.root.find_path("limits.residual");
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;
@@ -267,6 +264,7 @@ Study read(Document document, Source source) {
   read_units(document, result);
   read_standards(document, result);
   check_force_limit(document, result);
+  check_unbalance_limits(document, result);
   if (uncertain.empty()) return result;
   check_ends(document, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/words/study.hpp"
 
@@ -93,6 +94,13 @@ void check_force_limit(const Document& document, const Study& study) {
   if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
     limits.fail("force", words::study::force_of_more_bearings);
   if (study.standards.standing_mass) limits.fail("force", words::study::force_of_one_or_all);
+}
+
+void check_unbalance_limits(const Document& document, const Study& study) {
+  if (!study.parameters.tilts() || model::tolerance_planes(study.bearings)) return;
+  TableReader limits(document, "limits");
+  for (const char* key : {"residual", "grade"})
+    if (limits.has(key)) limits.fail(key, words::study::unbalance_without_planes);
 }
 
 }  // namespace equipoise::study

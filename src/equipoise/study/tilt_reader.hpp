@@ -17,4 +17,8 @@ void check_tilting_balls(const Document& document, const model::Parameters& p);
 /// which what tilts the rotor does not show, and which limits.force does not take. Throws InputError.
 void check_force_limit(const Document& document, const Study& study);
 
+/// Of a rotor that tilts, limits.residual and limits.grade need the places of two bearings, in whose planes its unbalance
+/// is judged. Throws InputError.
+void check_unbalance_limits(const Document& document, const Study& study);
+
 }  // namespace equipoise::study

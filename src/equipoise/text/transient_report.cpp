@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/mechanics/balance_grade.hpp"
+#include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
+#include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/types/outcomes.hpp"
@@ -113,9 +115,6 @@ Json figure_json(const SampleSummary& s, const Unit& unit) {
   return one;
 }
 
-// Of a rotor that tilts the unbalance told lacks the couple.
-bool is_graded(const Study& study) { return study.scales && !study.parameters.tilts(); }
-
 // The speed that an unbalance is graded at; empty for a driven rotor whose speed was never measured.
 std::optional<double> graded_speed(const TransientGroup& group, const Study& study) {
   return study.speed.driven() ? group.mean_speed : std::optional(study.speed_profile().final_speed());
@@ -188,14 +187,15 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
   return json;
 }
 
-// Of a rotor that tilts: where along its shaft figures are told.
+// Of a rotor that tilts: where along its shaft figures are told, and in which planes its unbalance.
 std::string places_words(const BasinResult& r) {
   if (!r.study.parameters.tilts()) return "";
   const char* forces =
       watched_shaft(r.study).bearings.empty() ? words::text::forces_of_supports : words::text::forces_of_bearing;
   const std::string places = r.study.bearings.empty() ? fmt::format(words::text::told_at_centre_of_mass, forces)
                                                       : fmt::format(words::text::told_at_bearings, forces);
-  return places + words::text::unbalance_is_static;
+  return places + (model::tolerance_planes(r.study.bearings) ? words::text::unbalance_in_planes
+                                                             : words::text::unbalance_is_static);
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ namespace equipoise {
 std::string transient_text(const TransientResult& result, const Study& study);
 
 /// e omega in mm/s of the mean residual unbalance at the end, at the speed that the starts of `group` came to. Empty
-/// for a dimensionless study, for a rotor that tilts, whose couple it leaves out, and if a driven rotor's speed was
-/// never measured.
+/// unless is_graded() (results/left_grade.hpp), and if a driven rotor's speed was never measured.
 std::optional<double> left_grade(const TransientGroup& group, const Study& study);
 
 /// Whether the result tells of the rotor without balls beside that with them.

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "equipoise/mechanics/energy.hpp"
+#include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/model/bearing_force-inl.hpp"
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/model/unbalance.hpp"
@@ -38,7 +39,7 @@ TransientSample transient_sample(const model::Parameters& p, const WatchedShaft&
     if (each) force = HWY_NAMESPACE::BearingForce<double>(shaft.bearings[b]).of(rotor, section.data());
     return kernels::sample_of<double>({rest * sine, rest * cosine}, force, section.data());
   };
-  TransientSample sample{t, std::abs(model::unbalance(p, z + model::index::phi(0))), {}};
+  TransientSample sample{t, model::judged_unbalance(p, shaft.places, z + model::index::phi(0)), {}};
   sample.count = std::max(shaft.places.size(), shaft.bearings.size());
   for (std::size_t b = 0; b < sample.count; ++b) sample.places[b] = at(b);
   return sample;

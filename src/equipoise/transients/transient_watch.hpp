@@ -13,8 +13,9 @@ namespace equipoise {
 
 /// The motion at one time.
 struct TransientSample {
-  double t = 0.0;          ///< study time
-  double unbalance = 0.0;  ///< |lambda + sum mu_i e^{i phi_i}|; read at step ends only
+  double t = 0.0;  ///< study time
+  /// |lambda + sum mu_i e^{i phi_i}|, or of a rotor that tilts model::judged_unbalance(); read at step ends only.
+  double unbalance = 0.0;
   /// The motion at all places that are watched, one unless a rotor tilts. Power and energy are read of the first alone.
   std::array<HWY_NAMESPACE::transient::Sample<double>, model::most_bearings> places{};
   std::size_t count = 1;

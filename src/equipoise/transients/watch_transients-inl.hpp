@@ -6,7 +6,6 @@
 #define EQUIPOISE_TRANSIENTS_WATCH_TRANSIENTS_INL
 #endif
 
-#include <complex>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -14,6 +13,7 @@
 
 #include "equipoise/batch/batch_watch-inl.hpp"
 #include "equipoise/model/bearing_force-inl.hpp"
+#include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/model/drive-inl.hpp"
 #include "equipoise/model/energy-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
@@ -44,6 +44,11 @@ class WatchedTilt<true> {
         slope_(model::static_slope(p)),
         at_{Pack(settings.shaft.places[0]), Pack(settings.shaft.places[1])},
         bearing_count_(static_cast<int>(settings.shaft.bearings.size())) {
+    const auto planes = model::plane_unbalances(p, settings.shaft.places);
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      planes_.own[k] = {Pack(planes[k].own.real()), Pack(planes[k].own.imag())};
+      for (std::size_t i = 0; i < planes[k].ball.size(); ++i) planes_.ball[k][i] = Pack(planes[k].ball[i]);
+    }
     for (int k = 0; k < bearing_count_; ++k) {
       const model::Bearing& bearing = settings.shaft.bearings[static_cast<std::size_t>(k)];
       at_[k] = Pack(bearing.at);
@@ -57,7 +62,7 @@ class WatchedTilt<true> {
     supports_.take_lane(from.supports_, lane);
     energy_.take_lane(from.energy_, lane);
     for (int k = 0; k < bearing_count_; ++k) bearings_[k].take_lane(from.bearings_[k], lane);
-    take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_);
+    take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_, &WatchedTilt::planes_);
   }
 
   // Section k. `sag`: where the centre rests; `force`: on the supports, for the centre's motion alone.
@@ -77,6 +82,18 @@ class WatchedTilt<true> {
     return energy_.taken_by_supports(rotor, z);
   }
   HWY_INLINE Pack stored(const RotorMotion<Pack>& rotor, const Pack* z) const { return energy_.stored(rotor, z); }
+  // As judged_unbalance().
+  HWY_INLINE Pack unbalance(int balls, const Pack* phi) const {
+    Vector2<Pack> a = planes_.own[0], b = planes_.own[1];
+    const auto& [of_a, of_b] = planes_.ball;
+    for (int i = 0; i < balls; ++i) {
+      Pack sine, cosine;
+      sin_cos(phi[i], sine, cosine);
+      a = {multiply_add(of_a[i], cosine, a.x), multiply_add(of_a[i], sine, a.y)};
+      b = {multiply_add(of_b[i], cosine, b.x), multiply_add(of_b[i], sine, b.y)};
+    }
+    return square_root(maximum(a.x * a.x + a.y * a.y, b.x * b.x + b.y * b.y));
+  }
 
  private:
   int place_;
@@ -86,6 +103,10 @@ class WatchedTilt<true> {
   Pack at_[model::most_bearings];
   int bearing_count_;
   BearingForce<Pack> bearings_[model::most_bearings];
+  struct {
+    Vector2<Pack> own[2];
+    Pack ball[2][model::max_balls];
+  } planes_;  // of plane_unbalances()
 };
 
 template <bool tilt>
@@ -169,9 +190,13 @@ class WatchedRotor {
   }
 
   HWY_INLINE Pack unbalance(const Pack* z) const {
-    Vector2<Pack> all{rotor_.x + z[4], rotor_.y + z[5]};
-    if (!held_) all = sum_of_unbalances(rotor_, balls_, mass_, z + 4);
-    return square_root(all.x * all.x + all.y * all.y);
+    if constexpr (tilt) {
+      return tilt_.unbalance(balls_, z + 4);
+    } else {
+      Vector2<Pack> all{rotor_.x + z[4], rotor_.y + z[5]};
+      if (!held_) all = sum_of_unbalances(rotor_, balls_, mass_, z + 4);
+      return square_root(all.x * all.x + all.y * all.y);
+    }
   }
 
   transient::Limits<Pack> limits;
@@ -184,12 +209,8 @@ class WatchedRotor {
       return energy_.taken_by_supports(rotor, z);
   }
 
-  // Includes the unbalance of the balls' masses at the race's centre.
+  // Of a rotor in a plane; includes the unbalance of the balls' masses at the race's centre.
   static Vector2<Pack> of_rotor(const model::Parameters& p) {
-    if (tilt) {
-      const std::complex<double> own = std::polar(p.eccentricity, p.eccentricity_angle);
-      return {Pack(own.real()), Pack(own.imag())};
-    }
     const double balls = p.total_mass();
     return {Pack(p.eccentricity + balls * p.race_offset[0]), Pack(balls * p.race_offset[1])};
   }

@@ -46,7 +46,7 @@ struct TransientWindow {
   double peak = 0.0;       ///< largest r^2
   double force = 0.0;      ///< integral of |f|^2
   double velocity = 0.0;   ///< integral of u^2 + v^2
-  double unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|
+  double unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|, or of model::judged_unbalance()
 };
 
 /// A window and what follows on it.
@@ -66,7 +66,7 @@ struct MotionFigures {
   double radial = 0.0;      ///< largest r
   double peak_force = 0.0;  ///< largest |f|
   double rms_force = 0.0, rms_velocity = 0.0;
-  double unbalance = 0.0;  ///< mean |lambda + sum mu_i e^{i phi_i}|
+  double unbalance = 0.0;  ///< mean of what TransientWindow has the integral of
 };
 
 /// What is known of where a decided trajectory goes.

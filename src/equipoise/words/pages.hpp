@@ -140,6 +140,9 @@ inline constexpr char ends_table_caption[] =
     "Displacement and velocity at the end, means over the starts of the outcome";
 inline constexpr char grade_to_compare[] =
     "; balance quality: ISO 21940-11's grade of the unbalance that is left, for comparison only";
+inline constexpr char grade_in_planes[] =
+    "; balance quality: ISO 21940-11's grade of the unbalance that is left in the plane of the outermost bearing that "
+    "has more of it for its share, for comparison only";
 
 // One machine: a motion.
 inline constexpr char centre_on_axis[] = "The centre rests on the axis";

@@ -315,6 +315,12 @@ inline constexpr char amplitude_of_sum[] = " amplitude of the force on all suppo
 inline constexpr char no_couple_in_sum[] = ", in which a couple does not show";
 inline constexpr char grade_is_a_figure[] =
     "; eps omega in mm/s as ISO 21940-11 grades it: a figure, not a certification";
+inline constexpr char grade_in_planes[] =
+    "; in the worse of the outermost bearings' planes, each by its share, as ISO 21940-11 grades it: a figure, not a "
+    "certification";
+inline constexpr char no_grade_without_planes[] =
+    "none: ISO 21940-11 judges a rotor that tilts in the planes of two bearings; state rotor.tilt.bearings or "
+    "rotor.tilt.bearings_at";
 inline constexpr char rules_of_thumb[] =
     "\nRules of thumb: estimates by formulas; docs/explanation/rules-of-thumb.md derives them and says how often each "
     "is right\n";

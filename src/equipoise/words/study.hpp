@@ -125,9 +125,9 @@ inline constexpr char grid_of_one[] = "must be 2 or more: a grid has two starts 
 
 // Limits and standards.
 inline constexpr char standards_need_units[] = "a study in physical units, or with [units]";
-inline constexpr char limit_of_no_tilt[] =
-    "no rotor with rotor.tilt has this: it would leave out the couple unbalance; state limits.velocity or limits.force "
-    "instead";
+inline constexpr char unbalance_without_planes[] =
+    "is judged in the planes of two bearings, which rotor.tilt does not state: without them it would leave out the "
+    "couple unbalance; state rotor.tilt.bearings_at, or in physical units rotor.tilt.bearings";
 inline constexpr char force_of_more_bearings[] =
     "is of the bearing that takes most, and of more than two bearings each has to be known: state "
     "rotor.tilt.bearings_stiffness and rotor.tilt.bearings_damping, or in physical units rotor.tilt.bearings";

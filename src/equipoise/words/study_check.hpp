@@ -22,6 +22,7 @@ inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft
 inline constexpr char static_and_couple[] = "{} static and {} couple";
 inline constexpr char couple_direction[] = "; x of the model points along the couple, at {:.3g} degrees";
 inline constexpr char grade_at_speed[] = "; {} at {}";
+inline constexpr char grade_in_planes[] = "; {} in the worse plane of its bearings at {}";
 // "the rotor's own and of " or nothing, number of places, "s" or nothing, degrees.
 inline constexpr char resultant_of_places[] =
     "; the resultant of {}{} place{}, at {:.3g} degrees, where x of the model points";

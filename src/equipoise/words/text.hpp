@@ -184,9 +184,12 @@ inline constexpr char told_at_bearings[] =
 inline constexpr char told_at_centre_of_mass[] =
     "No bearings are stated: displacements and velocities are those of the shaft at the centre of mass; forces are "
     "those of {}";
+inline constexpr char unbalance_in_planes[] =
+    "; the residual unbalance is that in the plane of the outermost bearing that has more of it for its share of what "
+    "the rotor may have, as ISO 21940-11 shares it out";
 inline constexpr char unbalance_is_static[] =
-    "; the residual unbalance is the static one alone, which has no balance quality grade: tolerances of rotors that "
-    "tilt are for two planes";
+    "; the residual unbalance is the static one alone, which has no balance quality grade: ISO 21940-11 judges a rotor "
+    "that tilts in the planes of two bearings, and two are not stated";
 inline constexpr char forces_of_supports[] = "all supports together";
 inline constexpr char forces_of_bearing[] = "the bearing that takes most";
 // Sag, unit, weight, unit.
