@@ -192,7 +192,8 @@ def test_what_was_understood(program):
 
 
 def test_studies_to_begin_with(program, tmp_path):
-    assert eq.machines() == re.findall(r"[a-z-]+", program("new", "--help").stdout.split("one of:")[1].split("\n")[0])
+    listed = program("new", "--help").stdout.split("one of:")[1].split("\n\n")[0]
+    assert eq.machines() == re.findall(r"[a-z-]+", listed)
     for machine in eq.machines():
         begun = eq.new(machine, tmp_path / f"{machine}.toml")
         assert (tmp_path / f"{machine}.toml").read_text() == program("new", machine).stdout
