@@ -115,6 +115,12 @@ check("every motion is shown with its figures, and can be played", async () => {
   assert.match(await page.textContent(".motion"), /no whirl.*stable/);
   await page.locator(".motion").nth(1).click();
   assert.match(await page.textContent("#stage .fate"), /co-drifting/);
+  // A step leaves the motion: what is told is of the start again. A motion that is asked for before that is known stays.
+  await page.getByRole("button", { name: "step" }).click();
+  await page.waitForFunction(() => /^(This start|Start \d+)/.test(document.querySelector("#stage .fate").textContent));
+  await page.locator(".motion").nth(1).click();
+  await page.waitForTimeout(500); // a start's fate takes some milliseconds
+  assert.match(await page.textContent("#stage .fate"), /co-drifting/);
   await page.getByRole("button", { name: "watch a start that ends here" }).nth(2).click();
   await page.waitForFunction(() =>
     /ends in “drifting apart \(V2\)”/.test(document.querySelector("#stage .fate").textContent),

@@ -113,7 +113,7 @@ check("a limit that is stated in the form counts at once; so does what a place h
   assert.match((await linesOf(page)).words, /^Fit it only if more vibration on the way is acceptable/);
   const limits = page.locator("fieldset:has(legend:text-is('Limits'))");
   await limits.locator(".adder select").selectOption("limits.velocity");
-  assert.match(await limits.locator(".adder p").textContent(), /^root mean square, of the centre of the race$/);
+  assert.match(await limits.locator(".adder p").textContent(), /^root mean square of both directions together, of the centre of the race$/);
   await limits.locator(".adder input").fill("0.001 mm/s");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => /keep every limit/.test(document.querySelector("#judgement dd")?.textContent ?? ""));

@@ -69,7 +69,10 @@ export class Stage {
 
   step(): void {
     this.play(false);
-    this.motion = null;
+    if (this.motion) {
+      this.motion = null;
+      void this.controls.tellFate(this.desk.setting.start, this.check!);
+    }
     this.keep(this.player.step());
     this.draw();
     this.tell();
@@ -166,7 +169,7 @@ export class Stage {
     void this.followBare(check, start);
     this.play(wasShown ? wanted || !reducedMotion.matches : !reducedMotion.matches);
     this.controls.begin(this.first.phi);
-    void this.controls.tellFate(start, check);
+    if (!this.motion) void this.controls.tellFate(start, check); // a motion may have been asked for meanwhile
     this.draw();
     this.tell();
   }

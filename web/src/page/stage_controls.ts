@@ -157,7 +157,13 @@ export class StageControls {
     );
   }
 
+  /** What is shown ends so, or is this; a start's fate that is still being computed is no longer told. */
   fate(words: string, colour: string | null): void {
+    this.fates.abort();
+    this.say(words, colour);
+  }
+
+  private say(words: string, colour: string | null): void {
     this.fateLine.replaceChildren(...(colour ? [swatch(colour)] : []), words);
   }
 
@@ -166,8 +172,8 @@ export class StageControls {
     this.fates.abort();
     this.fates = new AbortController();
     const which = "index" in start ? `Start ${start.index}` : "This start";
-    if (!check.decidable) return this.fate("", null);
-    this.fate(`${which}: where it will end is being computed…`, null);
+    if (!check.decidable) return this.say("", null);
+    this.say(`${which}: where it will end is being computed…`, null);
     const { signal } = this.fates;
     try {
       const options = { urgency: URGENCY.fate, signal, gentle: true };
@@ -177,14 +183,14 @@ export class StageControls {
           : await this.desk.crew.compute("states", [check.toml, Float64Array.from(start.phi)], options);
       if (signal.aborted) return;
       const outcome = fates.outcomes.find(({ code }) => code === fates.outcome[0]);
-      if (!outcome) return this.fate(`${which} stays undecided.`, null);
+      if (!outcome) return this.say(`${which} stays undecided.`, null);
       const when = this.stage.shownUnits.timeText(fates.time[0]!);
-      this.fate(
+      this.say(
         `${which} ends ${outcome.code > 0 ? "in " : ""}“${outcome.title}”, certain at ${when}.`,
         outcome.colour,
       );
     } catch (error) {
-      if (!isAborted(error) && !signal.aborted) this.fate((error as Error).message, null);
+      if (!isAborted(error) && !signal.aborted) this.say((error as Error).message, null);
     }
   }
 
