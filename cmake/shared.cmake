@@ -27,7 +27,7 @@ set_target_properties(equipoise_shared PROPERTIES OUTPUT_NAME equipoise EXPORT_N
 list(TRANSFORM equipoise_public_headers PREPEND ${PROJECT_SOURCE_DIR}/src/equipoise/ OUTPUT_VARIABLE headers)
 list(APPEND headers ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/base/version.hpp)
 add_custom_command(OUTPUT ${exported_map}
-  COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.py ${exported_map}
+  COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.py ${exported_map}
     EQUIPOISE_${interface} ${CMAKE_NM} ${headers} -- $<TARGET_FILE:equipoise> $<TARGET_FILE:equipoise_paper>
   DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.py ${headers} equipoise equipoise_paper
   COMMENT "Listing what the shared library shows" VERBATIM)

@@ -85,7 +85,7 @@ find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   function(cli_test name script)
     add_test(NAME ${name}
-      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/${script} $<TARGET_FILE:equipoise_program>
+      COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/cli/${script} $<TARGET_FILE:equipoise_program>
         ${PROJECT_SOURCE_DIR}/studies)
     set_tests_properties(${name} PROPERTIES LABELS cli TIMEOUT ${longest_test} ENVIRONMENT ${test_environment})
   endfunction()
@@ -107,13 +107,13 @@ if(Python3_FOUND AND EQUIPOISE_BUILD_PROGRAM)
   cli_test(cli.design design_test.py)
   cli_test(cli.reproduce_as_its_users_meet_it reproduce_test.py)
   add_test(NAME cli.without_mpi
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cli/without_mpi_test.py
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/cli/without_mpi_test.py
       $<TARGET_FILE:equipoise_without_mpi> ${PROJECT_SOURCE_DIR}/studies)
   set_tests_properties(cli.without_mpi PROPERTIES LABELS cli TIMEOUT ${longest_test} ENVIRONMENT ${test_environment})
 
   if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
     add_test(NAME faults.nothing_is_lost
-      COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE:equipoise_program>
+      COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/faults/faults.py $<TARGET_FILE:equipoise_program>
         ${PROJECT_SOURCE_DIR}/studies --quick)
     set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT ${longest_test} COST 130)
   endif()

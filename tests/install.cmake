@@ -22,7 +22,7 @@ if(EQUIPOISE_DEBIAN AND NOT EQUIPOISE_SANITIZE)
   mark_as_advanced(EQUIPOISE_DPKG)
   if(EQUIPOISE_DPKG AND Python3_Interpreter_FOUND)
     add_test(NAME install.debian_package_of_the_program
-      COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/install/package_test.py --cpack ${CMAKE_CPACK_COMMAND}
+      COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/install/package_test.py --cpack ${CMAKE_CPACK_COMMAND}
         ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/package_scratch)
     set_tests_properties(install.debian_package_of_the_program PROPERTIES LABELS install TIMEOUT ${longest_test})
   endif()

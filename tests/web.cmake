@@ -15,7 +15,7 @@ set_tests_properties(web.engine_is_built PROPERTIES LABELS web TIMEOUT 3600 FIXT
 # web_test(NAME SCRIPT argument...)
 function(web_test name script)
   add_test(NAME ${name}
-    COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/web/${script} $<TARGET_FILE:equipoise_program>
+    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/web/${script} $<TARGET_FILE:equipoise_program>
       ${PROJECT_SOURCE_DIR}/build/web-engine ${EQUIPOISE_NODE} ${PROJECT_SOURCE_DIR}/studies ${ARGN})
   set_tests_properties(${name} PROPERTIES LABELS web TIMEOUT ${longest_test} FIXTURES_REQUIRED web_engine)
 endfunction()
