@@ -1,5 +1,5 @@
 # Tests of the documentation: words and lengths of sentences, links, lessons that are run, the site that is built.
-if(NOT TARGET ${Python3_EXECUTABLE})
+if(NOT Python3_FOUND)
   return()
 endif()
 add_test(NAME docs.links_lead_somewhere
