@@ -71,13 +71,7 @@ int run_map(const MapArguments& a) {
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   settings.progress = progress.listener();
-  const BasinSlice map = [&] {
-    try {
-      return basin_slice(study, settings);
-    } catch (const InputError& e) {
-      throw under_names(e, axes.x, axes.y, {"--x", "--y", "--size", "map"});
-    }
-  }();
+  const BasinSlice map = naming_axes(axes, "map", [&] { return basin_slice(study, settings); });
   progress.finish();
   if (map.read_whole) say(words::map_read, a.output);
   put_map(a, map, [&] { return given_machine(text, name, a.overrides); });

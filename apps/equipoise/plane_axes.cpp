@@ -10,11 +10,13 @@ namespace equipoise::app {
 
 namespace {
 
-SliceAxis axis_of(const Study& study, const std::string& text, const std::string& range, int pixels, const std::string& option) {
+SliceAxis axis_of(const Study& study, const std::string& text, const std::string& range, int pixels,
+                  const std::string& option) {
   const std::string range_option = option + "-range";
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) return slice_axis(study, text, range, pixels, range_option);
-  if (!range.empty()) throw InputError(range_option, "", display_text(range), fmt::format(words::range_given_twice, option));
+  if (!range.empty())
+    throw InputError(range_option, "", display_text(range), fmt::format(words::range_given_twice, option));
   if (equals == 0 || equals + 1 == text.size()) throw InputError(option, "", display_text(text), words::axis_form);
   return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), pixels, option);
 }
@@ -31,7 +33,8 @@ void add_plane_axes(CLI::App& app, PlaneAxes& axes, const char* x, const char* y
 
 ReadAxes read_axes(const Study& study, const PlaneAxes& axes) {
   const SliceSize size = map_size(axes.size, "--size");
-  return {axis_of(study, axes.x, axes.x_range, size.width, "--x"), axis_of(study, axes.y, axes.y_range, size.height, "--y")};
+  return {axis_of(study, axes.x, axes.x_range, size.width, "--x"),
+          axis_of(study, axes.y, axes.y_range, size.height, "--y")};
 }
 
 }  // namespace equipoise::app

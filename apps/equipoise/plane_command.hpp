@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/base/error.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "help.hpp"
 #include "options.hpp"
@@ -46,9 +45,9 @@ template <class Settings, class Set, class Compute, class Forms>
 int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compute, Forms forms) {
   begin_computing(a);
   const Study study = at_medians(read_study(a.study, a.overrides));
-  const auto [x, y] = read_axes(study, a);
-  settings.x = x;
-  settings.y = y;
+  const ReadAxes axes = read_axes(study, a);
+  settings.x = axes.x;
+  settings.y = axes.y;
   set(study, settings);
   check_forms(a);
   settings.output = a.output;
@@ -56,13 +55,7 @@ int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compu
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
   settings.progress = progress.listener();
-  const auto result = [&] {
-    try {
-      return compute(study, settings);
-    } catch (const InputError& e) {
-      throw under_names(e, settings.x, settings.y, {"--x", "--y", "--size", "stability"});
-    }
-  }();
+  const auto result = naming_axes(axes, "stability", [&] { return compute(study, settings); });
   progress.finish();
   const std::string title = display_text(std::filesystem::path(result.study.name).filename().string());
   put_forms(a, forms(result, title));

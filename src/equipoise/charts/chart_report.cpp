@@ -1,5 +1,4 @@
 // Sentences, two tables and notes; numbers of curves, points and boxes.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/charts/chart_report.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/charts/chart_regions_text.hpp"
 #include "equipoise/charts/stability_report.hpp"

@@ -1,5 +1,4 @@
 // Sentences, a small table and notes; rows of numbers.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/charts/stability_report.hpp"
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/answers/quantities.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/text/computed.hpp"

@@ -1,5 +1,4 @@
 // Colours, labels and canvas of the pictures.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/words/plots.hpp"
 

@@ -1,5 +1,4 @@
 // Each quantity changed by a fifth, and what that does to capacity and to the approach to balance.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/explain/study_check.hpp"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/explain/rules_of_thumb.hpp"
 #include "equipoise/results/left_grade.hpp"

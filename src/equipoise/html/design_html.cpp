@@ -1,5 +1,4 @@
 // Words, tables and drawings for a design.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/html/design_html.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/answers/answer.hpp"

@@ -1,5 +1,4 @@
 // Tables about the machine, and words about the run.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/html/page_parts.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/reports/explain_report.hpp"

@@ -1,5 +1,4 @@
 // Words and tables around a sweep's drawings.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/html/sweep_html.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/drawing/document.hpp"
 #include "equipoise/answers/answer.hpp"

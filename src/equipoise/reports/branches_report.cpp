@@ -1,5 +1,4 @@
 // Branches as text, JSON and CSV.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/branches_report.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/decision/plain_names.hpp"

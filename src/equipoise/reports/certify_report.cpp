@@ -1,5 +1,4 @@
 // Proofs about balanced states as text and as JSON.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/certify_report.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"

@@ -1,5 +1,4 @@
 // Sweeps as text, JSON and CSV.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/reports/sweep_report.hpp"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/answers/answer.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/text/cell_text.hpp"
 #include "equipoise/text/computed.hpp"

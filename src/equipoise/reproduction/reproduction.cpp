@@ -1,5 +1,4 @@
 // The reproduced paper as text for the terminal and as JSON.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/reproduction/reproduction_words.hpp"

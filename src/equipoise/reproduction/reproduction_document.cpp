@@ -1,5 +1,4 @@
 // The report, block by block.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/drawing/chart_svg.hpp"
 #include "equipoise/plots/map_drawing.hpp"

@@ -1,5 +1,4 @@
 // Reads KEY=FROM:TO:STEP and KEY=A,B,C.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/base/stepped_values.hpp"
 #include "equipoise/words/sweeps.hpp"

@@ -1,5 +1,4 @@
 // Numbers and studies as text.
-#include "equipoise/base/plural.hpp"
 #include "equipoise/text/text.hpp"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/plural.hpp"
 #include "equipoise/mechanics/held_speed.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/start_text.hpp"
