@@ -15,6 +15,7 @@
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_drawings.hpp"
+#include "equipoise/text/cell_text.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
