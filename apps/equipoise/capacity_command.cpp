@@ -54,7 +54,8 @@ SweepPlan capacity_plan(const CapacityArguments& a, const StudySource& source) {
 
 CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& plan, const Team& team) {
   CapacityOptions options;
-  options.key = capacity_key(plan.source(), a.of, "--of");
+  options.of = "--of";
+  options.key = capacity_key(plan.source(), a.of, options.of);
   const CapacityRange range = capacity_range(plan, options.key, a.between, "--between");
   options.from = range.from;
   options.to = range.to;

@@ -230,7 +230,7 @@ Capacity find_capacity(const PyStudy& s, const std::string& of, const std::strin
   Call call(settings);
   CapacityOptions options;
   call.set(options);
-  options.key = capacity_key(plan.source(), of, "of");
+  options.key = capacity_key(plan.source(), of, options.of);
   const CapacityRange range = capacity_range(plan, options.key, between, "between");
   options.from = range.from;
   options.to = range.to;

@@ -72,6 +72,12 @@ class Capacity(Case):
         least, most = (4 * 7.8e-3 * math.pi / 6 * size ** 3 * 250 for size in (30, 44))
         self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / least / 0.02 - 1) < 1e-5, found)
 
+    def test_a_key_that_cannot_be_searched_is_refused_under_its_option(self):
+        for key, between, words in (("rotor.ecc", "0.01:0.02", ["unknown key"]),
+                                    ("balancer.balls", "2:4", ["= 2.25", "must be a whole number"])):
+            with self.subTest(key=key):
+                self.refused("capacity", ROW, "--of", key, "--between", between, words=[f"--of: {key} = ", *words])
+
 
 class DrawnValues(Case):
     def test_a_trial_is_what_basin_says_of_drawn_rotors(self):

@@ -6,6 +6,7 @@ GRINDER = "examples/angle-grinder.toml"
 CENTRIFUGE = "examples/laboratory-centrifuge.toml"
 DRIVE = "examples/optical-drive.toml"
 WASHER = "examples/washing-machine.toml"
+TILTING_WASHER = "tilting-washer.toml"
 SPIN_UP = "designs/gentle-spin-up.toml"
 
 TOUCH = ["balancer.contact_angle=0.3", "balancer.restitution=0.4"]
@@ -35,6 +36,8 @@ FATES = {
     "centrifuge": (CENTRIFUGE, [], 60),
     "optical-drive": (DRIVE, [], 30),
     "washer": (WASHER, [], 60),
+    "tilting-rotor": ("long-rotor.toml", [], 100),
+    "tilting-washer": (TILTING_WASHER, [], 60),
 }
 
 # The same for the results of every command.
@@ -51,8 +54,10 @@ ANSWERS = {
     "race-off-centre": (ROW, ["balancer.race_offset=[0.002, 0.001]"]),
     "centrifuge": (CENTRIFUGE, []),
     "washer": (WASHER, []),
+    "tilting-washer": (TILTING_WASHER, []),
 }
 
 # The two drags between which sweeps, comparisons and branches run.
 PLAIN_DRAG = ("0.04", "0.08")
-PHYSICAL_DRAG = {"centrifuge": ("2 N s/m", "4 N s/m"), "washer": ("1.3 N s/m", "2 N s/m")}
+PHYSICAL_DRAG = {"centrifuge": ("2 N s/m", "4 N s/m"), "washer": ("1.3 N s/m", "2 N s/m"),
+                 "tilting-washer": ("1.3 N s/m", "2 N s/m")}

@@ -32,6 +32,7 @@
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/sweeps/sweep_cell.hpp"
 #include "equipoise/sweeps/varied_unbalance.hpp"
+#include "equipoise/toml/overrides.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/sweeps.hpp"
 
@@ -266,8 +267,10 @@ class CapacityRun final : public SurveyRun {
  private:
   void check() const {
     for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
-      for (const double value : {few_digits(options_.from), few_digits(options_.to)})
+      for (const double part : {0.0, 1.0 / scan, 1.0}) {  // between the ends, a key of whole numbers shows itself
+        const double value = few_digits(options_.from + (options_.to - options_.from) * part);
         check_runnable(capacity_study(plan_, options_, cell, value), plan_.transients());
+      }
   }
 
   // Whether its trials say where the boundary lies.
@@ -345,7 +348,12 @@ CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, cons
 }
 
 Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value) {
-  return plan.study_of(cell, settings(plan, options, value));
+  try {
+    return plan.study_of(cell, settings(plan, options, value));
+  } catch (const InputError& e) {
+    if (e.where() != overrides_name || e.key() != options.key) throw;
+    throw InputError(options.of, e.key(), e.value(), e.problem());
+  }
 }
 
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {

@@ -18,6 +18,7 @@ struct CapacityOptions : RunOptions {
   std::string key;              ///< as in --set
   std::string unit;             ///< of quantities; empty for plain numbers
   double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
+  std::string of = "of";        ///< names the key in errors
   double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
   std::string by = "balanced";  ///< CapacityResult::by; the plan has to gather transients for all others
   double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
@@ -51,8 +52,8 @@ Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);
 
 /// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
 /// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
-/// on the same starts. Throws InputError if a study at either end of the range is none, or for unusable output files,
-/// RunError if the output fails later. The result depends on the plan and on what is asked alone.
+/// on the same starts. Throws InputError if a study at either end of the range, or one step into it, is none, or for
+/// unusable output files, RunError if the output fails later. The result depends on the plan and on what is asked alone.
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
 
 }  // namespace equipoise
