@@ -164,9 +164,9 @@ TEST(TiltSurveys, SweepAndCapacityAreThoseOfEnsembles) {
   }
   CapacityOptions asked;
   asked.key = "rotor.tilt.misalignment";
-  asked.from = 0.005;
-  asked.to = 0.013;
-  asked.precision = 0.05;
+  asked.from = 0.0105;  // the second value tried is beyond the boundary: few searches
+  asked.to = 0.0145;
+  asked.precision = 0.1;
   const CapacityResult capacity_there = capacity(SweepPlan(source, {}, {}, "--over"), asked);
   ASSERT_TRUE(capacity_there.cells[0] && capacity_there.cells[0]->value);
   EXPECT_NEAR(*capacity_there.cells[0]->value, 0.015 * 2.0 / 2.75, asked.precision * (asked.to - asked.from));

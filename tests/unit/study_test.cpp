@@ -227,6 +227,12 @@ TEST(Overrides, TakeBareWordsAsStrings) {
   EXPECT_EQ(parse(ramp, {"speed.law='published'"}).speed.law, model::SpeedLaw::published);
 }
 
+TEST(Overrides, TakeNumbersWithNothingBesideThePoint) {
+  const Study whole = parse_study(constant_speed, "f.toml", {"balancer.drag=0.5", "speed.speed=3"});
+  EXPECT_EQ(to_toml(parse_study(constant_speed, "f.toml", {"balancer.drag=.5", "speed.speed=3."})), to_toml(whole));
+  EXPECT_THROW(parse_study(constant_speed, "f.toml", {"balancer.drag=.5x"}), InputError);
+}
+
 TEST(Overrides, ApplyInOrderSoThatTheLastOneHolds) {
   EXPECT_EQ(parse(ramp, {"sampling.seed=7", "sampling.seed=8"}).sampling.seed, 8u);
   EXPECT_EQ(parse(ramp, {"rotor.eccentricity=-1", "rotor.eccentricity=0.2"}).parameters.eccentricity, 0.2);

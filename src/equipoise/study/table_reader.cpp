@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/nearest_name.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/study/known_keys.hpp"
 #include "equipoise/study/quantity_reader.hpp"
@@ -79,12 +82,21 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-// The value of an override: TOML, or a bare word or quantity ("published", "12 kg") as a string.
+// A number as people also type it: ".05", "5.", which TOML has not.
+std::optional<double> plain_number(const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const NumberRead read = read_number(text.data(), end, number);
+  return read.error == std::errc() && read.end == end ? std::optional(number) : std::nullopt;
+}
+
+// The value of an override: TOML, a number, or a bare word or quantity ("published", "12 kg") as a string.
 StudyValue parse_value(const std::string& key, const std::string& value) {
   try {
     const StudyValue parsed = parse_toml("value = " + value);
     if (parsed.table()->size() == 1) return *parsed.find("value");
   } catch (const TextFault& fault) {
+    if (const auto number = plain_number(value)) return *number;
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
     throw InputError(overrides_name, printable(key), printable(value), fault.problem);
   }
