@@ -208,6 +208,10 @@ TEST(TiltExplain, SaysWhatHolds) {
             "damping='0 N s/m'}]"});
   EXPECT_NE(three.find("force at the bearings"), std::string::npos) << three;
   EXPECT_EQ(three.find("in which a couple does not show"), std::string::npos) << three;
+  // Where Jp > Jt a couple points the other way than angles count from.
+  const std::string disk = explain_text(explained(tilting::long_rotor, {"rotor.tilt.polar_inertia=4"}));
+  EXPECT_EQ(disk.find("from the couple unbalance"), std::string::npos) << disk;
+  EXPECT_NE(disk.find("from the rotor's angle 0"), std::string::npos) << disk;
   const std::string unknown = explain_text(explained(tilting::long_rotor, {"rotor.tilt.bearings_at=[3, 0, -3]"}));
   EXPECT_EQ(unknown.find("force at the bearings"), std::string::npos) << unknown;
   EXPECT_NE(unknown.find("in which a couple does not show"), std::string::npos) << unknown;

@@ -60,6 +60,7 @@ TEST(Publications, TellADifferenceThatNobodyExplains) {
   EXPECT_NE(publications_json(r).find("\"differs\": true"), std::string::npos);
   r.list.front().rows.front().verdict = RowVerdict::explained;
   EXPECT_FALSE(r.differs());
+  EXPECT_NE(publications_text(r).find("1 differ, each for a reason that is known;"), std::string::npos);
 }
 
 // The rotor of Rodrigues and others (2008), section 2: four balls in two planes at +z and -z, with tilt; its equations

@@ -20,6 +20,8 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/inscribed_polygon.hpp"
 #include "equipoise/basin_slices/slice_axis.hpp"
+#include "equipoise/stability/balance_at.hpp"
+#include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "../support/charted_plane.hpp"
 
@@ -228,6 +230,45 @@ TEST(ContinuumPlane, AChartSaysIt) {
   EXPECT_TRUE(holds(chart_text(chart), "inscribed"));
   EXPECT_EQ(nlohmann::json::parse(chart_json(chart))["one_of_many"], true);
   EXPECT_TRUE(holds(chart_plot_script(chart, "rotor", "picture.svg"), "balls spread evenly"));
+}
+
+// Two unlike balls in each of two planes: each plane closes its triangle in two ways, and between drags and speeds at
+// which the first and the last of the four states lose their stability only the most stable one counts.
+TEST(SeveralStates, AreToldByTheMostStableOne) {
+  const std::string text = R"([rotor]
+eccentricity = 0.006
+eccentricity_angle = 2.4
+damping = 0.08
+[rotor.tilt]
+transverse_inertia = 1.9
+polar_inertia = 0.7
+misalignment = 0.006
+stiffness = [0.4, 2.2]
+damping = [0.02, 0.19]
+[balancer]
+balls = 4
+plane = [1.5, 1.5, -0.8, -0.8]
+mass = [0.006, 0.0075, 0.008, 0.007]
+drag = 0.2
+[speed]
+profile = "constant"
+speed = 2.369
+)";
+  const Study study = parse_study(text, "rotor");
+  const model::System system = study.system();
+  int stable = 0;
+  const model::BalancedStates states = model::balanced_states(study.parameters);
+  ASSERT_EQ(states.angles.size(), 4u);
+  for (const auto& phi : states.angles)
+    stable += balanced_rates(system, phi, false)->rates.front().real() < 0.0;
+  EXPECT_TRUE(0 < stable && stable < 4) << stable;
+  EXPECT_EQ(balance_at(study).kind, BalanceKind::stable);
+  const SliceAxis speed{"speed.final", 2.0, 3.0, 3}, drag{"balancer.drag", 0.1, 0.3, 3};
+  const StabilityPlane plane = small_plane(study, speed, drag);
+  EXPECT_TRUE(holds(stability_text(plane), "the most stable state at each point"));
+  EXPECT_EQ(nlohmann::json::parse(stability_json(plane))["of_several"], true);
+  const Study alike = parse_study(text, "rotor", {"balancer.mass=0.007"});
+  EXPECT_FALSE(holds(stability_text(small_plane(alike, speed, drag)), "most stable"));
 }
 
 TEST(PlaneNotes, TellWhatAnAxisBrings) {

@@ -188,7 +188,9 @@ std::string lost_curves_text(const BifurcationChart& chart) {
     const ChartCurve& c = chart.curves[k];
     if (!is_of_cycles(c.kind) && (c.ends[0] == CurveEnd::lost || c.ends[1] == CurveEnd::lost)) which.push_back(k + 1);
   }
-  return which.empty() ? "" : fmt::format(words::chart::curves_lost, fmt::join(which, ", "));
+  if (which.empty()) return "";
+  return fmt::format(words::chart::curves_lost, fmt::join(which, ", ")) +
+         (chart.plane.of_several() ? words::chart::lost_to_another_state : "");
 }
 
 std::string chart_notes(const BifurcationChart& chart) {
@@ -277,6 +279,7 @@ std::string chart_json(const BifurcationChart& chart) {
     json[letter] = {{"key", axis->key}, {"low", axis->low}, {"high", axis->high}, {"points", axis->pixels}};
   json["answer"] = chart_answer(chart);
   json["one_of_many"] = chart.plane.one_of_many();
+  json["of_several"] = chart.plane.of_several();
   const auto* own = chart.plane.own ? &*chart.plane.own : nullptr;
   json["continuum"] = own && own->continuum ? ChartJson(continuum_json(*own->continuum)) : ChartJson(nullptr);
   json["curves"] = ChartJson::array();

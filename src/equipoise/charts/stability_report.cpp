@@ -201,6 +201,7 @@ std::string plane_notes(const StabilityPlane& plane) {
           name);
   }
   if (plane.one_of_many()) text += words::stability::one_of_many;
+  if (plane.of_several()) text += words::stability::of_several;
   if (plane.contact()) text += words::stability::balls_at_rest;
   if (plane.count_if([](const BalancePoint& p) { return p.by_multipliers && std::isfinite(p.growth); }) > 0)
     text += words::stability::by_multipliers;
@@ -252,6 +253,7 @@ std::string stability_json(const StabilityPlane& plane) {
   PlaneJson json{{"x", plane_axis_json(plane.x)}, {"y", plane_axis_json(plane.y)}};
   json["answer"] = stability_answer(plane);
   json["one_of_many"] = plane.one_of_many();
+  json["of_several"] = plane.of_several();
   for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
     json["points"][balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
   json["own"] = own_json(plane);

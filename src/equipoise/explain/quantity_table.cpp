@@ -70,7 +70,9 @@ class QuantityTable {
 
   void tilt() {
     const model::Tilt& t = p_.tilt;
-    add("beta_0", "its angle from the couple unbalance", p_.eccentricity_angle, Dimension::angle);
+    // Angles count from where a positive couple unbalance points.
+    const char* angle = t.couple() < 0.0 ? "its angle" : "its angle from the couple unbalance";
+    add("beta_0", angle, p_.eccentricity_angle, Dimension::angle);
     add("J_t", "transverse moment of inertia", t.transverse_inertia, Dimension::inertia);
     add("J_p", "polar moment of inertia", t.polar_inertia, Dimension::inertia);
     add("chi", "misalignment of the principal axis", t.misalignment, Dimension::angle);

@@ -40,6 +40,7 @@ struct BalancePoint {
   short unstable = 0;                                        ///< eigenvalues with a positive real part
   unsigned char left_out = 0;                                ///< bits of LeftOut
   bool one_of_many : 1 = false;                              ///< a member of a continuum, with the balls spread evenly
+  bool of_several : 1 = false;                               ///< the most stable of states whose rates differ
   bool contact : 1 = false;                                  ///< balls that can touch
   bool by_multipliers : 1 = false;                           ///< the equations depend on the rotor's angle
   double growth = std::numeric_limits<double>::quiet_NaN();  ///< largest real part of an eigenvalue
@@ -122,6 +123,8 @@ struct StabilityPlane {
   bool one_of_many() const {
     return (own && own->point.one_of_many) || count_if([](const BalancePoint& p) { return p.one_of_many; }) > 0;
   }
+  /// Whether some of its points have several balanced states, isolated, whose rates differ.
+  bool of_several() const { return count_if([](const BalancePoint& p) { return p.of_several; }) > 0; }
   bool contact() const { return count_if([](const BalancePoint& p) { return p.contact; }) > 0; }
 };
 

@@ -66,7 +66,10 @@ std::string row_text(const JudgedRow& r) {
 std::string tally(const JudgedPublications& r) {
   const int agree = r.count(RowVerdict::agrees), explained = r.count(RowVerdict::explained);
   const int differ = r.count(RowVerdict::differs) + explained;
-  std::string text = fmt::format(words::publications::tally, agree, agree + differ, differ, explained,
+  const std::string known = differ == 0           ? ""
+                            : explained == differ ? words::publications::all_explained
+                                                  : fmt::format(words::publications::some_explained, explained);
+  std::string text = fmt::format(words::publications::tally, agree, agree + differ, differ, known,
                                  r.count(RowVerdict::not_computed));
   if (!r.partial) return text;
   std::size_t judged = 0, all = 0;

@@ -213,7 +213,7 @@ class Text {
     const bool family = e_.balanced.kind == model::BalancedStates::Kind::continuum;
     if (e_.tilt)
       item(words::reports::balanced_angles,
-           fmt::format(fmt::runtime(e_.tilt->couple > 0.0 ? words::reports::from_couple_unbalance
+           fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? words::reports::from_couple_unbalance
                                                           : words::reports::from_angle_0),
                        angles, states_of_tilt(family)));
     else

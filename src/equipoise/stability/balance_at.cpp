@@ -77,6 +77,7 @@ BalancePoint balance_at(const Study& study) {
   point.left_out = rotor.left_out;
   point.by_multipliers = !linear.autonomous();
   const std::size_t different = same_rates(linear) ? 1 : members.size();
+  point.of_several = different > 1;
   for (std::size_t k = 0; k < different; ++k) {
     BallAngles phi = members[k];
     for (int i = 0; i < twin.parameters.balls; ++i) phi[static_cast<std::size_t>(i)] += twin.turn;

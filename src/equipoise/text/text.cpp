@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,15 @@ std::string more_text(const Study& study) {
   if (p.gravity != 0.0)
     add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
                      : fmt::format("gravity {:.6g}", p.gravity));
+  if (p.tilts()) {
+    const std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
+    const bool same = std::all_of(planes.begin(), planes.end(), [&](double z) { return z == planes.front(); });
+    add(fmt::format(words::text::tilts, shown(p.tilt.transverse_inertia, Dimension::inertia),
+                    shown(p.tilt.polar_inertia, Dimension::inertia)));
+    if (p.balls > 0)
+      add(fmt::format(words::text::balls_in_planes, plural(p.balls), same ? "" : "s",
+                      shown.list(planes.data(), nullptr, p.balls, same, Dimension::length)));
+  }
   if (!p.race_is_centred()) add(words::text::race_offset + both(p.race_offset, Dimension::length));
   if (p.rolls) {
     const bool same = std::all_of(p.ball_radius.begin(), p.ball_radius.begin() + p.balls,

@@ -83,7 +83,7 @@ inline constexpr char how_unstable_cycles[] = "unstable cycles";
 inline constexpr char how_both_cycles[] = "a cycle, stable on a part";
 inline constexpr char place[] = "at";
 inline constexpr char meaning[] = "what it is";
-inline constexpr char is_generalised_hopf[] = "generalised Hopf: softly on one side, abruptly on the other";
+inline constexpr char is_generalised_hopf[] = "generalised Hopf: the swing begins softly on one side, abruptly on the other";
 inline constexpr char is_double_hopf[] = "double Hopf: two swings begin at once";
 inline constexpr char is_zero_hopf[] = "zero-Hopf: a swing begins where a real eigenvalue is 0";
 inline constexpr char is_bogdanov_takens[] = "Bogdanov-Takens: the swing's frequency falls to 0";
@@ -133,6 +133,8 @@ inline constexpr char no_cycles[] = "Of cycles nothing is told: {}.\n";
 // Numbers of curves of states at rest.
 inline constexpr char curves_lost[] =
     "Curves that end inside the plane because no next point was found, by number: {}.\n";
+inline constexpr char lost_to_another_state[] =
+    "Where another balanced state becomes the most stable one a curve may end so.\n";
 
 // How curves of cycles end: the places, each with the numbers of the curves.
 inline constexpr char cycles_end[] = "Curves of cycles end, by number: {}.\n";

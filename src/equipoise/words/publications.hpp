@@ -22,9 +22,10 @@ inline constexpr char page_note[] =
     "plot can be read, the error is assumed: half a unit of the last digit that was read, 0.02 for speeds in "
     "run-ups, 2.5 rpm for simulated critical speeds. An error here is what the computation leaves open: a sample's "
     "95 % interval, the spread of irregular motions, steps of a search.";
-// Agree, all judged, differ, explained, not computed.
-inline constexpr char tally[] =
-    "{} of {} numbers agree, {} differ, {} of them for a reason that is known; {} not computed.";
+// Agree, all judged, differ, of them explained, not computed.
+inline constexpr char tally[] = "{} of {} numbers agree, {} differ{}; {} not computed.";
+inline constexpr char some_explained[] = ", {} of them for a reason that is known";
+inline constexpr char all_explained[] = ", each for a reason that is known";
 // Numbers left, all.
 inline constexpr char partial[] = " PARTIAL: stopped early; {} of {} numbers were not reached.";
 inline constexpr char seen[] = "Read: {}";

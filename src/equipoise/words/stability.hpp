@@ -92,6 +92,9 @@ inline constexpr char one_of_many[] =
     "The balanced states form a continuum. What is called stable or unstable, and its rates, are those of one of them, "
     "with the balls spread evenly: laid end to end in their order, unbalance and balls are a polygon inscribed in a "
     "circle.\n";
+inline constexpr char of_several[] =
+    "The balls balance in several states, whose rates differ. What is called stable or unstable, and its rates, are "
+    "those of the most stable state at each point; others may be unstable there.\n";
 inline constexpr char balls_at_rest[] = "Balls at rest in balance do not touch, so contact plays no part.\n";
 inline constexpr char by_multipliers[] =
     "The equations depend on the rotor's angle: rates are those of multipliers, and frequencies are known but for "

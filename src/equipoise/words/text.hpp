@@ -137,6 +137,10 @@ inline constexpr char published_law[] = "; PUBLISHED speed law, psi = t Omega(t)
 inline constexpr char kinematic_law[] = "; kinematic speed law, psi' = Omega(t)";
 
 // The study: rotor and balls.
+// Moments of inertia.
+inline constexpr char tilts[] = "tilts: transverse inertia {}, polar {}";
+// Plurals of ball and plane, places.
+inline constexpr char balls_in_planes[] = "ball{} in plane{} {}";
 inline constexpr char race_offset[] = "race offset ";
 inline constexpr char balls_roll[] = "balls roll, radius ";
 inline constexpr char balls_touch[] = "balls touch at {:.6g} rad, restitution {:.6g}";
