@@ -79,7 +79,7 @@ ROOMS = {
         "running math model types mechanics study kernels periodic_orbits attractors proof results planes spin_up "
         "attractor_search start_runs continuation basin_slices stability cycles",
     "sweeps":
-        "running types units study kernels attractors balanced_regions results result_files cell_files "
+        "running types units toml study kernels attractors balanced_regions results result_files cell_files "
         "attractor_search start_runs ensembles",
     "design":
         "running drives types statistics units toml datasheet study kernels attractors balanced_regions columns results "
