@@ -1,6 +1,9 @@
-// V estimated from nearby members, against V of the member that a state comes to.
+// V estimated from nearby members, against V of the member that a state comes to; states that are refused without it.
 #include "equipoise/trapping_regions/continuum_estimate.hpp"
 
+#include <cmath>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,6 +11,7 @@
 
 #include "equipoise/model/parameters.hpp"
 #include "equipoise/study/study.hpp"
+#include "equipoise/trapping_regions/continuum_region.hpp"
 #include "equipoise/trapping_regions/trials.hpp"
 
 namespace equipoise {
@@ -53,6 +57,68 @@ TEST(ContinuumEstimate, NeverErrsByTwiceWhatItSays) {
     EXPECT_NEAR(*same, *depth, 1e-9 * *depth);  // rounding of the projection onto balance
   }
   EXPECT_GT(seen, 20);
+}
+
+// Four balls in one plane of a rotor, which may tilt or have its race off its centre.
+model::System four_in_a_plane(const std::vector<std::string>& overrides) {
+  return parse_study(R"(
+[rotor]
+eccentricity = 0.01
+damping = 0.02
+[balancer]
+balls = 4
+mass = 0.005
+drag = 0.01
+[speed]
+profile = "constant"
+speed = 4.5
+)",
+                     "plane", overrides)
+      .system();
+}
+
+// A state that is refused without its V has a V above its level, and states far off are refused.
+TEST(OffContinuum, RefusesOnlyWhatIsOutside) {
+  const std::vector<std::vector<std::string>> rotors{
+      {},
+      {"rotor.tilt={ transverse_inertia = 3.25, polar_inertia = 0.5, stiffness = [0, 9], damping = [0, 0.18] }",
+       "balancer.plane=0"},
+      {"balancer.race_offset=[2e-3, 1e-3]"}};
+  for (const auto& overrides : rotors) {
+    const model::System system = four_in_a_plane(overrides);
+    const auto continuum = std::make_shared<const ContinuumOfEquilibria>(system);
+    const ContinuumSurvey survey = continuum->survey();
+    const auto typical = continuum->member(survey.typical.data());
+    ASSERT_TRUE(typical && typical->form.size() > 0);
+    ContinuumRegion region{
+        continuum, 0.04 / typical->unit, 0.1 * survey.fastest_rate, typical->centre.head(4), 0.2, nullptr};
+    region.off = std::make_shared<const OffContinuum>(system);
+    ContinuumRegion by_v = region;
+    by_v.off.reset();
+    Directions draw(continuum->directions());
+    const std::size_t count = survey.members.size(), step = count / 24;
+    int inside = 0, refused = 0, far = 0;
+    for (std::size_t k = 0; k < count; k += step) {
+      const auto m = continuum->member(survey.members[k].data());
+      if (!m || m->form.size() == 0) continue;
+      const double level = ContinuumOfEquilibria::level(*m, region.factor);
+      for (const double share : {0.25, 0.9, 4.0, 64.0, 1000.0}) {
+        const Eigen::VectorXd state = continuum->state_at(*m, share * level, draw.next());
+        EXPECT_LE(region.off->least(state), std::sqrt(share * level) * (1.0 + 1e-6));  // 1e-6: rounding of forms
+        const bool holds = by_v.holds(state);
+        EXPECT_EQ(region.holds(state), holds) << share << " " << m->rate;
+        inside += holds;
+      }
+      Eigen::VectorXd off = m->centre;
+      off[0] += 2.0 * system.parameters().all_unbalances();
+      off[model::index::phi(0)] += 1.0;
+      ++far;
+      refused += region.off->least(off) > 1.0;
+    }
+    EXPECT_GT(inside, 20);
+    EXPECT_EQ(refused, far);
+  }
+  EXPECT_EQ(OffContinuum(grinder()).least(Eigen::VectorXd::Ones(grinder().dimension())), 0.0);  // balls rock in balance
 }
 
 }  // namespace

@@ -160,6 +160,53 @@ TEST(TiltEquilibria, AreAttractorsWithShares) {
   }
 }
 
+// All balls at the centre of mass, no couple and k12 = 0: nothing tilts, and a tilt adds only directions in which
+// deviations die out.
+TEST(TiltAttractors, OfNoTiltAreThoseOfTheRotorThatCannotTilt) {
+  const std::string plane = R"(
+[rotor]
+eccentricity = 0.01
+damping = 0.5
+[balancer]
+balls = 4
+mass = 0.006
+drag = 0.3
+[speed]
+profile = "constant"
+speed = 4.5
+[numerics]
+horizon = 300
+)";
+  const auto found = [&](const std::vector<std::string>& overrides, std::vector<Fate>& fates) {
+    AttractorsOptions options;
+    options.starts = 32;
+    options.fate = [&](const Fate& fate) { fates.push_back(fate); };
+    return attractors(parse_study(plane, "plane", overrides), options);
+  };
+  std::vector<Fate> fates_without, fates_with;
+  const AttractorsResult without = found({}, fates_without),
+                         with = found({"rotor.tilt={ transverse_inertia = 3.25, polar_inertia = 0.5, stiffness = [0, "
+                                       "9], damping = [0, 4.5] }",
+                                       "balancer.plane=0"},
+                                      fates_with);
+  ASSERT_EQ(with.attractors.size(), without.attractors.size());
+  for (std::size_t k = 0; k < with.attractors.size(); ++k) {
+    const Attractor &a = without.attractors[k], &b = with.attractors[k];
+    EXPECT_EQ(b.name, a.name);
+    EXPECT_EQ(b.motion.kind, a.motion.kind);
+    EXPECT_EQ(b.motion.stable, a.motion.stable);
+    EXPECT_NEAR(b.motion.r_max, a.motion.r_max, 1e-9);
+    ASSERT_EQ(b.continuum.has_value(), a.continuum.has_value());
+    if (!a.continuum) continue;
+    EXPECT_EQ(b.continuum->share(), a.continuum->share());
+  }
+  ASSERT_EQ(fates_with.size(), fates_without.size());
+  for (std::size_t i = 0; i < fates_with.size(); ++i) {
+    EXPECT_EQ(fates_with[i].outcome, fates_without[i].outcome) << i;
+    EXPECT_EQ(fates_with[i].attractor, fates_without[i].attractor) << i;
+  }
+}
+
 // Balls that lag at first are caught, or not, by the two races' unbalance. Followed until long after that in fixed
 // axes, as many drift as the label of the start says; where it says locked, the rotor is where that equilibrium is.
 void same_fates_in_fixed_axes(std::uint64_t starts) {

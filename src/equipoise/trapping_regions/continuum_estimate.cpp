@@ -1,15 +1,17 @@
-// Finds the nearest member, up to an exchange of balls, and uses its form.
+// Finds the nearest member, up to an exchange of balls, and uses its form; bounds the distance from all members.
 #include "equipoise/trapping_regions/continuum_estimate.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/model/unbalance.hpp"
 #include "equipoise/trapping_regions/trials.hpp"
 
 namespace equipoise {
@@ -21,6 +23,13 @@ using model::index::q;
 
 // Over about a radian matrices change by as much as themselves.
 constexpr double beside = 0.6;
+
+// Balls that move by angles d_i change the unbalance by no more than sum mu_i |d_i| <= |mu| |d|. 0 with an off-centre
+// race, whose unbalance in balance is not 0.
+double angle_of_unbalance(const model::Parameters& p) {
+  if (!p.race_is_centred()) return 0.0;
+  return 1.0 / std::sqrt(std::inner_product(p.mass.begin(), p.mass.begin() + p.balls, p.mass.begin(), 0.0));
+}
 
 }  // namespace
 
@@ -108,6 +117,20 @@ ContinuumEstimate::Errors ContinuumEstimate::errors(const ContinuumOfEquilibria&
     result.floor = std::max(result.floor, depth_without(k, members_[k].centre, factor).value_or(0.0));
   }
   return result;
+}
+
+OffContinuum::OffContinuum(const model::System& system)
+    : system_(system),
+      rests_(model::balanced_freedom(system) > 0),
+      speed_(model::balanced_speed(system).value_or(0.0)),
+      angle_of_unbalance_(angle_of_unbalance(system.parameters())),
+      scale_(system.scale()) {}
+
+double OffContinuum::least(const Eigen::VectorXd& state) const {
+  if (!rests_) return 0.0;
+  const double* angles = &state[phi(0)];
+  const Eigen::VectorXd moved = (state - model::balanced_state(system_, speed_, angles)).cwiseQuotient(scale_);
+  return std::hypot(moved.norm(), angle_of_unbalance_ * std::abs(model::unbalance(system_.parameters(), angles)));
 }
 
 }  // namespace equipoise

@@ -59,4 +59,21 @@ class ContinuumEstimate {
   std::vector<Eigen::VectorXd> moved_;  // from balanced states at the members' angles to the members' centres
 };
 
+/// How far a state is at least from all members of a continuum that rest, for next to no work.
+class OffContinuum {
+ public:
+  explicit OffContinuum(const model::System& system);
+
+  /// A lower bound on the deviation from every member (ContinuumOfEquilibria), in System::scale(): all coordinates but
+  /// the balls' angles are the same for all members, and angles that differ little leave little unbalance. 0 if members
+  /// do not rest.
+  double least(const Eigen::VectorXd& state) const;
+
+ private:
+  model::System system_;
+  bool rests_;
+  double speed_, angle_of_unbalance_;
+  Eigen::VectorXd scale_;
+};
+
 }  // namespace equipoise

@@ -29,6 +29,13 @@ double slowest_caught(const ContinuumPart& part) {
   return std::min(-of_all, share * part.fastest_rate);
 }
 
+// V is |s|^2 or more of a deviation s from the state's member, and a hundredth of it may be left along the continuum
+// (ContinuumOfEquilibria). Members that were not tried may have half as large a unit again.
+double farthest_inside(double reach) {
+  constexpr double spare = 1.25, unknown = 1e-6;
+  return spare * reach + unknown;
+}
+
 // Members of a continuum to try levels around, and how far gravity moves them from each other and from rest.
 struct Members {
   std::vector<ContinuumMember> all;
@@ -152,6 +159,7 @@ bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) c
            ContinuumOfEquilibria(own->system).holds(state, factor, slowest_rate);
   const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
   if (depth && *depth < deep) return true;
+  if (off && off->least(state) > farthest_inside(reach)) return false;
   return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate);
 }
 
@@ -162,6 +170,7 @@ std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const Cont
   if (members.all.empty()) return std::nullopt;
   ContinuumRegion region{continuum,     0.0, members.slowest_rate,
                          members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};
+  region.off = std::make_shared<const OffContinuum>(*settings.system);
   // With anisotropic supports or gravity every test takes a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024};
   if (!settings.system->autonomous()) counts = {counts.few / 4, counts.all / 4};

@@ -26,6 +26,9 @@ struct ContinuumRegion {
   double deep = 0.0;  ///< below this share of its level by the estimate, a state is inside
   double far = 0.0;   ///< above it, a state counts as outside; between them V is computed
 
+  /// Refuses most states that are outside: those farther off than V allows. Null: none is refused.
+  std::shared_ptr<const OffContinuum> off = nullptr;
+
   /// Whether a state (on a section if there is one) is inside. For a trajectory with a rotor of its own, around the
   /// members of that rotor's continuum.
   bool holds(const Eigen::VectorXd& state, const OwnRotor* own = nullptr) const;
