@@ -158,9 +158,15 @@ int first_good_near(int near, const std::function<bool(int)>& few_pass) {
 }
 
 // The first good step without a guess. The highest is tested first: many levels are bounded by how far trials may
-// begin, not by their outcome.
-int first_good_anywhere(int steps, const std::function<bool(int)>& few_pass) {
-  return steps > 0 && few_pass(0) ? 0 : halved(0, steps, few_pass);
+// begin, not by their outcome. Where low levels may fail, too, every fourth of the highest is tried before giving up.
+int first_good_anywhere(int steps, bool low_may_fail, const std::function<bool(int)>& few_pass) {
+  if (steps > 0 && few_pass(0)) return 0;
+  const int found = halved(0, steps, few_pass);
+  if (found < steps || !low_may_fail) return found;
+  constexpr int fourth = 2 * steps_a_halving;
+  for (int k = fourth; k < steps; k += fourth)
+    if (few_pass(k)) return halved(k - fourth, k, few_pass);
+  return steps;
 }
 
 int step_of(const LevelLadder& ladder, double level) {
@@ -175,7 +181,8 @@ double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
   const int steps = steps_a_halving * ladder.halvings;
   const auto few_pass = [&](int k) { return good(level_at(ladder, k), {0, counts.few, counts.few}); };
   near = steps > 0 ? near : 0.0;
-  int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass) : first_good_anywhere(steps, few_pass);
+  int step = near > 0.0 ? first_good_near(step_of(ladder, near), few_pass)
+                        : first_good_anywhere(steps, counts.low_may_fail, few_pass);
   // Part after part, and round again, until all have passed on one level.
   const std::size_t size = std::min(trial_part, counts.all), parts = (counts.all + size - 1) / size;
   std::size_t passed = 0;

@@ -102,6 +102,7 @@ struct LevelLadder {
 /// A few trials find where to begin, all of them where to stop.
 struct TrialCounts {
   std::size_t few = 128, all = 4096;
+  bool low_may_fail = false;    ///< low levels may fail for rounding alone where higher ones pass
   bool first_goes_far = false;  ///< the first part is followed farther, and a few of it run before the others
 };
 
