@@ -2,6 +2,7 @@
 #include "equipoise/charts/chart_julia.hpp"
 
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 

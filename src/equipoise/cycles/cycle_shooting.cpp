@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"

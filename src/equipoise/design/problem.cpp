@@ -162,8 +162,8 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
     table.fail("objective", fmt::format(words::design_study::must_be_figures, most_design_objectives));
   for (const auto& [key, value] : table_of(document, "design.require")) {
     const DesignEntry entry(document, "design.require", key, value);
-    const auto known =
-        std::find_if(figures_.begin(), figures_.end(), [&](const FigureSource& f) { return f.figure.name == key; });
+    const auto known = std::find_if(figures_.begin(), figures_.end(),
+                                    [&wanted = key](const FigureSource& f) { return f.figure.name == wanted; });
     const auto place = static_cast<std::size_t>(known - figures_.begin());
     if (known == figures_.end())
       figures_.push_back(read_figure(document, "design.require", &value, key, study_, variables_));

@@ -1,6 +1,7 @@
 // The seal: a mark, the length and the checksum of everything before it. Other readers ignore it.
 #include "equipoise/io/sealed_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>

@@ -2,6 +2,7 @@
 #include "equipoise/math/lyapunov.hpp"
 
 #include <complex>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 

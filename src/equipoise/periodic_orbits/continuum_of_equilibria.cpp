@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numeric>
+#include <utility>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/math/dense.hpp"

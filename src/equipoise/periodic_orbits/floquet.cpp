@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numeric>
+#include <utility>
 
 #include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"

@@ -1,6 +1,7 @@
 // Recognises kinds of files by their content.
 #include "equipoise/result_files/inspection.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>

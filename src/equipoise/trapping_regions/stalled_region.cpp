@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "equipoise/balanced_regions/touching.hpp"
 #include "equipoise/base/angles.hpp"
