@@ -87,6 +87,7 @@ std::optional<double> plain_number(const std::string& text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const NumberRead read = read_number(text.data(), end, number);
+  if (text.find('.') == text.npos) return std::nullopt;
   return read.error == std::errc() && read.end == end ? std::optional(number) : std::nullopt;
 }
 
