@@ -26,12 +26,13 @@ namespace equipoise::app {
 template <class T>
 T option_number(const char* option, const std::string& text, T low, T high, const char* allowed) {
   T value{};
-  const char* end = text.data() + text.size();
   bool whole = false;
   if constexpr (std::is_floating_point_v<T>) {
-    const NumberRead read = read_number(text.data(), end, value);
-    whole = read.error == std::errc() && read.end == end;
+    const auto number = number_of_all(text);
+    whole = number.has_value();
+    value = number.value_or(value);
   } else {
+    const char* end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, value);
     whole = read.ec == std::errc() && read.ptr == end;
   }

@@ -43,6 +43,12 @@ TEST(ReadNumber, RoundsToNearest) {
   }
 }
 
+TEST(ReadNumber, NumberOfAllTakesNothingBesideTheNumber) {
+  EXPECT_EQ(number_of_all(".5"), 0.5);
+  EXPECT_EQ(number_of_all("-5."), -5.0);
+  for (const char* text : {"", " 1", "1 ", "1 kg", "+1", "1e999", "."}) EXPECT_FALSE(number_of_all(text)) << text;
+}
+
 TEST(ReadNumber, NumberInTakesWhatATextBeginsWith) {
   EXPECT_EQ(number_in("2.5 mm"), 2.5);
   EXPECT_EQ(number_in("-1e-3"), -1e-3);

@@ -92,6 +92,13 @@ NumberRead read_number(const char* begin, const char* end, double& value) {
 #endif
 }
 
+std::optional<double> number_of_all(std::string_view text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const NumberRead read = read_number(text.data(), end, value);
+  return read.error == std::errc() && read.end == end ? std::optional(value) : std::nullopt;
+}
+
 double number_in(const std::string& text) {
   double value = 0.0;
   (void)read_number(text.data(), text.data() + text.size(), value);  // an error leaves 0

@@ -1,7 +1,9 @@
 // Reads a double from text, also where the standard library cannot.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace equipoise {
@@ -16,6 +18,9 @@ struct NumberRead {
 /// Like std::from_chars() for a double in general form: digits, point and exponent, "inf" or "nan", without leading
 /// blank or plus sign, rounded to nearest. An error leaves `value` unchanged.
 NumberRead read_number(const char* begin, const char* end, double& value);
+
+/// The number that all of `text` is; none if it is no number, or too large or too small for a double.
+std::optional<double> number_of_all(std::string_view text);
 
 /// The number that `text` begins with; 0 if it begins with none. For texts that this program wrote or has checked.
 double number_in(const std::string& text);

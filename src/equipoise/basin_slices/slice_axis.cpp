@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <regex>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -100,10 +101,9 @@ AngleLink angle_link(const std::string& text, const std::string& option) {
     link.offset = *angle;
     return link;
   }
-  const char* begin = offset.data() + (offset.front() == '+' ? 1 : 0);
-  const char* end = offset.data() + offset.size();
-  const auto read = read_number(begin, end, link.offset);
-  if (read.error != std::errc() || read.end != end || !std::isfinite(link.offset)) reject();
+  const auto number = number_of_all(std::string_view(offset).substr(offset.front() == '+' ? 1 : 0));
+  if (!number || !std::isfinite(*number)) reject();
+  link.offset = *number;
   return link;
 }
 

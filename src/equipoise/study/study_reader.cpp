@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -197,14 +198,11 @@ void read_grade(Document& document) {
   TableReader reader(document, "limits");
   if (!is_physical(document)) reader.fail("residual", words::study::grade_needs_units);
   if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
-  const char *begin = text->data() + std::min(text->find_first_not_of(' ', 1), text->size()),
-             *end = text->data() + text->size();
-  double grade = 0.0;
-  const NumberRead read = read_number(begin, end, grade);
-  if (read.error != std::errc() || read.end != end || !positive.contains(grade))
-    reader.fail("residual", words::study::grade_of_residual);
+  const std::size_t begin = std::min(text->find_first_not_of(' ', 1), text->size());
+  const auto grade = number_of_all(std::string_view(*text).substr(begin));
+  if (!grade || !positive.contains(*grade)) reader.fail("residual", words::study::grade_of_residual);
   StudyValue& limits = *document.root.find("limits");
-  limits.set("grade", fmt::format("{} mm/s", grade));
+  limits.set("grade", fmt::format("{} mm/s", *grade));
   limits.erase("residual");
 }
 

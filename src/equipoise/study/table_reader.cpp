@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,12 +82,8 @@ std::string trimmed(const std::string& text) {
 }
 
 // A number as people also type it: ".05", "5.", which TOML has not.
-std::optional<double> plain_number(const std::string& text) {
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const NumberRead read = read_number(text.data(), end, number);
-  if (text.find('.') == text.npos) return std::nullopt;
-  return read.error == std::errc() && read.end == end ? std::optional(number) : std::nullopt;
+std::optional<double> number_beside_point(const std::string& text) {
+  return text.find('.') == std::string::npos ? std::nullopt : number_of_all(text);
 }
 
 // The value of an override: TOML, a number, or a bare word or quantity ("published", "12 kg") as a string.
@@ -97,7 +92,7 @@ StudyValue parse_value(const std::string& key, const std::string& value) {
     const StudyValue parsed = parse_toml("value = " + value);
     if (parsed.table()->size() == 1) return *parsed.find("value");
   } catch (const TextFault& fault) {
-    if (const auto number = plain_number(value)) return *number;
+    if (const auto number = number_beside_point(value)) return *number;
     if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
     throw InputError(overrides_name, printable(key), printable(value), fault.problem);
   }
@@ -118,7 +113,7 @@ void apply_override(Document& document, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
-  const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != key.npos;
+  const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (has_empty_part || value.empty())
     throw InputError(std::string(overrides_name) + " " + printable(text), "", "", words::study::key_equals_value);
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)

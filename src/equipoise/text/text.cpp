@@ -2,9 +2,9 @@
 #include "equipoise/text/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,6 +72,11 @@ std::string motor_text(const Study& study) {
 }
 
 // Features beyond an isotropic, horizontal rotor with balls subject only to drag; empty if there are none.
+// One number then stands for all balls, in whatever planes they are.
+bool alike(const std::array<double, model::max_balls>& values, int balls) {
+  return std::count(values.begin(), values.begin() + balls, values[0]) == balls;
+}
+
 std::string more_text(const Study& study) {
   const model::Parameters& p = study.parameters;
   const Shown shown(study);
@@ -87,18 +92,16 @@ std::string more_text(const Study& study) {
     add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
                      : fmt::format("gravity {:.6g}", p.gravity));
   if (p.tilts()) {
-    const std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
-    const bool same = std::all_of(planes.begin(), planes.end(), [&](double z) { return z == planes.front(); });
+    const bool same = alike(p.tilt.plane, p.balls);
     add(fmt::format(words::text::tilts, shown(p.tilt.transverse_inertia, Dimension::inertia),
                     shown(p.tilt.polar_inertia, Dimension::inertia)));
     if (p.balls > 0)
       add(fmt::format(words::text::balls_in_planes, plural(p.balls), same ? "" : "s",
-                      shown.list(planes.data(), nullptr, p.balls, same, Dimension::length)));
+                      shown.list(p.tilt.plane.data(), nullptr, p.balls, same, Dimension::length)));
   }
   if (!p.race_is_centred()) add(words::text::race_offset + both(p.race_offset, Dimension::length));
   if (p.rolls) {
-    const bool same = std::all_of(p.ball_radius.begin(), p.ball_radius.begin() + p.balls,
-                                  [&](double r) { return r == p.ball_radius[0]; });
+    const bool same = alike(p.ball_radius, p.balls);
     add(words::text::balls_roll + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
   }
   if (p.balls_collide()) add(fmt::format(words::text::balls_touch, p.contact_angle, p.restitution));
@@ -159,11 +162,7 @@ std::string study_heading(const Study& study) {
   const model::Parameters& p = study.parameters;
   std::string text = fmt::format("{}\n", study.name);
   const Shown shown(study);
-  // One number stands for all, in whatever planes the balls are.
-  const auto alike = [&](const auto& values) {
-    return std::count(&values[0], &values[0] + p.balls, values[0]) == p.balls;
-  };
-  const bool same = alike(p.mass) && alike(p.drag);
+  const bool same = alike(p.mass, p.balls) && alike(p.drag, p.balls);
   if (p.balls == 0)
     text += words::text::no_balls_semicolon;
   else

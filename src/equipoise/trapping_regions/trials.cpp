@@ -158,7 +158,7 @@ int first_good_near(int near, const std::function<bool(int)>& few_pass) {
 }
 
 // The first good step without a guess. The highest is tested first: many levels are bounded by how far trials may
-// begin, not by their outcome. Where low levels may fail, too, every fourth of the highest is tried before giving up.
+// begin, not by their outcome. Where low levels may fail, too, levels that fall by a factor of four are tried last.
 int first_good_anywhere(int steps, bool low_may_fail, const std::function<bool(int)>& few_pass) {
   if (steps > 0 && few_pass(0)) return 0;
   const int found = halved(0, steps, few_pass);

@@ -136,8 +136,7 @@ inline constexpr char speed_points[] = "{} speed points to {} at {}";
 inline constexpr char published_law[] = "; PUBLISHED speed law, psi = t Omega(t)";
 inline constexpr char kinematic_law[] = "; kinematic speed law, psi' = Omega(t)";
 
-// The study: rotor and balls.
-// Moments of inertia.
+// The study: rotor and balls. Moments of inertia.
 inline constexpr char tilts[] = "tilts: transverse inertia {}, polar {}";
 // Plurals of ball and plane, places.
 inline constexpr char balls_in_planes[] = "ball{} in plane{} {}";
