@@ -113,7 +113,8 @@ void apply_override(Document& document, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
-  const bool has_empty_part = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
+  const bool has_empty_part =
+      key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (has_empty_part || value.empty())
     throw InputError(std::string(overrides_name) + " " + printable(text), "", "", words::study::key_equals_value);
   if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
