@@ -36,7 +36,8 @@ class Curve:
     of : str
         "balance", or the locked state by where its balls are: "balls together". Of cycles: what they were born of.
     ends : tuple[str, str]
-        Why it ends: "plane", "closed", "no-balance", "no-pair", "lost", "vanishes", "long-period", "resonance".
+        Why it ends: "plane", "closed", "no-balance", "no-pair", "lost", "stopped"; of cycles "vanishes", "long-period",
+        "resonance", "single-cycle", "points", "multiplier".
     x, y : ndarray
         Its points, in order.
     frequency : ndarray
@@ -65,8 +66,8 @@ class SpecialPoint:
     """A point where a curve changes its kind.
 
     `kind` is "generalised-hopf", "double-hopf", "zero-hopf", "bogdanov-takens", "cusp" or "fold-hopf", of cycles
-    "cycle-cusp", "resonance-1-1" to "resonance-1-4", "fold-flip", "fold-torus", "flip-torus" or "double-torus"; `curve` the
-    number of its curve; `x`, `y` its place; `frequency` that of the curve's pair or cycle; `second` that of a double Hopf point's other pair.
+    "cycle-cusp", "resonance-1-1" to "resonance-1-4", "fold-flip", "fold-torus", "flip-torus", "double-torus" or
+    "generalised-flip"; `curve` the number of its curve; `x`, `y` its place; `frequency` that of the curve's pair or cycle; `second` that of a double Hopf point's other pair.
     """
 
     kind: str

@@ -1,4 +1,4 @@
-// The paper's rotor, its chart over a plane, and branches of cycles that are born on its Hopf curves.
+// The paper's rotor, the chart of a rotor over a plane, and branches of cycles that are born on its Hopf curves.
 #pragma once
 
 #include "equipoise/curves/balance_plane.hpp"
@@ -40,9 +40,9 @@ inline Eigen::VectorXcd multipliers_by_differences(const model::System& system, 
 
 // Without boxes, and without curves of cycles.
 struct ChartedPlane {
-  ChartedPlane(const SliceAxis& x, const SliceAxis& y)
-      : chart(bifurcation_chart(charted_rotor(), settings(x, y))),
-        studies(charted_rotor(), chart.plane.x, chart.plane.y),
+  ChartedPlane(const SliceAxis& x, const SliceAxis& y, const Study& study = charted_rotor())
+      : chart(bifurcation_chart(study, settings(x, y))),
+        studies(study, chart.plane.x, chart.plane.y),
         plane(studies, chart.plane.x, chart.plane.y) {}
   ChartedPlane(const ChartedPlane&) = delete;
   ChartedPlane& operator=(const ChartedPlane&) = delete;

@@ -127,7 +127,8 @@ const char* special_words(SpecialKind kind) {
   constexpr std::array words{
       w::is_generalised_hopf, w::is_double_hopf, w::is_zero_hopf,     w::is_bogdanov_takens, w::is_cusp,
       w::is_fold_hopf,        w::is_cycle_cusp,  w::is_resonance_1_1, w::is_resonance_1_2,   w::is_resonance_1_3,
-      w::is_resonance_1_4,    w::is_fold_flip,   w::is_fold_torus,    w::is_flip_torus,      w::is_double_torus};
+      w::is_resonance_1_4,    w::is_fold_flip,   w::is_fold_torus,    w::is_flip_torus,      w::is_double_torus,
+      w::is_generalised_flip};
   static_assert(words.size() == special_kind_names.size());
   return words[static_cast<std::size_t>(kind)];
 }
@@ -162,6 +163,7 @@ std::string cycles_end_text(const BifurcationChart& chart) {
   const std::pair<CurveEnd, std::string> reasons[] = {
       {CurveEnd::plane, w::end_plane},
       {CurveEnd::closed, w::end_closed},
+      {CurveEnd::single_cycle, w::end_single_cycle},
       {CurveEnd::vanishes, w::end_vanishes},
       {CurveEnd::resonance, w::end_resonance},
       {CurveEnd::long_period, fmt::format(w::end_long_period, chart.cycle_bounds.turns)},

@@ -183,14 +183,12 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
              (plane.place(other.x, other.y) - at).norm() < same;
     });
   };
-  std::vector<SpecialPoint> fresh;
-  for (SpecialPoint special : curve.specials()) {
-    special.curve = chart.curves.size();
-    if (!known(special)) fresh.push_back(std::move(special));
-  }
   found.error = std::max(found.error, curve.error());
   chart.curves.push_back(std::move(found));
-  chart.specials.insert(chart.specials.end(), fresh.begin(), fresh.end());
+  for (SpecialPoint special : curve.specials()) {
+    special.curve = chart.curves.size() - 1;
+    if (!known(special)) chart.specials.push_back(std::move(special));
+  }
 }
 
 void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart) {

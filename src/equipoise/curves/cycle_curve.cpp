@@ -213,6 +213,7 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
                  .dot((b.nodes[k] - middle_b / count).cwiseQuotient(shooting_.unit()));
   if (alike < 0.0 || (place.point.swing < smallest_swing && place.point.swing < before.point.swing))
     return CurveEnd::vanishes;
+  if (const auto end = end_of_repeating(before, place, way)) return end;
   if (b.period > longest_period(*plane_.system(place.at), b, birth_period_)) return CurveEnd::long_period;
   if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) {
     const double end = place.pair.mean > 0.0 ? 1.0 : -1.0;
@@ -223,10 +224,16 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
   return std::nullopt;
 }
 
-// Towards a state at rest the equations lose their grip: at its end two multipliers are 1.
+// Towards a state at rest the equations lose their grip: at its end two multipliers are 1. Where doubled cycles become
+// single ones they do, too: the curve on which single ones double their period passes there.
 void CycleCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace& before, Way& way) const {
+  if (add_single_cycle(way)) {
+    way.end = CurveEnd::single_cycle;
+    return;
+  }
+  const double swing = before.point.swing;
   const bool shrinks =
-      way.places.size() > 1 && before.point.swing < way.places.front().point.swing && before.point.swing < 2.0 * smallest_swing;
+      way.places.size() > 1 && swing < way.places.front().point.swing && swing < 2.0 * smallest_swing;
   way.end = shrinks ? CurveEnd::vanishes : CurveEnd::lost;
 }
 
@@ -289,6 +296,9 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
         if (const auto place = zero_of(a, b, sign.value)) found.push_back(special(sign.kind, *place));
     add_changed_others(a, b, found);
   }
+  for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
+    if (end == CurveEnd::single_cycle && change_ == CycleChange::fold)
+      found.push_back(special(SpecialKind::generalised_flip, *place));
   constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more
   for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
     if (end == CurveEnd::resonance && std::fabs(std::fabs(place->pair.mean) - 1.0) < located)

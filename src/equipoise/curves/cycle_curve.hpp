@@ -31,6 +31,15 @@ class CycleCurve : public FollowedCurve {
   bool too_far(const CurvePlace& before, const CurvePlace& place) const override;
   std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const override;
   void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const override;
+  /// The way's end where from this place on it has the same cycles again, at another time of their period.
+  std::optional<CurveEnd> end_of_repeating(const CurvePlace& before, const CurvePlace& place, Way& way) const;
+
+  Eigen::Vector3d timeless(const Eigen::VectorXd& at) const;
+  std::optional<std::size_t> same_chord(const CurvePlace& place, const std::vector<CurvePlace>& places,
+                                        std::size_t count) const;
+  Eigen::VectorXd half_a_period(const CurvePlace& place) const;
+  void come_nearer_to_turn(Way& way, const CurvePlace& beyond) const;
+  bool add_single_cycle(Way& way) const;
 
   CycleShape shape(const Eigen::VectorXd& at) const { return shooting_.shape(at.tail(shooting_.unknowns())); }
   /// What is known of the place that was asked for last. False where nothing is.

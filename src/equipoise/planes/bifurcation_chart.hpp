@@ -60,10 +60,11 @@ enum class CurveEnd : signed char {
   points = 8,       ///< the curve has as many points as it may have
   multiplier = 9,   ///< a multiplier of the cycle grows beyond a bound
   stopped = 10,     ///< the computation was stopped
+  single_cycle = 11,  ///< the cycle is a single one passed twice: on a curve of period doublings
 };
-inline constexpr std::array<const char*, 11> curve_end_names{"plane",  "closed",     "no-balance",  "no-pair",
+inline constexpr std::array<const char*, 12> curve_end_names{"plane",  "closed",     "no-balance",  "no-pair",
                                                              "lost",   "vanishes",   "long-period", "resonance",
-                                                             "points", "multiplier", "stopped"};
+                                                             "points", "multiplier", "stopped",     "single-cycle"};
 
 struct ChartCurve {
   CurveKind kind = CurveKind::hopf;
@@ -90,11 +91,13 @@ enum class SpecialKind : signed char {
   fold_torus = 12,       ///< a multiplier 1 and a pair on the unit circle
   flip_torus = 13,       ///< a multiplier -1 and a pair
   double_torus = 14,     ///< two pairs
+  generalised_flip = 15,  ///< of a period doubling the cubic coefficient is 0: a fold of doubled cycles ends there
 };
-inline constexpr std::array<const char*, 15> special_kind_names{
+inline constexpr std::array<const char*, 16> special_kind_names{
     "generalised-hopf", "double-hopf", "zero-hopf",     "bogdanov-takens", "cusp",
     "fold-hopf",        "cycle-cusp",  "resonance-1-1", "resonance-1-2",   "resonance-1-3",
-    "resonance-1-4",    "fold-flip",   "fold-torus",    "flip-torus",      "double-torus"};
+    "resonance-1-4",    "fold-flip",   "fold-torus",    "flip-torus",      "double-torus",
+    "generalised-flip"};
 
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::generalised_hopf;

@@ -98,6 +98,7 @@ inline constexpr char is_fold_flip[] = "fold-flip: cycles merge where their peri
 inline constexpr char is_fold_torus[] = "fold-torus: cycles merge where a torus is born";
 inline constexpr char is_flip_torus[] = "flip-torus: a period doubles where a torus is born";
 inline constexpr char is_double_torus[] = "double torus: two swings begin about a cycle";
+inline constexpr char is_generalised_flip[] = "generalised doubling: softly on one side, abruptly on the other";
 
 // Locked states, by where the balls are. Numbers of balls, or their numbers.
 inline constexpr char one_ball[] = "ball on the line";
@@ -142,6 +143,7 @@ inline constexpr char cycles_end_at[] = "{} ({})";
 inline constexpr char end_plane[] = "at the plane's edge";
 inline constexpr char end_closed[] = "at their own beginning";
 inline constexpr char end_lost[] = "where no next point was found";
+inline constexpr char end_single_cycle[] = "where it is a single cycle passed twice, on a curve of period doublings";
 inline constexpr char end_vanishes[] = "where the cycle shrinks to a state at rest";
 inline constexpr char end_long_period[] =
     "where its period grows beyond {:g} turns and twice that at birth, near a homoclinic orbit";
