@@ -143,7 +143,8 @@ inline constexpr char cycles_end_at[] = "{} ({})";
 inline constexpr char end_plane[] = "at the plane's edge";
 inline constexpr char end_closed[] = "at their own beginning";
 inline constexpr char end_lost[] = "where no next point was found";
-inline constexpr char end_single_cycle[] = "where it is a single cycle passed twice, on a curve of period doublings";
+inline constexpr char end_single_cycle[] =
+    "where the cycle is a single one passed twice, on a curve of period doublings";
 inline constexpr char end_vanishes[] = "where the cycle shrinks to a state at rest";
 inline constexpr char end_long_period[] =
     "where its period grows beyond {:g} turns and twice that at birth, near a homoclinic orbit";
