@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,28 @@ TEST(CycleReturns, AClosedCurveIsPassedOnceThoughCyclesBeginAtAnotherTime) {
   EXPECT_GT((places.back().at - places.front().at).tail(8).norm(), 1e-3);
   for (std::size_t k = 10; k + 10 < places.size(); ++k)
     EXPECT_GT(apart(places[k], places.front()), 1e-3) << k;
+  // Points at which a second multiplier is -1 are met once each. The orbit there, refined by another method, has two:
+  // each to a root of an error, their product to the error.
+  int doubled = 0;
+  for (const SpecialPoint& p : flip.specials()) {
+    if (p.kind != SpecialKind::resonance_1_2) continue;
+    ++doubled;
+    Study study = heavier();
+    study.speed.speed = p.x;
+    study.parameters.drag = {p.y, p.y};
+    const model::System system = study.system();
+    const double period = 2.0 * M_PI / p.frequency;
+    constexpr int nodes = 16;
+    std::vector<Eigen::VectorXd> guess{Eigen::Map<const Eigen::VectorXd>(p.state.data(), 8)};
+    while (guess.size() < nodes) guess.push_back(*advance_state(system, guess.back(), period / nodes, 0.0, 1e-13));
+    const auto refined = refine_orbit(system, guess, period);
+    ASSERT_TRUE(refined);
+    EXPECT_NEAR(refined->period, period, 1e-8);
+    Eigen::VectorXd from = (refined->multipliers.array() + 1.0).abs();
+    std::sort(from.begin(), from.end());
+    EXPECT_LT(from[0] * from[1], 1e-6) << p.x << " " << p.y;
+  }
+  EXPECT_EQ(doubled, 2);
 }
 
 }  // namespace
