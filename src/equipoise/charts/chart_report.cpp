@@ -257,7 +257,8 @@ BalanceLoss balance_loss(const BifurcationChart& chart) {
 
 std::string chart_answer(const BifurcationChart& chart) {
   std::string text = stability_answer(chart.plane);
-  if (!chart.complete) return text;
+  // Curves of cycles come last: where some of them are left, what goes before is whole.
+  if (!chart.complete && chart.cycles_left == 0) return text;
   text += " " + loss_sentences(chart);
   if (!chart.boxes.empty()) text += " " + proof_sentence(chart);
   return text;

@@ -188,7 +188,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   if (const auto verdict = verdict_of(r, tried)) text += verdict_text(*verdict, style);
   text += lines_filled(study_heading(r.study) + (r.own_starts ? "" : uncertain_text(r.study)), style);
   if (r.study.parameters.balls == 0) return text + bare_text(r, style) + lines_filled(run_text(r, tried), style);
-  if (r.starts == 0) return text + words::reports::partial_no_shares + run_text(r, tried);
+  if (r.starts == 0) return text + lines_filled(words::reports::partial_no_shares + run_text(r, tried), style);
   text += outcome_text(r, style);
   for (const std::vector<Block>& group : balancer_blocks(r)) text += blocks_text(group, style);
   if (r.transients && style.details) text += transient_text(*r.transients, r.study);
