@@ -21,6 +21,7 @@
 #include "equipoise/stability/balanced_rates.hpp"
 #include "equipoise/stability/over_plane.hpp"
 #include "equipoise/stability/plane_studies.hpp"
+#include "equipoise/words/stability.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
 
@@ -347,6 +348,25 @@ TEST(Stability, AStoppedPlaneIsPartial) {
   EXPECT_TRUE(holds(stability_answer(plane), "nothing was computed (PARTIAL)"));
   EXPECT_TRUE(holds(stability_csv(plane).substr(0, stability_csv(plane).find('\n')), "PARTIAL: stopped early"));
   EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "PARTIAL: stopped early"));
+}
+
+TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
+  Study study = paper_rotor(2.4, 0.05);
+  study.parameters.gravity = 0.02;
+  StopFlag stop{false};
+  StabilitySettings settings = around(0.3, 6.0, 0.05);
+  settings.threads = 2;
+  settings.stop = &stop;
+  settings.progress = [&](const Progress& p) {
+    if (p.what == words::stability::looks) stop = true;
+  };
+  const StabilityPlane plane = stability(study, settings);
+  EXPECT_FALSE(plane.complete);
+  EXPECT_EQ(plane.count(BalanceKind::not_computed), 0u);
+  ASSERT_TRUE(plane.own);
+  EXPECT_TRUE(plane.own->boundaries.empty());
+  EXPECT_TRUE(holds(stability_text(plane), words::stability::partial_boundaries)) << stability_text(plane);
+  EXPECT_FALSE(holds(stability_text(plane), "points were computed"));
 }
 
 TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {

@@ -205,9 +205,11 @@ std::string plane_notes(const StabilityPlane& plane) {
   if (plane.contact()) text += words::stability::balls_at_rest;
   if (plane.count_if([](const BalancePoint& p) { return p.by_multipliers && std::isfinite(p.growth); }) > 0)
     text += words::stability::by_multipliers;
-  if (!plane.complete)
-    text += fmt::format(words::stability::partial, plane.points.size() - plane.count(BalanceKind::not_computed),
-                        plane.points.size());
+  const std::size_t left = plane.count(BalanceKind::not_computed);
+  if (left > 0)
+    text += fmt::format(words::stability::partial, plane.points.size() - left, plane.points.size());
+  else if (!plane.complete)
+    text += words::stability::partial_boundaries;
   return text;
 }
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/planes/stability_file.hpp"
@@ -15,31 +17,43 @@
 #include "equipoise/stability/balance_at.hpp"
 #include "equipoise/stability/plane_studies.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/words/stability.hpp"
 
 namespace equipoise {
 
 namespace {
 
-// Points that a thread takes at once: milliseconds of work, seconds where multipliers are integrated.
+// Points that a thread takes at once, at most: milliseconds of work, seconds where multipliers are integrated.
 constexpr std::size_t points_at_once = 64;
 
 // From the own value of one parameter to the end of the plane, the other parameter held.
 class WayToBoundary {
  public:
   WayToBoundary(const PlaneStudies& studies, const OwnPoint& own, bool along_x)
-      : studies_(studies), own_(own), along_x_(along_x) {}
+      : studies_(studies), own_(own), along_x_(along_x), looks_(own.point.by_multipliers ? 64 : 256) {}
 
-  BalanceBoundary look(double end, bool upwards) const {
-    constexpr int looks = 256;
-    BalanceBoundary boundary{along_x_, upwards, BalanceBoundary::Change::none, end, 0.0};
+  /// Empty if it was stopped.
+  std::optional<BalanceBoundary> look(double end, bool upwards, int threads, const StabilitySettings& settings) const {
+    const BalanceBoundary none{along_x_, upwards, BalanceBoundary::Change::none, end, 0.0};
     const double begin = along_x_ ? own_.x : own_.y;
-    double same = begin;
-    for (int k = 1; k <= looks; ++k) {
-      const double value = begin + (end - begin) * k / looks;
-      if (at(value).kind != own_.point.kind) return between(same, value, merging * (end - begin), boundary);
-      same = value;
+    const auto value = [&](std::size_t k) {
+      return begin + (end - begin) * static_cast<double>(k) / static_cast<double>(looks_);
+    };
+    const std::size_t at_once = 2 * static_cast<std::size_t>(threads);
+    std::vector<char> changed(at_once);
+    for (std::size_t first = 1; first <= looks_; first += at_once) {
+      const std::size_t count = std::min(at_once, looks_ + 1 - first);
+      in_parallel(threads, count, [&](std::size_t k) {
+        changed[k] = is_set(settings.stop) || at(value(first + k)).kind != own_.point.kind;
+      });
+      if (is_set(settings.stop)) return std::nullopt;
+      for (std::size_t k = first; k < first + count; ++k)
+        if (changed[k - first])
+          return between(value(k - 1), value(k), merging * (end - begin), none, settings.stop);
+      if (settings.progress && own_.point.by_multipliers)
+        settings.progress({first + count - 1, looks_, words::stability::looks, {}});
     }
-    return boundary;
+    return none;
   }
 
  private:
@@ -50,9 +64,11 @@ class WayToBoundary {
   }
 
   // Bisection, to the last digits that rates have.
-  BalanceBoundary between(double same, double other, double little, BalanceBoundary boundary) const {
+  std::optional<BalanceBoundary> between(double same, double other, double little, BalanceBoundary boundary,
+                                         const StopFlag* stop) const {
     using Change = BalanceBoundary::Change;
     for (int k = 0; k < 48; ++k) {
+      if (is_set(stop)) return std::nullopt;
       const double middle = 0.5 * (same + other);
       (at(middle).kind == own_.point.kind ? same : other) = middle;
     }
@@ -76,9 +92,12 @@ class WayToBoundary {
   const PlaneStudies& studies_;
   const OwnPoint& own_;
   const bool along_x_;
+  const std::size_t looks_;  // to the plane's end; each takes a thousand times longer where multipliers are integrated
 };
 
-std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPlane& plane) {
+// Stopped, it has not all boundaries, and the plane is not complete.
+std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilitySettings& settings,
+                                  StabilityPlane& plane) {
   const auto x = studies.own_x(), y = studies.own_y();
   if (!x || !y) return std::nullopt;
   OwnPoint own{*x, *y, balance_at(studies.at(*x, *y)), continuum_at(studies.at(*x, *y)), {}};
@@ -93,8 +112,15 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilityPl
     };
     const double first = end(axis.low, 0), last = end(axis.high, axis.pixels - 1);
     const WayToBoundary way(studies, own, along_x);
-    if (value > first) own.boundaries.push_back(way.look(first, false));
-    if (value < last) own.boundaries.push_back(way.look(last, true));
+    for (const auto& [edge, upwards] : {std::pair{first, false}, {last, true}}) {
+      if (upwards ? !(value < edge) : !(value > edge)) continue;
+      const auto boundary = way.look(edge, upwards, plane.threads, settings);
+      if (!boundary) {
+        plane.complete = false;
+        return own;
+      }
+      own.boundaries.push_back(*boundary);
+    }
   }
   return own;
 }
@@ -113,8 +139,10 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
   plane.points.resize(points);
   std::mutex telling;
   std::size_t told = 0;
-  in_parallel(plane.threads, (points + points_at_once - 1) / points_at_once, [&](std::size_t chunk) {
-    const std::size_t first = chunk * points_at_once, last = std::min(points, first + points_at_once);
+  const std::size_t at_once =
+      std::clamp<std::size_t>(points / (8 * static_cast<std::size_t>(plane.threads)), 1, points_at_once);
+  in_parallel(plane.threads, (points + at_once - 1) / at_once, [&](std::size_t chunk) {
+    const std::size_t first = chunk * at_once, last = std::min(points, first + at_once);
     Study study = plane.study;
     for (std::size_t k = first; k < last; ++k) {
       if (is_set(settings.stop)) return;
@@ -127,7 +155,7 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
     if (settings.progress) settings.progress({told, points, "points", {}});
   });
   plane.complete = plane.count(BalanceKind::not_computed) == 0;
-  if (plane.complete) plane.own = own_point(studies, plane);
+  if (plane.complete) plane.own = own_point(studies, settings, plane);
   if (!settings.output.empty()) write_stability_file(settings.output, plane);
   plane.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   plane.cpu_seconds = cpu_seconds() - cpu_begin;

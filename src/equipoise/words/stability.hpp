@@ -100,6 +100,9 @@ inline constexpr char by_multipliers[] =
     "The equations depend on the rotor's angle: rates are those of multipliers, and frequencies are known but for "
     "whole turns.\n";
 inline constexpr char partial[] = "PARTIAL: {} of {} points were computed.\n";
+inline constexpr char partial_boundaries[] =
+    "PARTIAL: stopped before all changes next to the study's own values were found.\n";
+inline constexpr char looks[] = "steps to the next change";
 // First line of an incomplete table of points: version, that it is partial.
 inline constexpr char csv_partial[] = "# equipoise {}: stability{}\n";
 // Points, time, rate, version.
