@@ -320,6 +320,17 @@ TEST(TiltExplain, ChecksAStudyInWords) {
 }
 
 // A fifth less of the balls in the plane with the least to spare decides where that is a tenth.
+// The static unbalance alone, in the plane of the centre of mass, leaves no couple to point anywhere.
+TEST(TiltExplain, CheckSpeaksOfACoupleOnlyWhereThereIsOne) {
+  const StudyCheck none =
+      check_study(drum, "drum", {"rotor.tilt.unbalance=[{at='0 m', size='60 kg mm', angle='40 degree'}]"});
+  EXPECT_NE(none.unbalance.find("x of the model points at 0 degrees"), std::string::npos) << none.unbalance;
+  EXPECT_EQ(none.unbalance.find("along the couple"), std::string::npos) << none.unbalance;
+  const StudyCheck some =
+      check_study(drum, "drum", {"rotor.tilt.unbalance=[{at='0.1 m', size='60 kg mm', angle='40 degree'}]"});
+  EXPECT_NE(some.unbalance.find("along the couple, at 40 degrees"), std::string::npos) << some.unbalance;
+}
+
 TEST(TiltExplain, CheckFindsWhatMakesBalanceImpossible) {
   const StudyCheck check = check_study(drum, "drum", {"balancer.mass=125 g"});
   EXPECT_NE(check.most.find("makes balance impossible"), std::string::npos) << check.most;

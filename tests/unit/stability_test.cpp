@@ -422,6 +422,9 @@ TEST(Stability, RefusesKeysAndValuesBeforeAnyWork) {
   EXPECT_TRUE(holds(refused({"initial.phi_1", 0.0, 1.0, 4}, drag), "initial.phi_1"));
   EXPECT_TRUE(holds(refused({"rotor.nothing", 0.0, 1.0, 4}, drag), "rotor.nothing"));
   EXPECT_TRUE(holds(refused(speed, speed), "both axes vary the same key"));
+  SliceAxis twin = speed;
+  twin.key = "speed.speed";
+  EXPECT_TRUE(holds(refused(twin, speed), "speed.speed: varies nothing: speed.final, the other axis, sets the same"));
   EXPECT_TRUE(holds(refused({"speed.final", 5.0, 1.0, 4}, drag), "the first below the second"));
 }
 

@@ -1,6 +1,7 @@
 // What "check" says of a study: understood, assumed, and which estimate matters most.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -113,6 +114,19 @@ TEST(StudyCheck, SaysWhereUnbalanceInPlacesPoints) {
 }
 
 // The balls cancel 1.1 times the unbalance: a fifth more of it, or less of the balls, and they do not.
+// The paper's rotor at speed 2.4: balance loses its stability at drag 0.00176884 (equipoise stability).
+TEST(StudyCheck, SaysThatBalanceIsUnstableWhereItIs) {
+  for (const auto& [drag, stable] : {std::pair{"0.0005", false}, {"0.0017", false}, {"0.0018", true}, {"0.05", true}}) {
+    const StudyCheck check = check_of(constant_speed, {std::string("balancer.drag=") + drag});
+    EXPECT_EQ(holds(check.balls, ", but balance is not stable at the final speed"), !stable) << drag << check.balls;
+    EXPECT_EQ(holds(check.most, "makes balance stable") || holds(check.most, "balance stays unstable"), !stable)
+        << drag << check.most;
+  }
+  // Of 20 % more drag the second becomes stable, the first does not.
+  EXPECT_TRUE(holds(check_of(constant_speed, {"balancer.drag=0.0017"}).most, "makes balance stable"));
+  EXPECT_TRUE(holds(check_of(constant_speed, {"balancer.drag=0.0005"}).most, "balance stays unstable"));
+}
+
 TEST(StudyCheck, PutsFirstWhatDecidesWhetherBalanceIsPossible) {
   const std::string most = check_of(ramp_machine, {"rotor.eccentricity=0.27 mm"}).most;
   EXPECT_TRUE(holds(most, "the unbalance: 20 % more of it makes balance impossible")) << most;

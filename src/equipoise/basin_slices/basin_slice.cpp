@@ -72,6 +72,12 @@ void check(const BasinSlice& map) {
     throw InputError("map", "block", fmt::format("{}", map.block), words::sweeps::block_needs_phi);
   for (const int column : {0, map.x.pixels - 1})
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
+  const auto with_x = [&](int column) {
+    return to_toml(
+        study_with(study_with(map.study, map.x.key, map.x.centre(column)), map.y.key, map.y.centre(0)));
+  };
+  if (map.x.pixels > 1 && with_x(0) == with_x(map.x.pixels - 1))
+    throw InputError("map", map.x.key, "", fmt::format(words::sweeps::set_by_other_axis, map.y.key));
 }
 
 // Along a parameter no rule is made that could use other grounds.

@@ -106,10 +106,12 @@ std::string unbalance_line(const Explanation& e) {
 }
 
 // Where it comes from, of a study with places.
-std::string origin_of_unbalance(const study::Document& document) {
+std::string origin_of_unbalance(const study::Document& document, const Explanation& e) {
   if (document.root.find_path("rotor.tilt.unbalance") ||
       (document.root.find("place") && document.root.find_path("rotor.tilt")))
-    return fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(document));
+    return e.tilt && e.tilt->couple == 0.0
+               ? words::study_check::no_couple
+               : fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(document));
   const StudyValue* places = document.root.find("place");
   if (!places || !places->array()) return "";
   const std::size_t count = places->array()->size();
@@ -118,6 +120,11 @@ std::string origin_of_unbalance(const study::Document& document) {
   const double degrees = 180.0 / pi * study::resultant_direction(document);
   return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
                      plural(count), degrees == 0.0 ? 0.0 : degrees);
+}
+
+// Where balance is possible.
+const char* but_unstable(const Explanation& e) {
+  return e.motion && !e.motion->stable ? words::study_check::balance_unstable : "";
 }
 
 // Of a machine that tilts: what the balls of each plane can cancel.
@@ -133,7 +140,7 @@ std::string planes_words(const Explanation& e) {
                                                 (too_heavy ? plane.least : plane.most) / plane.unbalance)
                                   : fmt::format(words::study_check::nothing_to_cancel_at, at);
   }
-  if (e.balanced.kind != model::BalancedStates::Kind::none) return line;
+  if (e.balanced.kind != model::BalancedStates::Kind::none) return line + but_unstable(e);
   return line + fmt::format(words::study_check::balance_impossible_as, e.balanced.reason);
 }
 
@@ -158,7 +165,8 @@ std::string balls_line(const Explanation& e) {
   const bool can = e.balanced.kind != model::BalancedStates::Kind::none;
   return line + fmt::format(words::study_check::balls_cancel, range,
                             can ? words::study_check::up_to : words::study_check::at_most,
-                            e.largest_unbalance / e.unbalance, can ? "" : words::study_check::balance_impossible_too);
+                            e.largest_unbalance / e.unbalance,
+                            can ? but_unstable(e) : words::study_check::balance_impossible_too);
 }
 
 // Quantities that are estimated rather than known, as factors on a study.
@@ -201,6 +209,7 @@ constexpr std::array<Estimate, 5> estimates{{
 // What a change is judged by, each a number that is better if larger.
 struct Measures {
   bool can_balance = false, stable = false;
+  bool unstable = false;  // known to be; of some studies neither is known
   std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
   std::optional<double> settles;  // rate of the approach to balance
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
@@ -225,6 +234,7 @@ Measures measures_of(const Study& study, const BallDetails& balls) {
   m.margin = margin_of(e);
   if (e.motion) {
     m.stable = e.motion->stable;
+    m.unstable = m.can_balance && !m.stable;
     if (e.motion->stable) m.settles = -e.motion->slowest_rate;
   }
   if (e.speed && !e.tilt) {
@@ -283,6 +293,7 @@ std::string most_line(const Study& study, const BallDetails& balls) {
       which = fmt::format(words::study_check::fifth_changes, estimate.name,
                           stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
     }
+  if (before.unstable && worst.size < decides) return words::study_check::stays_unstable;
   if (which.empty())
     return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
                                                            : words::study_check::stays_impossible;
@@ -374,7 +385,7 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name,
   const Explanation e = explain(medians, balls);
   StudyCheck check;
   check.machine = machine_line(e);
-  check.unbalance = unbalance_line(e) + origin_of_unbalance(document);
+  check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
   check.balls = balls_line(e);
   check.assumed = Assumptions(document.root, study, balls).list();
   check.most = most_line(medians, balls);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "equipoise/continuation/parameter_line.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/words/stability.hpp"
+#include "equipoise/words/sweeps.hpp"
 
 namespace equipoise {
 
@@ -94,18 +96,22 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
   check_size(x, y);
   check_key(x.key);
   check_key(y.key);
-  if (x.key == y.key) throw InputError("stability", x.key, "", words::stability::same_key_twice);
+  if (x.key == y.key) throw InputError("stability", x.key, "", words::sweeps::same_key_twice);
   direct_ = !places_of(study_, x.key).empty() && !places_of(study_, y.key).empty();
+  std::vector<std::string> corners;
   for (const double at_y : {y.centre(0), y.centre(y.pixels - 1)})
     for (const double at_x : {x.centre(0), x.centre(x.pixels - 1)}) {
       const Study there = checked_with(checked_with(study_, x.key, at_x), y.key, at_y);
       if (check) check(there);
+      corners.push_back(to_toml(there));
       if (!direct_) continue;
       Study put_there = study_;
       put_value(put_there, x.key, at_x);
       put_value(put_there, y.key, at_y);
-      direct_ = to_toml(put_there) == to_toml(there);
+      direct_ = to_toml(put_there) == corners.back();
     }
+  if (x.pixels > 1 && corners[0] == corners[1])
+    throw InputError("stability", x.key, "", fmt::format(words::sweeps::set_by_other_axis, y.key));
 }
 
 Study PlaneStudies::read(double x, double y) const { return study_with(study_with(study_, x_.key, x), y_.key, y); }

@@ -9,7 +9,7 @@ inline constexpr char unbalance_too_large[] = "the unbalance is larger than all 
 inline constexpr char one_ball_outweighs[] = "one ball outweighs the unbalance and the other balls together";
 inline constexpr char lone_ball[] = "one ball alone cancels its own unbalance, neither more nor less";
 inline constexpr char one_plane_leaves_couple[] =
-    "the balls run in one plane, where they cannot cancel the couple unbalance beside the static one";
+    "the balls run in one plane, and not all of the unbalance lies in it: a couple stays";
 inline constexpr char no_angles_cancel_both[] =
     "no angles of the balls were found that cancel the static and the couple unbalance together";
 // Before one of the reasons above.

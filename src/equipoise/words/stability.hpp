@@ -6,7 +6,6 @@ namespace equipoise::words::stability {
 // Input.
 inline constexpr char key_of_axis[] =
     "must be a key of rotor, balancer or speed that takes a number, or speed.final; balance does not depend on starts";
-inline constexpr char same_key_twice[] = "both axes vary the same key; must be two";
 inline constexpr char points_range[] = "points; must be a whole number from 1 to {}";
 inline constexpr char rising_range[] = "must be two finite numbers, the first below the second";
 // Millions.

@@ -20,6 +20,7 @@ inline constexpr char runs_at_highest[] = "; runs at {}, {:.3g} times the highes
 inline constexpr char no_speed_held[] = "; no speed is held in the end";
 inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
 inline constexpr char static_and_couple[] = "{} static and {} couple";
+inline constexpr char no_couple[] = "; x of the model points at 0 degrees";
 inline constexpr char couple_direction[] = "; x of the model points along the couple, at {:.3g} degrees";
 inline constexpr char grade_at_speed[] = "; {} at {}";
 inline constexpr char grade_in_planes[] = "; {} in the worse plane of its bearings at {}";
@@ -40,6 +41,7 @@ inline constexpr char nothing_to_cancel_at[] = "; at {} there is nothing to canc
 inline constexpr char up_to[] = "up to";
 inline constexpr char at_most[] = "at most";
 inline constexpr char balance_impossible_too[] = ": balance is impossible";
+inline constexpr char balance_unstable[] = ", but balance is not stable at the final speed";
 
 // What matters most: what is changed by a fifth.
 inline constexpr char the_unbalance[] = "the unbalance";
@@ -64,6 +66,8 @@ inline constexpr char changes_settling[] =
     "lets a deviation from balance fade with a time constant of {} instead of {}";
 inline constexpr char stays_impossible[] =
     "none of these: with each of them changed alone by 20 % balance stays impossible";
+inline constexpr char stays_unstable[] =
+    "none of these: with each of them changed alone by 20 % balance stays unstable";
 inline constexpr char nothing_matters[] = "none of these, by these rules";
 inline constexpr char nothing_without_balls[] = "not judged: there are no balls";
 inline constexpr char how_judged[] =

@@ -69,6 +69,8 @@ inline constexpr char branches_followed[] = "branches followed";
 inline constexpr char pixels_range[] = "pixels; must be a whole number from 1 to {}";
 inline constexpr char rising_range[] = "must be two finite numbers, the first below the second";
 inline constexpr char same_key_twice[] = "both axes vary the same key; must be two";
+// The other axis.
+inline constexpr char set_by_other_axis[] = "varies nothing: {}, the other axis, sets the same quantity";
 // An example.
 inline constexpr char range_of_axis[] = "must be LOW:HIGH with two numbers, the first below the second, e.g. {}";
 inline constexpr char example_with_units[] = "1.5:6, or two quantities with units";
