@@ -19,6 +19,7 @@
 #include "equipoise/basin_slices/slice_names.hpp"
 #include "equipoise/basin_slices/slice_store.hpp"
 #include "equipoise/basin_slices/start_pixels.hpp"
+#include "equipoise/continuation/parameter_line.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/ensembles/basin_header.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
