@@ -26,11 +26,27 @@ class CMakeBuild(build_ext):
                  *shlex.split(os.environ.get("EQUIPOISE_CMAKE_ARGS", ""))]
             )
         subprocess.check_call(["cmake", "--build", str(folder), "--target", "equipoise_python"])
-        built = next((folder / "python" / "equipoise").glob("_core*.so"))
+        built = max((folder / "python" / "equipoise").glob("_core*.so"), key=lambda file: file.stat().st_mtime)
         target.parent.mkdir(parents=True, exist_ok=True)
-        self.copy_file(str(built), str(target))
+        self.copy_file(str(built), str(target.parent / built.name))  # named by the interpreter that CMake was given
+
+
+def numpy() -> str:
+    """The NumPy that the module can be used with. NumPy 2 has other descriptors than pybind11 before 2.12 reads."""
+    given = [word for word in shlex.split(os.environ.get("EQUIPOISE_CMAKE_ARGS", "")) if word.startswith("-D")]
+    cache = pathlib.Path(os.environ.get("EQUIPOISE_BUILD_DIR", "")) / "CMakeCache.txt"
+    if cache.exists():
+        given += ["-D" + line for line in cache.read_text().splitlines() if line.startswith("pybind11_DIR")]
+    try:
+        said = subprocess.run(["cmake", *given, "-P", str(root / "cmake" / "pybind11_version.cmake")], capture_output=True,
+                              text=True).stdout
+    except FileNotFoundError:  # sources alone are packed without it
+        said = ""
+    found = re.search(r"-- pybind11 (\d+)\.(\d+)", said)
+    return "numpy>=1.24" if found and (int(found[1]), int(found[2])) >= (2, 12) else "numpy>=1.24,<2"
 
 
 version = re.search(r"project\(equipoise VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text())
 assert version, "CMakeLists.txt says no version"
-setup(version=version[1], ext_modules=[Extension("equipoise._core", [])], cmdclass={"build_ext": CMakeBuild})
+setup(version=version[1], install_requires=[numpy()], ext_modules=[Extension("equipoise._core", [])],
+      cmdclass={"build_ext": CMakeBuild})

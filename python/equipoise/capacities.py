@@ -15,7 +15,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import table
 from ._ranges import Range, Values, over_texts, path_text, range_text
 from .ensembles import with_starts
-from .results import Result, WithPage, write_text
+from .results import Result, WithPage, optional, write_text
 from .study import Study
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ class CapacityResult(Result, WithPage):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a cell."""
-        import pandas
+        pandas = optional("pandas")
 
         names = ("value", "low", "high", "always", "never")
         return pandas.DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])

@@ -12,7 +12,7 @@ from ._arguments import checked_study, flag, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import with_starts
-from .results import Result, write_json
+from .results import Result, optional, write_json
 from .study import Study
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class Comparison(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row an outcome."""
-        import pandas
+        pandas = optional("pandas")
 
         return pandas.DataFrame([vars(d) for d in self.differences]).set_index("name")
 

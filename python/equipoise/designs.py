@@ -11,7 +11,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import table
 from ._ranges import path_text
 from .ensembles import with_starts
-from .results import Result, WithPage, write_text
+from .results import Result, WithPage, optional, write_text
 from .study import Study
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class DesignResult(Result, WithPage):
         """A row a member of the front: the values chosen, each figure with its interval, as the program's CSV."""
         import io
 
-        import pandas
+        pandas = optional("pandas")
 
         return pandas.read_csv(io.StringIO(self._saved_core().csv()), comment="#")
 

@@ -16,7 +16,7 @@ from ._arguments import LARGEST_SEED, MOST_STARTS, checked_study, flag, real, re
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .errors import UndecidedWarning
-from .results import Result
+from .results import Result, optional
 from .state import Frame, State, StateLike, starts_of
 from .study import Study
 
@@ -232,7 +232,7 @@ class BasinResult(Result):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with dimension start: the variables of the NetCDF file, with units and long_name."""
-        import xarray
+        xarray = optional("xarray")
 
         data: dict[str, Any] = {}
         kept = {**self.arrays, **(self.transients or {})}
@@ -251,7 +251,7 @@ class BasinResult(Result):
     def to_pandas(self) -> pandas.DataFrame:
         """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any; what the
         start drew by key, the cells that it stands for and the rotor's speed in the end where the study has such."""
-        import pandas
+        pandas = optional("pandas")
 
         columns: dict[str, Any] = {f"phi_{i + 1}": self.phi[:, i] for i in range(self.phi.shape[1])}
         codes = sorted(self.names)

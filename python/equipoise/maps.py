@@ -16,7 +16,7 @@ from ._arguments import checked_study, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Range, path_text, range_text
-from .results import Result, WithPage
+from .results import Result, WithPage, optional
 from .study import Study
 
 if TYPE_CHECKING:
@@ -134,7 +134,7 @@ class MapResult(Result, WithPage):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over y and x."""
-        import xarray
+        xarray = optional("xarray")
 
         told = _core.pixel_numbers()
         codes = sorted(self.names)
@@ -150,7 +150,7 @@ class MapResult(Result, WithPage):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Outcomes by name: rows are y, columns x."""
-        import pandas
+        pandas = optional("pandas")
 
         names = np.vectorize(lambda code: self.names.get(code, ""), otypes=[object])(self.outcome)
         return pandas.DataFrame(names, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))

@@ -17,7 +17,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import percent, table
 from .ensembles import with_starts
 from .errors import RunError
-from .results import Result, write_json
+from .results import Result, optional, write_json
 from .state import Frame, State, StateLike, seeds_of, state_on
 from .study import Study, option_value
 
@@ -164,7 +164,7 @@ class AttractorsResult(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row an attractor."""
-        import pandas
+        pandas = optional("pandas")
 
         names = ("id", "name", "alias", "kind", "stable", "share", "low", "high", "period", "r_min", "r_mean", "r_max")
         return pandas.DataFrame([{name: getattr(a, name) for name in names} for a in self]).set_index("id")
@@ -325,7 +325,7 @@ class BranchesResult(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a value and branch."""
-        import pandas
+        pandas = optional("pandas")
 
         frames = []
         for b in self:
@@ -342,8 +342,7 @@ class BranchesResult(Result):
         """A dataset over the parameter and the attractors; nan where one is not there, else stable is 1 or 0."""
         rows = self.to_pandas()
         if rows.empty:
-            import xarray
-
+            xarray = optional("xarray")
             return xarray.Dataset(attrs={"study": self.study.to_toml()})
         rows["stable"] = rows["stable"].astype(float)
         dataset = rows.set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()

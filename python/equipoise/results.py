@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import importlib
 import json
 import os
 from collections.abc import Mapping
@@ -12,6 +13,24 @@ from typing import Any
 
 from .errors import RunError
 from .study import Study
+
+
+def optional(package: str) -> Any:
+    """A package that only some calls need, imported by the first of them.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        It is not installed.
+    """
+    try:
+        return importlib.import_module(package)
+    except ModuleNotFoundError as error:
+        if error.name != package:
+            raise
+        raise ModuleNotFoundError(
+            f"this needs {package}, which is not installed: pip install {package}, or pip install equipoise[all]", name=package
+        ) from None
 
 
 class Answer:

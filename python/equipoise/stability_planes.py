@@ -15,7 +15,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import table
 from ._ranges import Range, path_text, range_text
 from .maps import _size
-from .results import Result
+from .results import Result, optional
 from .study import Study
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ class StabilityResult(Result):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over y and x."""
-        import xarray
+        xarray = optional("xarray")
 
         told = _core.point_numbers()
         data: dict[str, Any] = {name: (("y", "x"), getattr(self, name), attributes) for name, attributes in told.items()}
@@ -130,7 +130,7 @@ class StabilityResult(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Kinds by their words: rows are y, columns x."""
-        import pandas
+        pandas = optional("pandas")
 
         words = np.array([*self.kinds, ""], dtype=object)[self.kind]
         return pandas.DataFrame(words, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))

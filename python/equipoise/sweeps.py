@@ -18,7 +18,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import percent, table
 from ._ranges import Values, over_texts, path_text
 from .ensembles import half_width_of, with_starts
-from .results import Result, WithPage
+from .results import Result, WithPage, optional
 from .study import Study
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ class SweepResult(Result, WithPage):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Tidy: a row a cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
-        import pandas
+        pandas = optional("pandas")
 
         rows = []
         for _, cell in self.cells_by_place():
@@ -147,7 +147,7 @@ class SweepResult(Result, WithPage):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with the parameters, in their units, and the attractors' names as coordinates."""
-        import xarray
+        xarray = optional("xarray")
 
         keys = list(self.axes)
         data: dict[str, Any] = {}

@@ -13,6 +13,7 @@ from . import _core
 from ._arguments import checked_study, numbers, real, refuse
 from ._call import WithinArgument, settings, unless_interrupted
 from ._html import definition_table
+from .results import optional
 from .state import State
 from .study import Study, is_quantity
 
@@ -122,7 +123,7 @@ class Trajectory:
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with coordinate t; every variable has units and long_name."""
-        import xarray
+        xarray = optional("xarray")
 
         places = {"bearing_radial": "bearing", "bearing_force": "bearing"}
         data = {
@@ -136,7 +137,7 @@ class Trajectory:
 
     def to_pandas(self) -> pandas.DataFrame:
         """A table with one row a time, indexed by t: the columns of the program's CSV."""
-        import pandas
+        pandas = optional("pandas")
 
         columns: dict[str, Array] = {}
         for name in self._names:

@@ -261,3 +261,11 @@ def test_a_thousand_ensembles_leave_nothing_behind():
         assert eq.basin(fan, starts=20, seed=k).starts == 20
     # What one answer holds is a hundred times as much a call.
     assert resident() - before < max(1 << 20, 1000 * (calls - warm))
+
+
+@pytest.mark.parametrize("package", ["pandas", "xarray"])
+def test_a_package_that_is_not_installed_is_named(study, monkeypatch, package):
+    run = eq.simulate(study.replace({"initial.phi": [1.0, 4.0]}), [0.0, 1.0])
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ImportError, match=rf"^this needs {package}, which is not installed: pip install {package}, or .*equipoise\[all\]$"):
+        getattr(run, f"to_{package}")()

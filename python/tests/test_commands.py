@@ -164,6 +164,8 @@ def test_a_sweep_in_parts(program, study, tmp_path):
         eq.merge(tmp_path / "1.nc", tmp_path / "x.nc")
     with pytest.raises(eq.StudyError):
         eq.merge([PAPER], tmp_path / "x.nc")
+    with pytest.raises(eq.StudyError, match=r"gone\.nc: no such file$"):
+        eq.merge([tmp_path / "1.nc", tmp_path / "gone.nc"], tmp_path / "x.nc")
 
 
 def test_certificates_are_checked(program, study, tmp_path):

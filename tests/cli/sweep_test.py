@@ -117,6 +117,12 @@ class Sweep(Case):
         self.assertEqual((inspected["kind"], inspected["complete"], inspected["damage"]), ("sweep", True, ""))
         self.assertIn({"name": "cells done", "value": "2 of 2"}, inspected["facts"])
 
+    def test_a_file_to_merge_that_is_not_there_is_named(self):
+        for name in ("gone.nc", "gone.nc.part"):
+            done = run("merge", self.path(name), "-o", self.path("m.nc"))
+            self.assertEqual((done.returncode, done.stderr), (2, f"equipoise: {self.path(name)}: no such file\n"))
+            self.assertEqual(os.listdir(self.folder), [])
+
     def test_xarray_opens_the_file_with_names_and_units(self):
         nc = self.path("s.nc")
         sweep = answer("sweep", ROW, "--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "100",

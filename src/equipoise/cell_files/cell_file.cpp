@@ -2,6 +2,7 @@
 #include "equipoise/cell_files/cell_file.hpp"
 
 #include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <netcdf.h>
@@ -12,6 +13,7 @@
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/words/files.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::io {
 
@@ -100,6 +102,8 @@ void CellFile::finish(const std::function<void(const std::string&, const std::st
 }
 
 std::string read_cell_file(const CellFileKind& kind, const std::string& path, const CellFile::Take& take) {
+  if (std::error_code ignored; !std::filesystem::exists(path, ignored))
+    throw InputError(path, "", "", words::study::no_file);
   if (path.ends_with(".part")) {
     const Journal journal(path, path, "");
     read_journal(kind, path, journal, take);
