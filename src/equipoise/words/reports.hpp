@@ -59,7 +59,8 @@ inline constexpr char runs_draw_the_rest[] = "There are no balls: {} runs draw t
 
 // Basin: outcomes.
 inline constexpr char stalled_below[] = "stalled below ";
-inline constexpr char came_to[] = "came to ";
+inline constexpr char came_to[] = "came to: ";
+inline constexpr char and_none[] = "; and none ";
 inline constexpr char was_undecided[] = "was undecided";
 inline constexpr char no_start[] = "No start ";
 // "each " or nothing, share.
