@@ -15,6 +15,7 @@
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/motion_words.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
@@ -158,7 +159,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
   std::string notes = section_text(r.basin.study, units);
   for (const Attractor& a : r.attractors) notes += events_text(a, balls);
   notes += left_unbalance_text(r.basin.attractors, r.basin.study);
-  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", r.basin.note);
+  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.basin.study, r.basin.note));
   if (r.basin.partial) notes += fmt::format(words::reports::partial_search, r.basin.starts, r.basin.asked);
   notes += search_text(r);
   notes += fmt::format(words::reports::attractors_made_with, r.basin.study.sampling.seed, computed_text(r.basin),

@@ -17,6 +17,7 @@
 #include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/sampling_text.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/table_text.hpp"
@@ -204,7 +205,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   notes += left_unbalance_text(r.attractors, r.study);
   if (r.passed) notes += passage_text(r);
   if (r.met) notes += contact_text(*r.met);
-  if (!r.note.empty()) notes += fmt::format("Note: {}.\n", r.note);
+  if (!r.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.study, r.note));
   if (r.partial) notes += stopped_basin_text(r);
   return text + lines_filled(notes + run_text(r, tried), style);
 }

@@ -53,6 +53,15 @@ inline constexpr char partial_nothing_known[] = "PARTIAL: stopped before anythin
 inline constexpr char partial_no_shares[] =
     "PARTIAL: stopped before the first start was decided; there are no shares.\n";
 
+// Notes about balance (words/proof.hpp): forms that find their numbers, and what stands in their place. Speed.
+inline constexpr char speed_in_note[] = "at speed (-?[0-9][0-9.e+-]*)";
+inline constexpr char at_speed[] = "at speed {:.4g}";
+inline constexpr char at_speed_of_machine[] = "at {}";
+// Rates, the second of which may be missing, in 1/s.
+inline constexpr char rates_in_note[] = "\\(growth (rates?) (-?[0-9][0-9.e+-]*)(?: to (-?[0-9][0-9.e+-]*))?\\)";
+inline constexpr char second_rate[] = " to {}";
+inline constexpr char rates_of_machine[] = "(growth {} {}{} 1/s)";
+
 // Basin: the rotor alone.
 inline constexpr char one_run_tells_all[] = "There are no balls: nothing is random, so one run is enough.";
 inline constexpr char runs_draw_the_rest[] = "There are no balls: {} runs draw the uncertain values.";
