@@ -379,7 +379,11 @@ inline constexpr char figures_mean[] =
     "log 2 = 0.693 indicates a fractal boundary.\n\n";
 // Open pixels, all.
 inline constexpr char partial_map[] =
-    "PARTIAL: stopped with {} of {} pixels open. Shares of the map: from none of those to all of them.\n";
+    "PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel comes to an outcome, "
+    "the most if all do.\n";
+// All pixels.
+inline constexpr char partial_map_of_nothing[] =
+    "PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.\n";
 // Pixels, how it was computed, pixels a second, version.
 inline constexpr char map_made_with[] = "{} pixels; {}{}; equipoise {}\n";
 
