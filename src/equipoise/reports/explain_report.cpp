@@ -187,10 +187,10 @@ class Text {
     else if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
-      item("",
-           fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
-                       end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
-                       e_.ball_width.empty() ? "" : words::text::side_by_side));
+      item("", fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
+                           end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                           both(e_.largest_unbalance, Dimension::unbalance),
+                           e_.ball_width.empty() ? "" : words::text::side_by_side));
     if (e_.unbalance != e_.study.parameters.eccentricity)
       item("",
            fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
@@ -205,9 +205,10 @@ class Text {
     item("", fmt::format(words::reports::static_and_couple, both(e_.unbalance, Dimension::unbalance),
                          both(t.couple, Dimension::inertia)));
     for (const ExplainedPlane& plane : t.planes)
-      item("", fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
-                           both(plane.unbalance, Dimension::unbalance), end_of(plane.least, plane.most, Dimension::unbalance),
-                           both(plane.most, Dimension::unbalance)));
+      item("",
+           fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
+                       both(plane.unbalance, Dimension::unbalance),
+                       end_of(plane.least, plane.most, Dimension::unbalance), both(plane.most, Dimension::unbalance)));
   }
 
   std::string states_of_tilt(bool family) const {
@@ -224,7 +225,7 @@ class Text {
     if (e_.tilt)
       item(words::reports::balanced_angles,
            fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? words::reports::from_couple_unbalance
-                                                          : words::reports::from_angle_0),
+                                                                            : words::reports::from_angle_0),
                        angles, states_of_tilt(family)));
     else
       item(words::reports::balanced_angles,
