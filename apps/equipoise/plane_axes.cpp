@@ -14,6 +14,10 @@ SliceAxis axis_of(const Study& study, const std::string& text, const std::string
                   const std::string& option) {
   const std::string range_option = option + "-range";
   const std::size_t equals = text.find('=');
+  if (equals == std::string::npos && range.empty() && !SliceAxis{text, 0.0, 1.0, pixels}.angle())
+    throw InputError(
+        option, text, "",
+        fmt::format(words::axis_without_range, option, text, text.starts_with("speed") ? "1.5:6" : "0.01:0.5"));
   if (equals == std::string::npos) return slice_axis(study, text, range, pixels, range_option);
   if (!range.empty())
     throw InputError(range_option, "", display_text(range), fmt::format(words::range_given_twice, option));

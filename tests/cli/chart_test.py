@@ -4,6 +4,7 @@
     chart_test.py PROGRAM STUDIES
 """
 import json
+import math
 import os
 import shutil
 import unittest
@@ -23,6 +24,32 @@ class Results(Case):
         for words in ("softly along", "abruptly", "Proved by interval arithmetic: stable all over", "generalised Hopf: softly",
                       "double Hopf: two swings", "balls together", "balance stable", "5 curves"):
             self.assertIn(words, text)
+
+    def test_places_are_in_the_units_of_a_machine(self):
+        study = self.file("machine.toml", """[rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping = "400 N s/m"
+eccentricity = "0.2 mm"
+[balancer]
+balls = 2
+race_radius = "30 mm"
+mass = "60 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "constant"
+speed = "2000 rpm"
+""")
+        axes = ["--x", "speed.final=600 rpm:3600 rpm", "--y", "balancer.drag=1e-4 N m s:1e-2 N m s", "--size", "24x24",
+                "--undecided", "20", "--quiet"]
+        done = run("chart", study, *axes)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
+        self.assertIn("Places are speed.final in rpm, balancer.drag in N m s;", " ".join(done.stdout.split()))
+        curve = answer("chart", study, *axes)["curves"][0]
+        rpm = curve["x"][0] * (48000 / 12) ** 0.5 * 30 / math.pi  # omega_c
+        self.assertIn(f" {rpm:.4g}, ", done.stdout)
+        self.assertNotIn("it was before", done.stdout)
 
     def test_files_and_json_agree(self):
         nc, csv, png = self.path("out.nc"), self.path("out.csv"), self.path("out.png")

@@ -111,6 +111,9 @@ class Results(unittest.TestCase):
         self.assertEqual(code, 130)
         self.assertIn("PARTIAL", output)
         self.assertIn("the same command goes on", errors)
+        if "Nothing is known" in output:  # no shares of nothing
+            self.assertIn("stopped before any of 4000000 pixels was done; nothing is known of the map", " ".join(output.split()))
+            self.assertNotIn("of the map\n", output)
         self.assertFalse(os.path.exists(file + ".part"))
         self.assertGreater(os.path.getsize(file), 2000 * 2000 * 10)
 

@@ -21,10 +21,12 @@
 #include "equipoise/start_runs/transient_tally.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/text/csv.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/start_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
+#include "equipoise/words/proof.hpp"
 
 namespace equipoise {
 namespace {
@@ -180,6 +182,33 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   EXPECT_NEAR(json["diverged"]["most"], 0.2942, 1e-4);
   EXPECT_EQ(json["diverged"]["least"], 0.0);
   EXPECT_EQ(json["outcomes"][0]["most"], 1.0);
+}
+
+// Names of motions hold commas. A narrow table loses columns, and what they would mean is not told then.
+TEST(BasinText, NamesWhatNoStartCameToAndTellsOnlyOfColumnsThatAreShown) {
+  BasinResult r = result_of(constant_speed, 1000, 0);
+  const auto none = [&](int id, const char* name) {
+    r.attractors.push_back({id, name, "", open_share(0, 0, 1000), "measured", 0.0});
+  };
+  none(5, "a, b");
+  none(6, "c");
+  const std::string wide = basin_text(r), narrow = basin_text(r, TextStyle{40, false, false});
+  EXPECT_TRUE(holds(wide, "No start came to: a, b; c; and none was undecided, diverged or failed (each below"));
+  EXPECT_TRUE(holds(wide, "  known after  ") && holds(wide, "Known after: mean time")) << wide;
+  EXPECT_TRUE(!holds(narrow, "known after") && !holds(narrow, "Known after")) << narrow;
+  EXPECT_TRUE(holds(basin_text(result_of(constant_speed, 1000, 0)), "No start was undecided, diverged or failed"));
+}
+
+TEST(NoteText, IsInTheUnitsOfTheStudy) {
+  const Study study = parse_study(constant_machine, "m.toml");
+  const std::string note = fmt::format(words::proof::unstable, study.speed.speed, 0.01),
+                    drawn = fmt::format(words::proof::all_drawn_unstable, 64, study.speed.speed, 0.01, 0.02);
+  EXPECT_EQ(note_text(study, note),
+            "the balanced state exists but is unstable at 2000 rpm (growth rate 0.632 1/s)");  // of machine_omega_c
+  EXPECT_TRUE(holds(note_text(study, drawn), "unstable at 2000 rpm (growth rates 0.632 to 1.26 1/s)"));
+  EXPECT_EQ(note_text(parse_study(constant_speed, "s.toml"), fmt::format(words::proof::unstable, 2.0 / 3.0, 0.01)),
+            "the balanced state exists but is unstable at speed 0.6667 (growth rate 0.01)");
+  EXPECT_EQ(note_text(study, words::proof::needs_no_gravity), words::proof::needs_no_gravity);
 }
 
 TEST(BasinText, SaysWhichStartsCameThroughAndOfWhichThatIsOpen) {

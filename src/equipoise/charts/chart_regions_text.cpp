@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/words/chart.hpp"
 
@@ -39,11 +40,12 @@ std::size_t told_regions(const BifurcationChart& chart) {
 std::string region_letter(std::size_t number) { return std::string(1, static_cast<char>('A' + number)); }
 
 std::string regions_list(const BifurcationChart& chart, const TextStyle& style) {
+  const double x = shown_axis(chart.study, chart.plane.x).factor, y = shown_axis(chart.study, chart.plane.y).factor;
   std::string text;
   for (std::size_t k = 0; k < told_regions(chart); ++k) {
     const ChartRegion& r = chart.regions[k];
     text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
-                   fmt::format(words::chart::region_at, region_words(chart, r), r.x, r.y), style);
+                   fmt::format(words::chart::region_at, region_words(chart, r), r.x * x, r.y * y), style);
   }
   return text;
 }

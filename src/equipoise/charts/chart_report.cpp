@@ -13,6 +13,7 @@
 #include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/charts/chart_regions_text.hpp"
+#include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/motion_words.hpp"
@@ -83,7 +84,16 @@ std::string proof_sentence(const BifurcationChart& chart) {
                      fmt::format("{:.2f} %", std::ceil(1e4 * open) / 100.0));
 }
 
-std::string place_text(double x, double y) { return fmt::format("{:.4g}, {:.4g}", x, y); }
+// In the units of the axes.
+std::string place_text(const BifurcationChart& chart, double x, double y) {
+  return fmt::format("{:.4g}, {:.4g}", x * shown_axis(chart.study, chart.plane.x).factor,
+                     y * shown_axis(chart.study, chart.plane.y).factor);
+}
+
+std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {
+  const std::string unit = shown_axis(chart.study, axis).unit;
+  return unit.empty() ? axis.key : fmt::format(words::chart::axis_in_unit, axis.key, unit);
+}
 
 const char* curve_words(CurveKind kind) {
   constexpr std::array words{words::chart::is_hopf,       words::chart::is_zero,       words::chart::is_existence,
@@ -140,8 +150,9 @@ std::string curves_table(const BifurcationChart& chart, const TextStyle& style) 
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const ChartCurve& c = chart.curves[k];
     const CurvePoint &a = c.points.front(), &b = c.points.back();
-    table.rows.push_back(row_of("ntttttt", {fmt::format("{}", k + 1), curve_words(c.kind), c.of, place_text(a.x, a.y),
-                                            place_text(b.x, b.y), frequency_text(c), loss_words(chart, c)}));
+    table.rows.push_back(
+        row_of("ntttttt", {fmt::format("{}", k + 1), curve_words(c.kind), c.of, place_text(chart, a.x, a.y),
+                           place_text(chart, b.x, b.y), frequency_text(c), loss_words(chart, c)}));
   }
   return table_text(table, style);
 }
@@ -152,8 +163,8 @@ std::string specials_table(const BifurcationChart& chart, const TextStyle& style
   for (const SpecialPoint& p : chart.specials) {
     const std::string second = p.second > 0.0 ? fmt::format(", {:.3g}", p.second) : "";
     table.rows.push_back(
-        row_of("tttn", {place_text(p.x, p.y), special_words(p.kind), fmt::format("{:.3g}{}", p.frequency, second),
-                        fmt::format("{}", p.curve + 1)}));
+        row_of("tttn", {place_text(chart, p.x, p.y), special_words(p.kind),
+                        fmt::format("{:.3g}{}", p.frequency, second), fmt::format("{}", p.curve + 1)}));
   }
   return table_text(table, style);
 }
@@ -200,7 +211,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   if (chart.curves.empty()) {
     text += words::chart::no_curve;
   } else {
-    text += fmt::format(words::chart::places_are, chart.plane.x.key, chart.plane.y.key);
+    text += fmt::format(words::chart::places_are, axis_words(chart, chart.plane.x), axis_words(chart, chart.plane.y));
     double error = 0.0;
     for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
     text += fmt::format(words::chart::precise, std::max(error, 1e-16));

@@ -7,10 +7,11 @@
 
 namespace equipoise {
 
-/// Its label, and what a dimensionless value is multiplied by.
+/// Its label, what a dimensionless value is multiplied by, and the unit that it then has, if any.
 struct ShownAxis {
   std::string label;
   double factor = 1.0;
+  std::string unit = {};
 };
 /// In the machine's units if it has them.
 ShownAxis shown_axis(const Study& study, const SliceAxis& axis);

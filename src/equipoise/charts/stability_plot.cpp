@@ -113,7 +113,7 @@ ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
   const auto unit = study::unit_of(study, axis.key);
   if (!unit) return {axis_label(axis.key), 1.0};
   const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
-  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si};
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
 }
 
 std::string stability_plot_script(const StabilityPlane& whole, const std::string& title, const std::string& path) {

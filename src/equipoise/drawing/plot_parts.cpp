@@ -62,13 +62,13 @@ std::string parameters_text(const Study& study, const std::vector<std::string>& 
     return std::find(varied.begin(), varied.end(), key) == varied.end();
   };
   std::string text = fmt::format("{} ball{}", p.balls, plural(p.balls));
-  if (fixed("balancer.mass") && p.equal_balls()) text += fmt::format(", μ = {}", p.mass[0]);
-  if (fixed("balancer.drag") && p.equal_balls()) text += fmt::format(", β = {}", p.drag[0]);
-  if (fixed("rotor.eccentricity")) text += fmt::format(", λ = {}", p.eccentricity);
-  if (fixed("rotor.damping")) text += fmt::format(", ζ = {}", p.damping[0]);
+  if (fixed("balancer.mass") && p.equal_balls()) text += fmt::format(", μ = {:.4g}", p.mass[0]);
+  if (fixed("balancer.drag") && p.equal_balls()) text += fmt::format(", β = {:.4g}", p.drag[0]);
+  if (fixed("rotor.eccentricity")) text += fmt::format(", λ = {:.4g}", p.eccentricity);
+  if (fixed("rotor.damping")) text += fmt::format(", ζ = {:.4g}", p.damping[0]);
   const bool speed_varies =
       std::any_of(varied.begin(), varied.end(), [](const std::string& key) { return key.starts_with("speed."); });
-  if (!speed_varies) text += fmt::format(", Ω = {}", study.speed_profile().final_speed());
+  if (!speed_varies) text += fmt::format(", Ω = {:.4g}", study.speed_profile().final_speed());
   return text;
 }
 

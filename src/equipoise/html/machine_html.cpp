@@ -20,6 +20,7 @@
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/sampling_text.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
@@ -52,7 +53,8 @@ class MachineDocument {
   Document make() {
     document_ = page_with(study_, answer_sentence(basin_), verdict());
     if (basin_.partial) add(Paragraph{words::pages::stopped_machine, Tone::bad});
-    if (!basin_.note.empty() && study_.parameters.balls > 0) add(Paragraph{"Note: " + basin_.note + ".", Tone::open});
+    if (!basin_.note.empty() && study_.parameters.balls > 0)
+      add(Paragraph{"Note: " + note_text(study_, basin_.note) + ".", Tone::open});
     changes();
     run_up();
     if (study_.parameters.balls == 0 && basin_.without_balls) {

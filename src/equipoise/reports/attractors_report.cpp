@@ -15,6 +15,7 @@
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/motion_words.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
@@ -75,6 +76,11 @@ std::vector<std::string> motor_texts(const Motion& m, const TableUnits& units) {
           fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
 }
 
+// In rpm four digits are enough, to 1e-4.
+std::string drift_text(double drift, bool physical) {
+  return physical ? fmt::format("{:.4g}", std::round(1e4 * drift) * 1e-4 + 0.0) : fmt::format("{:.4f}", drift + 0.0);
+}
+
 // "locked: 1|2 touch." or "drifting apart: 1|2 strike, 1|2 strike in one period."
 std::string events_text(const Attractor& a, int balls) {
   const Motion& m = a.motion;
@@ -121,7 +127,7 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
                   "period" + units.period,
                   "r min" + units.r,
                   "mean",
-                  "max",
+                  "r max" + units.r,
                   words::reports::drift_of_the_balls + units.drift,
                   "stability"};
   const bool driven = r.basin.study.speed.driven();
@@ -133,7 +139,8 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
     const Motion& m = a.motion;
     const Share& share = share_of(r, a.id).share;
     std::string drift;
-    for (int i = 0; i < balls; ++i) drift += fmt::format("{}{:.4f}", i ? ", " : "", m.drift[i] * units.speed + 0.0);
+    for (int i = 0; i < balls; ++i)
+      drift += (i ? ", " : "") + drift_text(m.drift[i] * units.speed, r.basin.study.scales.has_value());
     const bool measured = m.kind == MotionKind::measured;  // its state is unknown
     const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
     std::vector<std::string> row{fmt::format("{}", a.id),
@@ -151,14 +158,15 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
     table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
   }
   // Without these in this order where the terminal is narrow.
-  for (const char* title : {"kind", "stability", "speed", "period", "mean", "r min", "power", "torque", "+-", "copies"})
+  for (const char* title : {words::reports::drift_of_the_balls, "kind", "stability", "speed", "period", "mean", "r min",
+                            "power", "torque", "+-", "copies"})
     for (std::size_t k = 0; k < table.header.size(); ++k)
       if (table.header[k].starts_with(title)) table.spare.push_back(k);
   text += table_text(table, style) + "\n";
   std::string notes = section_text(r.basin.study, units);
   for (const Attractor& a : r.attractors) notes += events_text(a, balls);
   notes += left_unbalance_text(r.basin.attractors, r.basin.study);
-  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", r.basin.note);
+  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.basin.study, r.basin.note));
   if (r.basin.partial) notes += fmt::format(words::reports::partial_search, r.basin.starts, r.basin.asked);
   notes += search_text(r);
   notes += fmt::format(words::reports::attractors_made_with, r.basin.study.sampling.seed, computed_text(r.basin),

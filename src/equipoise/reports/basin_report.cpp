@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/percent_text.hpp"
@@ -16,6 +17,7 @@
 #include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
+#include "equipoise/text/note_text.hpp"
 #include "equipoise/text/sampling_text.hpp"
 #include "equipoise/text/sensitivity_report.hpp"
 #include "equipoise/text/table_text.hpp"
@@ -146,26 +148,29 @@ DocumentTable outcome_table(const BasinResult& r) {
   return table;
 }
 
-// "No start was undecided, diverged or failed (each below 0.19 %)." With undecided starts: what they could still be.
+// "No start was undecided, diverged or failed (each below 0.19 %)." "No start came to: co-drifting, chaotic; locked;
+// and none diverged or failed (...)." With undecided starts: what they could still be.
 std::string none_words(const BasinResult& r) {
   const bool physical = r.study.scales.has_value();
-  std::vector<std::string> names;
+  std::vector<std::string> motions, ends;
   const Share* none = nullptr;
   for (const OutcomeShare& a : r.attractors)
-    if (a.share.count == 0 && a.id != balanced_id) names.push_back(words::reports::came_to + reader_title(a, physical));
+    if (a.share.count == 0 && a.id != balanced_id) motions.push_back(reader_title(a, physical));
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
     none = r.of(o.id);
-    names.push_back(o.id == stalled_code
-                        ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
-                    : o.id == undecided_code ? words::reports::was_undecided
-                                             : o.name);
+    ends.push_back(o.id == stalled_code
+                       ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
+                   : o.id == undecided_code ? words::reports::was_undecided
+                                            : o.name);
   }
   if (!none) return "";
+  // Names of motions may hold commas.
   std::string text = words::reports::no_start;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    text += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-  const std::string each = names.size() > 1 ? "each " : "";
+  if (!motions.empty())
+    text += fmt::format("{}{}{}", words::reports::came_to, fmt::join(motions, "; "), words::reports::and_none);
+  for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "" : k + 1 < ends.size() ? ", " : " or ") + ends[k];
+  const std::string each = motions.size() + ends.size() > 1 ? "each " : "";
   // The upper end of undecided starts is none's own: what they come to may be one of these.
   if (none->most > none->high)
     return text + fmt::format(words::reports::at_most_whatever_undecided, each, percent(none->most, digits_for(*none)));
@@ -173,12 +178,14 @@ std::string none_words(const BasinResult& r) {
 }
 
 std::string outcome_text(const BasinResult& r, const TextStyle& style) {
-  std::string text = table_text(outcome_table(r), style) + "\n";
+  const std::string table = table_text(outcome_table(r), style);
+  std::string text = table + "\n";
   if (const std::string none = none_words(r); !none.empty()) text += filled("", none, style);
   if (r.undecided.count > 0) text += filled("", words::reports::bounds_hold, style);
-  return text +
-         filled("", fmt::format(words::reports::known_after_means, r.study.scales ? "" : ", in 1/omega_c"), style) +
-         "\n";
+  // A narrow table has no such column.
+  if (table.substr(0, table.find('\n')).find(words::reports::known_after) != std::string::npos)
+    text += filled("", fmt::format(words::reports::known_after_means, r.study.scales ? "" : ", in 1/omega_c"), style);
+  return text + "\n";
 }
 
 }  // namespace
@@ -198,7 +205,7 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   notes += left_unbalance_text(r.attractors, r.study);
   if (r.passed) notes += passage_text(r);
   if (r.met) notes += contact_text(*r.met);
-  if (!r.note.empty()) notes += fmt::format("Note: {}.\n", r.note);
+  if (!r.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.study, r.note));
   if (r.partial) notes += stopped_basin_text(r);
   return text + lines_filled(notes + run_text(r, tried), style);
 }

@@ -82,7 +82,8 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
   set.push_back(r.key);
   std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
   text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
-  text += fmt::format(words::reports::largest_at_which, r.key, 100.0 * r.at_least, r.asked(), sought_text(r));
+  text += lines_filled(
+      fmt::format(words::reports::largest_at_which, r.key, 100.0 * r.at_least, r.asked(), sought_text(r)), style);
   text += table_text(capacity_table(r, key_itself), style);
   std::string notes = fmt::format(words::reports::located_to, in_unit(r, four_digits(r.precision * (r.to - r.from))));
   if (!r.complete()) notes += words::reports::partial_cells;

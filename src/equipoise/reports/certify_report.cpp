@@ -11,6 +11,8 @@
 #include "equipoise/base/version.hpp"
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/model/system.hpp"
+#include "equipoise/text/note_text.hpp"
+#include "equipoise/text/text.hpp"
 #include "equipoise/words/reports.hpp"
 
 namespace equipoise {
@@ -114,8 +116,9 @@ Json members_json(const CertifyResult& r) {
 }  // namespace
 
 std::string certify_text(const CertifyResult& r, const TextStyle& style) {
-  std::string text = fmt::format("{}: speed {}\n", r.study.name, r.speed);
-  if (!r.note.empty()) text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", r.note);
+  std::string text = fmt::format("{}: speed {}\n", r.study.name, rotor_speed_text(r.study, r.speed));
+  if (!r.note.empty())
+    text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", note_text(r.study, r.note));
   text = lines_filled(text, style);
   for (const StateProof& s : r.states) text += state_text(s, r.study.system(), style);
   return text + lines_filled(members_text(r) + (r.partial ? words::reports::partial_proofs : ""), style);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,8 +31,12 @@ double in_degrees(double angle) {
   return turn < 0.0 ? turn + 360.0 : turn;
 }
 
+// With spaces at which no line breaks; explain_text() makes them plain.
+constexpr std::string_view whole_space = "\u00a0";
+constexpr char beta_is[] = "beta\u00a0=\u00a0";
+
 std::string figure_text(const ExplainedQuantity& figure, const std::optional<Scales>& scales) {
-  std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? "beta = " : "", figure.value);
+  std::string plain = fmt::format("{}{:.5g}", figure.symbol == "beta" ? beta_is : "", figure.value);
   if (!figure.dimension) return plain;
   if (*figure.dimension == Dimension::angle) return fmt::format("{:.4g} degree", figure.value * 180.0 / pi);
   if (!scales) return plain;
@@ -67,6 +72,11 @@ class Text {
   // In both forms if there are scales, else dimensionless.
   std::string both(double value, Dimension d) const {
     return scales_ ? fmt::format("{} ({:.5g})", physical(value, d), value) : fmt::format("{:.5g}", value);
+  }
+  // One end of a range: nothing, too, is in the other end's unit.
+  std::string end_of(double value, double other, Dimension d) const {
+    if (!scales_ || value != 0.0) return both(value, d);
+    return fmt::format("0 {} (0)", engineering_unit(other * study::scale_of(d, *scales_), d).name);
   }
   std::string either(double value, Dimension d) const {
     return scales_ ? physical(value, d) : fmt::format("{:.5g}", value);
@@ -177,10 +187,10 @@ class Text {
     else if (e_.study.parameters.balls == 0)
       item("", fmt::format("unbalance {}", both(e_.unbalance, Dimension::unbalance)));
     else
-      item("",
-           fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
-                       both(e_.least_unbalance, Dimension::unbalance), both(e_.largest_unbalance, Dimension::unbalance),
-                       e_.ball_width.empty() ? "" : words::text::side_by_side));
+      item("", fmt::format(words::reports::cancels, both(e_.unbalance, Dimension::unbalance),
+                           end_of(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),
+                           both(e_.largest_unbalance, Dimension::unbalance),
+                           e_.ball_width.empty() ? "" : words::text::side_by_side));
     if (e_.unbalance != e_.study.parameters.eccentricity)
       item("",
            fmt::format(words::reports::own_unbalance, both(e_.study.parameters.eccentricity, Dimension::unbalance)));
@@ -195,9 +205,10 @@ class Text {
     item("", fmt::format(words::reports::static_and_couple, both(e_.unbalance, Dimension::unbalance),
                          both(t.couple, Dimension::inertia)));
     for (const ExplainedPlane& plane : t.planes)
-      item("", fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
-                           both(plane.unbalance, Dimension::unbalance), both(plane.least, Dimension::unbalance),
-                           both(plane.most, Dimension::unbalance)));
+      item("",
+           fmt::format(words::reports::plane_cancels, both(plane.at, Dimension::length),
+                       both(plane.unbalance, Dimension::unbalance),
+                       end_of(plane.least, plane.most, Dimension::unbalance), both(plane.most, Dimension::unbalance)));
   }
 
   std::string states_of_tilt(bool family) const {
@@ -214,7 +225,7 @@ class Text {
     if (e_.tilt)
       item(words::reports::balanced_angles,
            fmt::format(fmt::runtime(e_.study.parameters.tilt.couple() > 0.0 ? words::reports::from_couple_unbalance
-                                                          : words::reports::from_angle_0),
+                                                                            : words::reports::from_angle_0),
                        angles, states_of_tilt(family)));
     else
       item(words::reports::balanced_angles,
@@ -338,7 +349,15 @@ std::string verdict_text(const Explanation& e) {
 
 std::string explain_text(const Explanation& e, const TextStyle& style) {
   constexpr std::size_t labels = 22;
-  return lines_filled(Text(e, style).all(), style, labels);
+  const std::string lines = lines_filled(Text(e, style).all(), style, labels);
+  std::string text;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const bool whole = lines.compare(k, whole_space.size(), whole_space) == 0;
+    if (whole) k += whole_space.size() - 1;
+    if (lines[k] == '\n') text.resize(text.find_last_not_of(' ') + 1);
+    text += whole ? ' ' : lines[k];
+  }
+  return text;
 }
 
 }  // namespace equipoise

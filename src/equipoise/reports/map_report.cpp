@@ -127,7 +127,7 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
                                          fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
-  text += table_text(table, style);
+  if (map.complete || open_pixels(map) < map.pixels) text += table_text(table, style);
   const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
                               figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
                               figure_text(words::text::basin_entropy, f.basin_entropy) +
@@ -135,10 +135,12 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
                               (f.balanced_radius ? fmt::format(words::reports::around_balanced,
                                                                words::reports::balanced_within, *f.balanced_radius)
                                                  : "");
-  std::string notes = "\n";
+  std::string notes = text.ends_with("\n\n") ? "" : "\n";
   if (!figures.empty()) notes += figures + words::reports::figures_mean;
   notes += making_text(map);
-  if (!map.complete) notes += fmt::format(words::reports::partial_map, open_pixels(map), map.pixels);
+  if (!map.complete)
+    notes += open_pixels(map) < map.pixels ? fmt::format(words::reports::partial_map, open_pixels(map), map.pixels)
+                                           : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
   notes +=
       fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),

@@ -72,7 +72,7 @@ inline constexpr char is_cycle_torus[] = "torus";
 inline constexpr char how_softly[] = "softly";
 inline constexpr char how_abruptly[] = "abruptly";
 inline constexpr char how_both[] = "softly, abruptly";
-inline constexpr char how_before[] = "it was before";
+inline constexpr char how_before[] = "nothing: unstable before";
 inline constexpr char how_real[] = "without a swing";
 inline constexpr char how_ends[] = "it ends";
 inline constexpr char how_unknown[] = "not known how";
@@ -156,6 +156,8 @@ inline constexpr char end_stopped[] = "where the computation was stopped";
 // Notes.
 inline constexpr char no_curve[] = "No curve was found.\n";
 inline constexpr char places_are[] = "Places are {}, {}; frequencies are in omega_c.\n";
+// Key of an axis, unit.
+inline constexpr char axis_in_unit[] = "{} in {}";
 // Error, part of the plane's sides.
 inline constexpr char precise[] = "Points lie on their curves within {:.0e} of the plane's sides.\n";
 inline constexpr char contact_bound[] = "Where balance ends because the balls lack room, no curve is drawn.\n";

@@ -53,13 +53,23 @@ inline constexpr char partial_nothing_known[] = "PARTIAL: stopped before anythin
 inline constexpr char partial_no_shares[] =
     "PARTIAL: stopped before the first start was decided; there are no shares.\n";
 
+// Notes about balance (words/proof.hpp): forms that find their numbers, and what stands in their place. Speed.
+inline constexpr char speed_in_note[] = "at speed (-?[0-9][0-9.e+-]*)";
+inline constexpr char at_speed[] = "at speed {:.4g}";
+inline constexpr char at_speed_of_machine[] = "at {}";
+// Rates, the second of which may be missing, in 1/s.
+inline constexpr char rates_in_note[] = "\\(growth (rates?) (-?[0-9][0-9.e+-]*)(?: to (-?[0-9][0-9.e+-]*))?\\)";
+inline constexpr char second_rate[] = " to {}";
+inline constexpr char rates_of_machine[] = "(growth {} {}{} 1/s)";
+
 // Basin: the rotor alone.
 inline constexpr char one_run_tells_all[] = "There are no balls: nothing is random, so one run is enough.";
 inline constexpr char runs_draw_the_rest[] = "There are no balls: {} runs draw the uncertain values.";
 
 // Basin: outcomes.
 inline constexpr char stalled_below[] = "stalled below ";
-inline constexpr char came_to[] = "came to ";
+inline constexpr char came_to[] = "came to: ";
+inline constexpr char and_none[] = "; and none ";
 inline constexpr char was_undecided[] = "was undecided";
 inline constexpr char no_start[] = "No start ";
 // "each " or nothing, share.
@@ -369,7 +379,11 @@ inline constexpr char figures_mean[] =
     "log 2 = 0.693 indicates a fractal boundary.\n\n";
 // Open pixels, all.
 inline constexpr char partial_map[] =
-    "PARTIAL: stopped with {} of {} pixels open. Shares of the map: from none of those to all of them.\n";
+    "PARTIAL: stopped with {} of {} pixels open. Shares of the map: the least if no open pixel comes to an outcome, "
+    "the most if all do.\n";
+// All pixels.
+inline constexpr char partial_map_of_nothing[] =
+    "PARTIAL: stopped before any of {} pixels was done; nothing is known of the map.\n";
 // Pixels, how it was computed, pixels a second, version.
 inline constexpr char map_made_with[] = "{} pixels; {}{}; equipoise {}\n";
 
