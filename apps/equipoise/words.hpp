@@ -40,7 +40,7 @@ inline constexpr char precision_range[] = "a part of the range from 0.0001 to 0.
 inline constexpr char trajectory_range[] = "a whole number from 1000 to 1000000000000";
 inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6";
 // Option, key, a range.
-inline constexpr char axis_without_range[] = 
+inline constexpr char axis_without_range[] =
     "has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}";
 inline constexpr char range_given_twice[] = "{} has a range, too; give one";
 inline constexpr char block_range[] = "a power of two from 2 to 64";
