@@ -195,13 +195,14 @@ Publication rodrigues_2008() {
                     [](const Study& s) { return exactly(2.0 * s.parameters.eccentricity / 4.0); }});
   p.rows.push_back(of_long_rotor("(22)", "critical mass m_c/M for epsilon = chi = 0.005, beta = 1", print,
                                  {0.00261, 5e-6}, {}, [](const Study& s, const RunOptions&) { return least_mass(s); }));
+  // Number 3: after X, Y and backward whirl.
   p.rows.push_back({"(19)",
                     "critical speed, conical",
                     "",
                     formula,
                     {},
                     {},
-                    [](const Study& s, const RunOptions&) { return critical_speed(s, 1); },
+                    [](const Study& s, const RunOptions&) { return critical_speed(s, 3); },
                     "",
                     [](const Study& s) {
                       const model::Tilt& t = s.parameters.tilt;
