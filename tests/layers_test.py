@@ -104,7 +104,7 @@ ROOMS = {
     "literature": "statistics study results",
     "publications":
         "running drives math model types mechanics statistics study periodic_orbits results drawing ensembles "
-        "stability trajectory literature",
+        "stability cycles trajectory literature",
     "reproduction":
         "running drives types mechanics statistics sampling kernels attractors results result_files "
         "attractor_search ensembles analyses basin_slices trajectory drawing text reports plots literature",

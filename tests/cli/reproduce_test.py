@@ -202,7 +202,7 @@ class OtherPublications(Case):
         done = run("reproduce", "jeffcott-1919,rodrigues-enoc", "sommerfeld-1902", "--quiet")
         self.assertEqual(done.returncode, 0)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
-        self.assertIn("11 of 13 numbers agree, 2 differ, each for a reason that is known", done.stdout)
+        self.assertIn("20 of 22 numbers agree, 2 differ, each for a reason that is known", done.stdout)
         data = json.loads(run("reproduce", "sommerfeld-1902", "--json", "--quiet").stdout)
         self.assertFalse(data["differs"])
         (publication,) = data["publications"]

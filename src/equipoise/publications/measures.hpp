@@ -48,11 +48,18 @@ Estimate least_ball_rate(const Study& study, double until);
 Estimate last_angle(const Study& study, int ball, double until);
 /// Speed of the rotor when last between two times a ball lagged by more than a tenth of the unit.
 Estimate lags_until(const Study& study, double from, double until);
+/// Speed of the rotor when last between two times a ball itself ran slower than `below`.
+Estimate slow_until(const Study& study, double below, double from, double until);
 /// Mean speed of all balls between two times; the error is half the range of theirs.
 Estimate ball_speed(const Study& study, double from, double until);
 /// Period of a limit cycle: at the speed `from` the study's start comes near to it in this time, and it takes about so
 /// long; from there it is followed to the study's speed.
 Estimate cycle_period(const Study& study, double from, double until, double about);
+/// How far apart the ends of that cycle are along x (0) or y (1), for the rotor's centre.
+Estimate cycle_extent(const Study& study, double from, double until, double about, int axis);
+/// Period of the cycles that are born where balance changes its stability between `born` and `high`, where their
+/// branch, followed within `low` and `high`, comes to the study's speed for the first time. It may pass folds.
+Estimate branch_period(const Study& study, double low, double born, double high);
 
 /// Jeffcott's rotor: distance of the centre from the axis at constant speed.
 double jeffcott_radius(const model::Parameters& p, double speed);

@@ -23,7 +23,10 @@ std::string name_of_source(KnownBy known_by) { return known_by_names[static_cast
 
 std::string with_error(const Estimate& e, const char* unit) {
   std::string text = fmt::format("{:.5g}", e.value);
-  if (e.error > 0.0) text += e.error < 1.0 ? fmt::format(" ± {:.1g}", e.error) : fmt::format(" ± {:.2g}", e.error);
+  if (e.error >= 100.0)
+    text += fmt::format(" ± {:.0f}", e.error);
+  else if (e.error > 0.0)
+    text += e.error < 1.0 ? fmt::format(" ± {:.1g}", e.error) : fmt::format(" ± {:.2g}", e.error);
   return *unit ? text + " " + unit : text;
 }
 
@@ -69,8 +72,8 @@ std::string tally(const JudgedPublications& r) {
   const std::string known = differ == 0           ? ""
                             : explained == differ ? words::publications::all_explained
                                                   : fmt::format(words::publications::some_explained, explained);
-  std::string text = fmt::format(words::publications::tally, agree, agree + differ, differ, known,
-                                 r.count(RowVerdict::not_computed));
+  std::string text =
+      fmt::format(words::publications::tally, agree, agree + differ, differ, known, r.count(RowVerdict::not_computed));
   if (!r.partial) return text;
   std::size_t judged = 0, all = 0;
   for (const JudgedPublication& p : r.list) judged += p.rows.size(), all += p.publication->rows.size();

@@ -1,5 +1,6 @@
 // Their first rotor: time histories and charts of stability.
 #include <algorithm>
+#include <cmath>
 
 #include "equipoise/publications/measures.hpp"
 #include "equipoise/publications/rodrigues.hpp"
@@ -31,6 +32,14 @@ constexpr const char* geometry =
     "their charts keep what the balls' motion along the shaft does as it tilts, of the order of a ball's mass times "
     "the "
     "tilt; this model leaves it out";
+
+constexpr const char* by_rounding =
+    "where the balls come to depends on rounding: in another program's eight runs, of different steps, two to four "
+    "balls "
+    "lag in the end, never one";
+constexpr const char* first_swing =
+    "balls that begin together part by rounding alone, and it is not on record whether the first swing counts: that "
+    "reaches 0.071 here";
 
 void all_masses(Study& study, double mass) { std::fill_n(study.parameters.mass.begin(), study.parameters.balls, mass); }
 void eccentricity(Study& study, double value) { study.parameters.eccentricity = value; }
@@ -86,6 +95,10 @@ std::vector<PublicationRow> charts_of_2008() {
       of_long_rotor(
           "fig. 5 (a)", "at which it turns stable for good", plot, {5.54, 0.01}, wide,
           [](const Study& s, const RunOptions&) { return boundary(s, 4.0, 6.0); }, geometry),
+      of_long_rotor(
+          "fig. 5 (d)", "speed up to which balance is unstable, at the right end of a narrow strip", plot,
+          {4.167, 0.01}, static_alone({"balancer.mass=0.003545"}),
+          [](const Study& s, const RunOptions&) { return boundary(s, 3.5, 4.8); }, geometry),
       of_long_rotor("fig. 5 (e)", "mass of a ball at which balance turns unstable", plot, {0.0034, 5e-5}, at_3,
                     [](const Study& s, const RunOptions&) { return boundary(s, 0.003, 0.0036, all_masses); }),
       of_long_rotor("fig. 5 (e)", "at which it turns stable again", plot, {0.0038, 5e-5}, at_3,
@@ -118,6 +131,8 @@ std::vector<PublicationRow> charts_of_2008() {
 // Time histories with both unbalances; of balls that settle to t = 1200.
 std::vector<PublicationRow> figure_12() {
   const Settings a{"balancer.mass=0.005"};
+  const Settings b{"balancer.mass=0.005",
+                   "initial.phi=[1.0471975511965976, -1.0471975511965976, 2.0943951023931953, -2.0943951023931953]"};
   return {
       of_long_rotor("fig. 11 (ii)", "highest deflection from t = 700 to 800, with a tilt of 1e-6 at first", plot,
                     {0.143, 0.003}, static_alone({"balancer.mass=0.005", "speed.speed=2.5", "initial.tilt_x=1e-6"}),
@@ -134,6 +149,12 @@ std::vector<PublicationRow> figure_12() {
                     [](const Study& s, const RunOptions&) { return last_angle(s, 2, 1200.0); }),
       of_long_rotor("fig. 12 (a)", "of the fourth", plot, {0.5, 0.05}, a,
                     [](const Study& s, const RunOptions&) { return last_angle(s, 3, 1200.0); }),
+      of_long_rotor("fig. 12 (b)", "rate of the one ball that lags in the end", plot, {-1.73, 0.005}, b, nullptr,
+                    by_rounding),
+      of_long_rotor("fig. 12 (b)", "deflection in the end", plot, {0.0165, 3.5e-4}, b, nullptr, by_rounding),
+      of_long_rotor("fig. 12 (c)", "highest deflection of an irregular motion", plot, {0.065, 0.0013},
+                    {"balancer.mass=0.005", "initial.phi=[0, 0, 3.141592653589793, 3.141592653589793]"}, nullptr,
+                    first_swing),
   };
 }
 
@@ -174,6 +195,20 @@ Publication rodrigues_2008() {
                     [](const Study& s) { return exactly(2.0 * s.parameters.eccentricity / 4.0); }});
   p.rows.push_back(of_long_rotor("(22)", "critical mass m_c/M for epsilon = chi = 0.005, beta = 1", print,
                                  {0.00261, 5e-6}, {}, [](const Study& s, const RunOptions&) { return least_mass(s); }));
+  // Number 3: after X, Y and backward whirl.
+  p.rows.push_back({"(19)",
+                    "critical speed, conical",
+                    "",
+                    formula,
+                    {},
+                    {},
+                    [](const Study& s, const RunOptions&) { return critical_speed(s, 3); },
+                    "",
+                    [](const Study& s) {
+                      const model::Tilt& t = s.parameters.tilt;
+                      return exactly(std::sqrt(t.stiffness[0][1] / (t.transverse_inertia - t.polar_inertia)));
+                    },
+                    "long-rotor"});
   append(p.rows, figure_12());
   append(p.rows, charts_of_2008());
   return p;
