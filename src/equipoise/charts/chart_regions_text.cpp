@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/plain_number.hpp"
 #include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
 #include "equipoise/words/chart.hpp"
@@ -45,7 +46,9 @@ std::string regions_list(const BifurcationChart& chart, const TextStyle& style) 
   for (std::size_t k = 0; k < told_regions(chart); ++k) {
     const ChartRegion& r = chart.regions[k];
     text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
-                   fmt::format(words::chart::region_at, region_words(chart, r), r.x * x, r.y * y), style);
+                   fmt::format(words::chart::region_at, region_words(chart, r), plain_number(r.x * x, 3),
+                               plain_number(r.y * y, 3)),
+                   style);
   }
   return text;
 }

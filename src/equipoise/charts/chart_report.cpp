@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/base/plain_number.hpp"
 #include "equipoise/base/plural.hpp"
 #include "equipoise/base/version.hpp"
 #include "equipoise/charts/chart_regions_text.hpp"
@@ -86,8 +87,8 @@ std::string proof_sentence(const BifurcationChart& chart) {
 
 // In the units of the axes.
 std::string place_text(const BifurcationChart& chart, double x, double y) {
-  return fmt::format("{:.4g}, {:.4g}", x * shown_axis(chart.study, chart.plane.x).factor,
-                     y * shown_axis(chart.study, chart.plane.y).factor);
+  return plain_number(x * shown_axis(chart.study, chart.plane.x).factor, 4) + ", " +
+         plain_number(y * shown_axis(chart.study, chart.plane.y).factor, 4);
 }
 
 std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {

@@ -117,7 +117,7 @@ inline constexpr char too_many_kinds[] = "unlike balls can be divided in too man
 inline constexpr char cycles_without_events[] = "balls that touch or stick make them break off";
 
 // Regions: what is there, a place.
-inline constexpr char region_at[] = "{} (e.g. at {:.3g}, {:.3g})";
+inline constexpr char region_at[] = "{} (e.g. at {}, {})";
 // What balance is; of other states how many, if more than one.
 inline constexpr char region_balance[] = "balance {}";
 inline constexpr char region_locked[] = "{} {}{}";
