@@ -207,6 +207,7 @@ def made_portable(wheel: pathlib.Path, out: pathlib.Path) -> pathlib.Path:
         assert python, module
         tags.write_text(re.sub(r"^Tag: .*-(?:many)?linux(?:_\d+_\d+)?_([a-z]\w+)$",
                                rf"Tag: cp{python[2]}-cp{python[1]}-manylinux_{major}_{minor}_\1", tags.read_text(), flags=re.MULTILINE))
+        out.mkdir(parents=True, exist_ok=True)
         said = run(sys.executable, "-m", "wheel", "pack", "--dest-dir", out, folder)
         name = re.search(r"(\S+\.whl)", said)
         assert name, said

@@ -319,15 +319,20 @@ class Text {
     for (const RuleOfThumb& rule : e_.advice) {
       const char* verdict = !rule.kept ? "" : *rule.kept ? "kept: " : "NOT kept: ";
       item(rule.name, verdict + rule.words);
-      std::size_t name = 0;
-      for (const ExplainedQuantity& f : rule.figures) name = std::max(name, f.name.size());
+      std::vector<std::array<std::string, 2>> figures;
+      std::size_t name = 0, number = 0;
       for (std::size_t k = 0; k < rule.figures.size(); ++k) {
         const ExplainedQuantity& f = rule.figures[k];
         std::string text = figure_text(f, scales_);
         const bool second_form = k + 1 < rule.figures.size() && rule.figures[k + 1].name == f.name;
         if (second_form) text += ", " + figure_text(rule.figures[++k], scales_);
-        item("", fmt::format("{:<{}}  {}", f.name, name, text));
+        name = std::max(name, f.name.size());
+        number = std::max(number, text.size());
+        figures.push_back({f.name, text});
       }
+      const bool beside = style_.width == 0 || label_width + name + 2 + number <= style_.width;
+      for (const auto& [label, text] : figures)
+        item("", beside ? fmt::format("{:<{}}  {}", label, name, text) : fmt::format("{}: {}", label, text));
       item("", fmt::format("rule: {} [{}]", rule.formula, rule.source));
     }
   }
