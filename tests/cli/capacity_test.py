@@ -59,7 +59,7 @@ class Capacity(Case):
             found = answer("capacity", path, *few, *file)
             self.assertEqual((found["of"], found["unit"]), (key, unit))
             self.assertTrue(abs(found["to"] / most - 1) < 1e-5 and abs(found["from"] / most - 0.02) < 1e-5, found)  # six digits
-            text = run("capacity", path, *few, *file, "--quiet").stdout  # read from the file
+            text = run("capacity", path, *few, *file, "--quiet", "--wide").stdout  # read from the file
             os.remove(file[1])
             told = re.search(rf"The largest {key} at which 30 % of starts end balanced, searched from (\S+) to (\S+?)( g mm)?\.\n", text)
             self.assertTrue(told, text)
