@@ -9,7 +9,7 @@ import os
 import shutil
 import unittest
 
-from program import ROW, Case, answer, content, rows_of, run, with_xarray
+from program import MACHINE, ROW, Case, answer, content, rows_of, run, with_xarray
 
 AXES = ["--x", "speed.final=0:6", "--y", "balancer.drag=0.001:1"]
 
@@ -26,20 +26,7 @@ class Results(Case):
             self.assertIn(words, text)
 
     def test_places_are_in_the_units_of_a_machine(self):
-        study = self.file("machine.toml", """[rotor]
-mass = "12 kg"
-stiffness = "48 kN/m"
-damping = "400 N s/m"
-eccentricity = "0.2 mm"
-[balancer]
-balls = 2
-race_radius = "30 mm"
-mass = "60 g"
-drag = "2e-4 N m s"
-[speed]
-profile = "constant"
-speed = "2000 rpm"
-""")
+        study = self.file("machine.toml", MACHINE)
         axes = ["--x", "speed.final=600 rpm:3600 rpm", "--y", "balancer.drag=1e-4 N m s:1e-2 N m s", "--size", "24x24",
                 "--undecided", "20", "--quiet"]
         done = run("chart", study, *axes)

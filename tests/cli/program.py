@@ -14,6 +14,21 @@ WASHER, DRIVE, GRINDER = (os.path.join(STUDIES, "examples", name + ".toml")
                           for name in ("washing-machine", "optical-drive", "angle-grinder"))
 # The row in thicker oil: all starts balance, and the search takes a third of the row's. For what asks for no other motion.
 EASY = (ROW, "--set", "balancer.drag=0.25")
+# A study of a machine, as text.
+MACHINE = """[rotor]
+mass = "12 kg"
+stiffness = "48 kN/m"
+damping = "400 N s/m"
+eccentricity = "0.2 mm"
+[balancer]
+balls = 2
+race_radius = "30 mm"
+mass = "60 g"
+drag = "2e-4 N m s"
+[speed]
+profile = "constant"
+speed = "2000 rpm"
+"""
 SNAPSHOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "snapshots")
 
 # Lines of progress soon, so that no test waits for them; a test of the usual ten seconds takes this away.

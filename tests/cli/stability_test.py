@@ -9,22 +9,8 @@ import random
 import shutil
 import unittest
 
-from program import DRIVE, ROW, WASHER, Case, answer, content, interrupted, rows_of, run, started, with_xarray
+from program import DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, rows_of, run, started, with_xarray
 
-MACHINE = """[rotor]
-mass = "12 kg"
-stiffness = "48 kN/m"
-damping = "400 N s/m"
-eccentricity = "0.2 mm"
-[balancer]
-balls = 2
-race_radius = "30 mm"
-mass = "60 g"
-drag = "2e-4 N m s"
-[speed]
-profile = "constant"
-speed = "2000 rpm"
-"""
 PLANE = ["--x-range", "0.5:6", "--y-range", "0.01:0.3"]
 
 
