@@ -25,7 +25,7 @@ if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON 
   add_test(NAME docs.lessons_run
     COMMAND ${docs_python} -B ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons_test.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}
       ${CMAKE_CURRENT_BINARY_DIR}/lessons ${lessons})
-  set_tests_properties(docs.lessons_run PROPERTIES LABELS docs TIMEOUT ${longest_test} COST 100)
+  set_tests_properties(docs.lessons_run PROPERTIES LABELS lessons TIMEOUT ${longest_test} COST 100)
 
   # The site, where Sphinx and what it needs are there (./dev docs installs them).
   execute_process(COMMAND ${docs_python} -c "import sphinx, myst_parser, breathe, furo, xarray, nbconvert" RESULT_VARIABLE no_sphinx
@@ -36,7 +36,7 @@ if(EXISTS ${docs_python} AND EQUIPOISE_BUILD_PROGRAM AND EQUIPOISE_BUILD_PYTHON 
     add_test(NAME docs.site
       COMMAND ${docs_python} -B ${PROJECT_SOURCE_DIR}/docs/site/build.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}
         ${CMAKE_CURRENT_BINARY_DIR}/site)
-    set_tests_properties(docs.site PROPERTIES LABELS docs TIMEOUT ${longest_test} COST 100)
+    set_tests_properties(docs.site PROPERTIES LABELS site TIMEOUT ${longest_test} COST 100)
   else()
     message(STATUS "Sphinx, nbconvert, Doxygen or KaTeX not found (./dev docs installs them): the documentation site is not built by the tests")
   endif()

@@ -198,7 +198,8 @@ def test_ctrl_c_ends_what_a_call_is_following(call):
     before, after, text, holds = INNER_LOOPS[call]
     script = textwrap.dedent(
         f"""
-        import time, equipoise as eq
+        import signal, time, equipoise as eq
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # what starts the tests may ignore it
         study = eq.paper_study("table-2-omega-2.4")
         {before}
         print("go", flush=True)

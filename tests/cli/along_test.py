@@ -13,7 +13,7 @@ import tempfile
 import time
 import unittest
 
-from program import ROW, Case, interrupted, run, started
+from program import ROW, Case, interrupted, main, run, started
 
 LINE = "speed.final=2.9:2.95:0.05"
 
@@ -100,4 +100,4 @@ class Errors(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

@@ -9,7 +9,7 @@ import sys
 import time
 import unittest
 
-from program import ROW, STUDIES, Case, answer, interrupted, run, started, text_of
+from program import ROW, STUDIES, Case, answer, interrupted, main, run, started, text_of
 
 
 class Attractors(Case):
@@ -143,4 +143,4 @@ class Certify(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from program import DRIVE, EASY, PROGRAM, ROW, STUDIES, Case, answer, interrupted, run, started, with_xarray
+from program import DRIVE, EASY, PROGRAM, ROW, STUDIES, Case, answer, interrupted, main, run, started, with_xarray
 
 # What xarray finds in a file: everything, what has no words, and what concerns the run rather than its result.
 XARRAY = """
@@ -318,4 +318,4 @@ horizon = "20 s"
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

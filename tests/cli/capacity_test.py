@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-from program import EASY, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
+from program import EASY, ROW, WASHER, Case, answer, content, main, rows_of, run, text_of, with_xarray
 
 # At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
 QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
@@ -150,4 +150,4 @@ class Files(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()

@@ -9,7 +9,7 @@ import os
 import shutil
 import unittest
 
-from program import MACHINE, ROW, Case, answer, content, rows_of, run, with_xarray
+from program import MACHINE, ROW, Case, answer, content, main, rows_of, run, with_xarray
 
 AXES = ["--x", "speed.final=0:6", "--y", "balancer.drag=0.001:1"]
 
@@ -104,4 +104,4 @@ class Results(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[os.path.basename(__file__)])
+    main()])

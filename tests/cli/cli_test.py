@@ -12,7 +12,7 @@ import re
 import sys
 import unittest
 
-from program import DRIVE, GRINDER, ROW, STUDIES, WASHER, Case, answer, run, text_of
+from program import DRIVE, GRINDER, ROW, STUDIES, WASHER, Case, answer, main, run, text_of
 
 
 class Explain(Case):
@@ -248,4 +248,4 @@ class Errors(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

@@ -6,7 +6,7 @@
 import sys
 import unittest
 
-from program import ROW, Case, answer, run
+from program import ROW, Case, answer, main, run
 
 
 class Compare(Case):
@@ -38,4 +38,4 @@ class Compare(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

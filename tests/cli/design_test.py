@@ -8,7 +8,7 @@ import os
 import sys
 import unittest
 
-from program import ROW, STUDIES, Case, answer, rows_of, run, text_of, with_xarray
+from program import ROW, STUDIES, Case, answer, main, rows_of, run, text_of, with_xarray
 
 # Spin-ups to one speed share their attractor search: an ensemble costs only its starts.
 DESIGN = """
@@ -123,4 +123,4 @@ class Design(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-from program import DRIVE, EASY, ROW, answer, interrupted, run, started
+from program import DRIVE, EASY, ROW, answer, interrupted, main, run, started
 
 
 class Results(unittest.TestCase):
@@ -147,4 +147,4 @@ class Results(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from program import run  # noqa: E402
+from program import main, run  # noqa: E402
 
 MACHINES = ("washing-machine", "grinder", "centrifuge", "drive", "fan", "blank")
 
@@ -61,4 +61,4 @@ class NewStudies(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

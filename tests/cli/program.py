@@ -35,6 +35,27 @@ SNAPSHOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "snap
 os.environ["EQUIPOISE_PROGRESS"] = "0.3"
 
 
+# Cases of seconds run by themselves (ctest's entries that end in .slow), and all others together.
+SLOW = "--slow" in sys.argv
+
+
+def slow(case):
+    case.slow = True
+    return case
+
+
+def main():
+    """Runs the cases of the script that were asked for."""
+    def cases(suite):
+        for one in suite:
+            yield from cases(one) if isinstance(one, unittest.TestSuite) else [one]
+
+    every = cases(unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"]))
+    asked = [one for one in every if hasattr(getattr(one, one.id().rpartition(".")[2]), "slow") == SLOW]
+    done = unittest.TextTestRunner(verbosity=0).run(unittest.TestSuite(asked))
+    sys.exit(0 if asked and done.wasSuccessful() else 1)
+
+
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=600, check=False, **options)
 

@@ -7,7 +7,7 @@ import os
 import shlex
 import unittest
 
-from program import ROW, SNAPSHOTS, WASHER, Case, content, run
+from program import ROW, SNAPSHOTS, WASHER, Case, content, main, run
 
 
 class Refusals(Case):
@@ -36,4 +36,4 @@ class Refusals(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=["refusals_test.py"])
+    main()

@@ -14,7 +14,7 @@ import unittest
 import zlib
 from html.parser import HTMLParser
 
-from program import EASY, ROW, WASHER, Case, answer, content, interrupted, run, started, text_of
+from program import EASY, ROW, WASHER, Case, answer, content, interrupted, main, run, started, text_of
 
 
 class Page(HTMLParser):
@@ -273,4 +273,4 @@ def png_size(text):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0]])
+    main()

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from program import PROGRAM, STUDIES, Case, answer, run, text_of
+from program import PROGRAM, STUDIES, Case, answer, main, run, text_of
 
 
 def answers(folder, *arguments):
@@ -218,4 +218,4 @@ class OtherPublications(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()

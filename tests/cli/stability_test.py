@@ -9,7 +9,8 @@ import random
 import shutil
 import unittest
 
-from program import DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, rows_of, run, started, with_xarray
+from program import (
+    DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, main, rows_of, run, started, with_xarray)
 
 PLANE = ["--x-range", "0.5:6", "--y-range", "0.01:0.3"]
 
@@ -105,4 +106,4 @@ class Results(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[os.path.basename(__file__)])
+    main()])

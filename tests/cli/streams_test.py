@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import EASY, PROGRAM, ROW, Case, run
+from program import EASY, PROGRAM, ROW, Case, main, run
 
 FEW = ("--starts", "10", "--quiet")
 
@@ -107,4 +107,4 @@ class Usage(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

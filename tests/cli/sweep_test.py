@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, rows_of, run, text_of, with_xarray
+from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, main, rows_of, run, text_of, with_xarray
 
 XARRAY = """
 import json, sys, xarray
@@ -230,4 +230,4 @@ class Inspect(Case):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    main()

@@ -10,7 +10,7 @@ import sys
 import time
 import unittest
 
-from program import EASY, ROW, WASHER, Case, answer, content, run
+from program import EASY, ROW, WASHER, Case, answer, content, main, run, slow
 
 # At least a minute's work for every command that computes.
 LONG = {
@@ -51,6 +51,7 @@ class Within(unittest.TestCase):
                     self.assertIn("PARTIAL", done.stdout)
                     self.assertTrue(json.loads(limited(0.3, *arguments, "--json")[0].stdout)["partial"])
 
+    @slow
     def test_nothing_is_said_of_the_rest_where_it_is_not_counted(self):
         for arguments, words in ((LONG["publication"], "1 of 8 rows are done"), (CYCLES, "256 of 256 points are done")):
             done, _ = limited(2, *arguments)
@@ -102,10 +103,12 @@ class GoingOn(Case):
         self.assertGreater(self.in_parts(seconds, *arguments), 0)
         self.assertEqual(content(self.parts), content(self.whole))
 
+    @slow
     def test_a_map(self):
         self.same_file(0.4, "map", ROW, "--size", "250x250")
 
     # Longer than any of the runs, so that it has to continue where it was.
+    @slow
     def test_a_search(self):
         self.same_file(0.4, "map", ROW, "--x", "rotor.eccentricity", "--x-range", "0.008:0.012", "--y", "initial.phi_1",
                        "--size", "24x24")
@@ -114,6 +117,7 @@ class GoingOn(Case):
     def test_the_search_of_a_cell(self):
         self.same_file(0.3, "sweep", ROW, "--over", "rotor.eccentricity=0.01,0.012", "--starts", "2000", "--threads", "1")
 
+    @slow
     def test_a_sweep(self):
         self.same_file(0.7, "sweep", ROW, "--over", "speed.final=2.4,3", "--starts", "20000")
 
@@ -122,6 +126,7 @@ class GoingOn(Case):
                        "--between", "0.08:0.14", "--precision", "0.05", "--starts", "5000")
 
     # An ensemble's file also states how long it took and how often it was resumed: only its results are compared.
+    @slow
     def test_an_ensemble(self):
         command = ("basin", ROW, "--starts", "150000", "--json")
         whole = json.loads(run(*command, "--quiet", "-o", self.whole).stdout)
@@ -140,6 +145,7 @@ class Bounds(unittest.TestCase):
         text = limited(1, *LONG["basin"])[0].stdout
         self.assertRegex(text, r"PARTIAL: stopped after \d+ of 1000000000 starts")
 
+    @slow
     def test_of_a_map_each_outcome_has_as_much_as_could_be(self):
         whole = answer("map", ROW, "--size", "200x200")
         found, seconds = None, 1.5
@@ -152,6 +158,7 @@ class Bounds(unittest.TestCase):
         share = 100 * next(o["share"] for o in whole["outcomes"] if o["id"] == 1)
         self.assertTrue(float(found[1]) - 1 < share < float(found[2]) + 1, (found[0], share))
 
+    @slow
     def test_an_open_capacity_lies_where_it_is_said_to(self):
         command = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
                    "0.08:0.14", "--precision", "0.02", "--starts", "4000")
@@ -169,6 +176,7 @@ class Bounds(unittest.TestCase):
                     self.assertGreaterEqual(one["high"], cell["high"])
         self.assertGreater(opened, 0)
 
+    @slow
     def test_both_of_two_that_are_compared_are_followed(self):
         part = limited(2, *LONG["compare"])[0]
         self.assertIn("common starts", part.stdout)
@@ -176,4 +184,4 @@ class Bounds(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import unittest
 
-from program import PROGRAM, ROW, run
+from program import PROGRAM, ROW, main, run
 
 SWEEP = ("sweep", ROW, "--over", "speed.final=2.6", "--starts", "20", "--quiet")
 # Environment variables set by job starters: for the first of two processes, the second, and one alone.
@@ -69,4 +69,4 @@ class WithoutMpi(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

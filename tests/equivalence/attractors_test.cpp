@@ -14,7 +14,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace attractors_test {
 
 Study rotor(double drag, double speed, std::uint64_t starts) {
   Study study = study_of(base_rotor(2, drag), speed);
@@ -197,5 +197,5 @@ TEST(AttractorsMissed, WithTheProbabilityStated) {
   EXPECT_DOUBLE_EQ(miss_probability(0.5, 3), 0.125);
 }
 
-}  // namespace
+}  // namespace attractors_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
-namespace {
+namespace basin_sampling_test {
 
 Study row(std::optional<SamplingMethod> method, std::uint64_t starts) {
   Study study = read_study(std::string(EQUIPOISE_SOURCE_DIR) + "/studies/paper/table-2-omega-2.4.toml");
@@ -222,5 +222,5 @@ TEST(HalfWidth, RunsNoPilotWhereRandomStartsNeedFewer) {
   EXPECT_EQ(r.starts, 4096u);
 }
 
-}  // namespace
+}  // namespace basin_sampling_test
 }  // namespace equipoise

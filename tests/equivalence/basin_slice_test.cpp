@@ -32,7 +32,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace basin_slice_test {
 
 Study rotor() {
   return parse_study(constant_speed + R"([initial]
@@ -613,5 +613,5 @@ TEST(BasinSlice, LargeOnesNeedAFile) {
   EXPECT_THROW(basin_slice(rotor(), settings), InputError);
 }
 
-}  // namespace
+}  // namespace basin_slice_test
 }  // namespace equipoise

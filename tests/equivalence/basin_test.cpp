@@ -8,7 +8,7 @@
 
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
-#include "../support/sanitized.hpp"
+#include "../support/sizes.hpp"
 #include "../support/studies.hpp"
 #include "equipoise/analyses/comparison.hpp"
 #include "equipoise/ensembles/basin.hpp"
@@ -18,7 +18,7 @@
 #include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
-namespace {
+namespace basin_test {
 
 Study paper_row(const std::string& name, std::uint64_t starts) {
   Study study = read_study(std::string(EQUIPOISE_SOURCE_DIR) + "/studies/paper/" + name + ".toml");
@@ -313,5 +313,5 @@ TEST(Comparison, KeepsWhatBasinDecides) {
         << a.name;
 }
 
-}  // namespace
+}  // namespace basin_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/sweeps/sweep_plan.hpp"
 
 namespace equipoise {
-namespace {
+namespace capacity_goals_test {
 
 const std::string machine = R"([rotor]
 mass = "4 kg"
@@ -175,5 +175,5 @@ TEST(Capacity, IsAgainstTheLimitThatIsAskedFor) {
   EXPECT_THROW(capacity(plan, options), InputError);
 }
 
-}  // namespace
+}  // namespace capacity_goals_test
 }  // namespace equipoise

@@ -13,9 +13,10 @@
 #include "../support/parameters.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 
-namespace {
+namespace coincident_balls_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
@@ -110,7 +111,7 @@ Orbit find_orbit(double w) {
     // Columns: x, y, u, v, period (in place of phi, which stays 0), q.
     MatrixXd matrix = flight.derivative - MatrixXd::Identity(6, 6);
     matrix.col(4) = model::derivative(p, w, flight.end.data());
-    const VectorXd change = -matrix.partialPivLu().solve(miss);
+    const VectorXd change = equipoise::dense::LinearSolver(-matrix).solve(miss);
     for (int i : {0, 1, 2, 3, 5}) z[i] += change[i];
     period += change[4];
     if (change.norm() < 1e-12) break;
@@ -158,7 +159,7 @@ TEST_P(CoincidentBalls, MoveOnTheRecordedOrbitAndObeyTheTransverseLaw) {
 
   // All eight: 1 along the motion, the transverse pair, and the rest smaller.
   std::vector<double> sizes;
-  for (const std::complex<double>& value : flight.derivative.eigenvalues()) sizes.push_back(std::abs(value));
+  for (const std::complex<double>& value : equipoise::dense::eigenvalues(flight.derivative)) sizes.push_back(std::abs(value));
   std::sort(sizes.rbegin(), sizes.rend());
   EXPECT_NEAR(sizes[0], 1.0, 1e-10);
   EXPECT_NEAR(sizes[1], law, 1e-10);
@@ -178,4 +179,4 @@ INSTANTIATE_TEST_SUITE_P(Speed, CoincidentBalls,
                                          Recorded{3.0, 2.9361, .1466, .1691, .9292}),
                          [](const auto& info) { return fmt::format("{:.0f}_tenths", 10.0 * info.param.speed); });
 
-}  // namespace
+}  // namespace coincident_balls_test

@@ -19,7 +19,7 @@
 #include "equipoise/reports/branches_report.hpp"
 #include "../support/studies.hpp"
 
-namespace {
+namespace continuation_test {
 
 using namespace equipoise;
 
@@ -328,4 +328,4 @@ TEST(ParameterLine, RefusesWhatItCannotFollow) {
     EXPECT_THROW(ParameterLine(study(), text), InputError) << text;
 }
 
-}  // namespace
+}  // namespace continuation_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "../support/sanitized.hpp"
+#include "../support/sizes.hpp"
 #include "equipoise/analyses/attractors.hpp"
 #include "equipoise/classification/classification_rule.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
@@ -14,7 +14,7 @@
 #include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
-namespace {
+namespace continuum_decisions_test {
 
 Study rotor(int balls) {
   Study study = study_of(base_rotor(balls), 2.4);
@@ -36,7 +36,7 @@ bool is_balanced(const Fate& fate) { return fate.outcome == Outcome::attracted &
 // balance.
 TEST(ContinuumDecisions, AreQuickAndHold) {
   Study study = rotor(4);
-  constexpr std::size_t count = sized(100, 16);
+  const std::size_t count = sized(100, 16);
   const std::vector<Fate> early = fates_of(study, count);
   study.numerics.decide = ClassificationMode::horizon;
   const std::vector<Fate> late = fates_of(study, count);
@@ -96,7 +96,7 @@ TEST(ContinuumDecisions, UnequalSupportsLeaveNextToNothingUndecided) {
   Study study = rotor(4);
   study.parameters.stiffness = {1.0, 1.48};
   study.numerics.horizon.reset();
-  constexpr std::size_t count = sized(12, 2);
+  const std::size_t count = sized(12, 2);
   int undecided = 0, balanced = 0;
   for (const Fate& fate : fates_of(study, count)) {
     undecided += fate.outcome == Outcome::undecided;
@@ -175,9 +175,9 @@ TEST(ContinuumDecisions, SlowBalanceIsCaughtWhereRoundingHidesItFromLowLevels) {
   study.parameters.eccentricity = 0.01;
   study.parameters.damping = {0.02, 0.02};
   study.numerics.horizon = 10000.0;
-  constexpr std::size_t count = sized(12, 4);
+  const std::size_t count = sized(12, 4);
   EXPECT_EQ(come_to_rest(study, count, 10000.0), static_cast<int>(count));
 }
 
-}  // namespace
+}  // namespace continuum_decisions_test
 }  // namespace equipoise

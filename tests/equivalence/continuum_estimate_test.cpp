@@ -15,7 +15,7 @@
 #include "equipoise/trapping_regions/trials.hpp"
 
 namespace equipoise {
-namespace {
+namespace continuum_estimate_test {
 
 // Four balls under gravity, far above the critical speed: their whole continuum attracts.
 model::System grinder() {
@@ -121,5 +121,5 @@ TEST(OffContinuum, RefusesOnlyWhatIsOutside) {
   EXPECT_EQ(OffContinuum(grinder()).least(Eigen::VectorXd::Ones(grinder().dimension())), 0.0);  // balls rock in balance
 }
 
-}  // namespace
+}  // namespace continuum_estimate_test
 }  // namespace equipoise

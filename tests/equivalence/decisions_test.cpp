@@ -10,12 +10,13 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include "../support/parameters.hpp"
+#include "../support/sizes.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
-namespace {
+namespace decisions_test {
 
 struct Row {
   double drag, speed;
@@ -98,7 +99,7 @@ class Decisions : public testing::TestWithParam<Row> {};
 
 TEST_P(Decisions, AgreeWithLongIntegration) {
   const char* more = std::getenv("EQUIPOISE_DECISION_STARTS");  // for a longer search than the tests'
-  const std::size_t count = more ? std::strtoull(more, nullptr, 10) : DECISION_STARTS;
+  const std::size_t count = more ? std::strtoull(more, nullptr, 10) : sized(1000, 40);
   const Verdicts v = compare(study_of(GetParam()), count, 6000.0);
   EXPECT_EQ(v.falsely_balanced, 0u);
   EXPECT_EQ(v.falsely_elsewhere, 0u);
@@ -138,7 +139,7 @@ TEST(DecisionsFor, OtherBallCountsAgreeWithLongIntegration) {
     study.parameters.eccentricity = c.eccentricity;
     study.parameters.mass = c.mass;
     study.parameters.drag.fill(c.drag);
-    const std::size_t count = BALL_COUNT_STARTS;
+    const std::size_t count = sized(100, 20);
     const Verdicts v = compare(study, count, 6000.0);
     EXPECT_EQ(v.falsely_balanced, 0u) << c.balls << " balls";
     EXPECT_EQ(v.falsely_elsewhere + v.another_attractor, 0u) << c.balls << " balls";
@@ -167,5 +168,5 @@ TEST(DecisionsFor, OverdampedBallsTakeAsLongEitherWayRound) {
   EXPECT_NEAR(mean_time(-2.0) / mean_time(2.0), 1.0, 0.3);
 }
 
-}  // namespace
+}  // namespace decisions_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "equipoise/reports/design_report.hpp"
 
 namespace equipoise {
-namespace {
+namespace design_test {
 
 // Spin-ups to one speed share their attractor search: an ensemble costs only its starts.
 const std::string small_design = rotor_and_balancer + R"([speed]
@@ -272,5 +272,5 @@ TEST(Design, StoppedBeforeItsFirstBatchSaysSo) {
   EXPECT_EQ(design_answer(result), "PARTIAL: stopped before any candidate was known.");
 }
 
-}  // namespace
+}  // namespace design_test
 }  // namespace equipoise

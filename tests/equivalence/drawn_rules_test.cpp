@@ -10,7 +10,7 @@
 #include "equipoise/explain/rules_of_thumb.hpp"
 
 namespace equipoise {
-namespace {
+namespace drawn_rules_test {
 
 // Uniform numbers that are the same with every standard library.
 class Draw {
@@ -92,5 +92,5 @@ TEST(RulesOfThumb, AreRightAsOftenAsTheirPageSays) {
   expect("most drag", to_inside, drags, 0.978);
 }
 
-}  // namespace
+}  // namespace drawn_rules_test
 }  // namespace equipoise

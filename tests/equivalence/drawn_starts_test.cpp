@@ -18,7 +18,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 
 namespace equipoise {
-namespace {
+namespace drawn_starts_test {
 
 // Half of its starts balance, half co-drift; both are decided within a few hundred units of time.
 const std::string rotor =
@@ -206,5 +206,5 @@ TEST(Sensitivity, StoppedEarlyIsOfThePrefix) {
 
 TEST(Sensitivity, NeedsSomethingUncertain) { EXPECT_THROW(sensitivity(study_with({})), InputError); }
 
-}  // namespace
+}  // namespace drawn_starts_test
 }  // namespace equipoise

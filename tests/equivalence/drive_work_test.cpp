@@ -17,7 +17,7 @@
 #include "transient_lanes.hpp"
 
 namespace equipoise {
-namespace {
+namespace drive_work_test {
 
 // About a disc's: the rotor's spin takes at least a tenth of all.
 const std::string inertia = "inertia = 0.3\n";
@@ -194,5 +194,5 @@ TEST(DriveWork, IsAskedWhereItIsKnown) {
   EXPECT_TRUE(std::isnan(replay_start(study, 0, options).transients->energy));
 }
 
-}  // namespace
+}  // namespace drive_work_test
 }  // namespace equipoise

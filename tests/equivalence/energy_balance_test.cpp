@@ -19,7 +19,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
-namespace {
+namespace energy_balance_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
@@ -295,4 +295,4 @@ TEST(EnergyBalanceOfSimulate, ClosesOverItsSamples) {
   }
 }
 
-}  // namespace
+}  // namespace energy_balance_test

@@ -19,7 +19,7 @@
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
-namespace {
+namespace event_fates_test {
 
 using namespace equipoise;
 
@@ -129,4 +129,4 @@ TEST(BranchesWithEvents, FollowWhatTouchesAndWhatSticks) {
   EXPECT_TRUE(stuck);
 }
 
-}  // namespace
+}  // namespace event_fates_test

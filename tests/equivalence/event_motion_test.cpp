@@ -14,6 +14,7 @@
 #include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/attractors/stuck.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/periodic_orbits/return_map.hpp"
@@ -21,7 +22,7 @@
 #include "equipoise/sampling/starts.hpp"
 #include "equipoise/study/study.hpp"
 
-namespace {
+namespace event_motion_test {
 
 using namespace equipoise;
 using Eigen::MatrixXd;
@@ -115,7 +116,7 @@ TEST(MultipliersThroughImpacts, AreThoseOfSaltationMatrices) {
   EXPECT_LT(back.lpNorm<Eigen::Infinity>(), 1e-8);  // two impacts propagate the errors of integration
 
   std::vector<std::complex<double>> expected;
-  const Eigen::VectorXcd values = derivative.eigenvalues();
+  const Eigen::VectorXcd values = equipoise::dense::eigenvalues(derivative);
   expected.assign(values.begin(), values.end());
   // Central differences of the return map: 1e-6 of a derivative of order 1 to 10.
   for (const std::complex<double>& value : impacts->spectrum) {
@@ -183,4 +184,4 @@ TEST_P(StuckForGood, NoBallEverMovesAgain) {
 INSTANTIATE_TEST_SUITE_P(Of, StuckForGood, testing::Values("constant", "motor", "gravity"),
                          [](const auto& info) { return info.param; });
 
-}  // namespace
+}  // namespace event_motion_test

@@ -11,7 +11,7 @@
 #include "equipoise/ensembles/basin.hpp"
 
 namespace equipoise {
-namespace {
+namespace few_starts_test {
 
 struct Ended {
   std::vector<Fate> fates;
@@ -93,5 +93,5 @@ TEST(FewStarts, DependNeitherOnThreadsNorOnTheirNumber) {
   }
 }
 
-}  // namespace
+}  // namespace few_starts_test
 }  // namespace equipoise

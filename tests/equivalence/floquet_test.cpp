@@ -10,13 +10,14 @@
 #include <complex>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
 #include "../support/parameters.hpp"
 
-namespace {
+namespace floquet_test {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -78,7 +79,7 @@ TEST_P(Orbits, HaveTheMonodromyMatrixThatDifferencesOfTrajectoriesGive) {
   EXPECT_LT(error, 1e-8);
   RecordProperty("largest_difference", fmt::format("{:.2g}", error));
   // The orbit's own multipliers are this matrix's eigenvalues, computed differently (across the motion, arc by arc).
-  const Eigen::VectorXcd values = flight->tangents.eigenvalues();
+  const Eigen::VectorXcd values = equipoise::dense::eigenvalues(flight->tangents);
   for (const std::complex<double>& multiplier : orbit.multipliers)
     EXPECT_LT((values.array() - multiplier).abs().minCoeff(), 1e-9);  // steps of 1e-12, times the values' condition
 }
@@ -229,4 +230,4 @@ TEST(LyapunovExponents, At25ShowChaosAndAgreeWithTwoNeighbouringTrajectories) {
   RecordProperty("two_trajectories", fmt::format("{:.5f}", sum / (pieces * piece)));
 }
 
-}  // namespace
+}  // namespace floquet_test

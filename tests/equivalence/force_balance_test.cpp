@@ -11,11 +11,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "equipoise/math/dense.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "lagrangian.hpp"
 
-namespace {
+namespace force_balance_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
@@ -203,7 +204,7 @@ RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEq
       if (joined[i]) response(i, k) = gap(there, i) - gap(alone, i);
     apart[k] = -gap(alone, k);
   }
-  const Eigen::VectorXd push = response.partialPivLu().solve(apart);
+  const Eigen::VectorXd push = equipoise::dense::LinearSolver(response).solve(apart);
   kernels::BallActions<double, room> pushed = actions;
   for (int k = 0; k + 1 < n; ++k) {
     if (!joined[k]) continue;
@@ -232,4 +233,4 @@ RC_GTEST_PROP(ForceBalance, OfJoinedBallsIsThatWithThePushesThatKeepTheirRatesEq
   }
 }
 
-}  // namespace
+}  // namespace force_balance_test

@@ -19,7 +19,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace full_state_test {
 
 Study boxed(std::uint64_t starts) {
   Study study = parse_study(constant_speed + R"([sampling.box]
@@ -104,5 +104,5 @@ TEST(FullState, FileHoldsWholeStartsResumesAndEarlyDecisionsAgreeWithThoseAtTheH
   EXPECT_EQ(early.diverged.count + early.failed.count, 0u);
 }
 
-}  // namespace
+}  // namespace full_state_test
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/study/study.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace hill_spin_up_test {
 
 using namespace equipoise;
 
@@ -52,4 +52,4 @@ TEST(HillSpinUp, IsInLanesWhatItIsInDoubles) {
   }
 }
 
-}  // namespace
+}  // namespace hill_spin_up_test

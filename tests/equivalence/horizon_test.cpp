@@ -17,7 +17,7 @@
 #include "equipoise/start_runs/undecided.hpp"
 
 namespace equipoise {
-namespace {
+namespace horizon_test {
 
 Study rotor(int balls, double drag, double speed) {
   Study study = study_of(base_rotor(balls, drag), speed);
@@ -146,5 +146,5 @@ TEST(StiffStudies, AreRefusedBeforeTheyBeginWithWhatIsAllowed) {
   EXPECT_NO_THROW(check_cost(shortened));
 }
 
-}  // namespace
+}  // namespace horizon_test
 }  // namespace equipoise

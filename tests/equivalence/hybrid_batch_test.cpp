@@ -11,7 +11,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "lane_studies.hpp"
 
-namespace {
+namespace hybrid_batch_test {
 
 using namespace lanes;
 
@@ -260,4 +260,4 @@ TEST(HybridLanesAlone, EndASeriesOfImpacts) {
   }
 }
 
-}  // namespace
+}  // namespace hybrid_batch_test

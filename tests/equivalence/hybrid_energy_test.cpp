@@ -15,7 +15,7 @@
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
 
-namespace {
+namespace hybrid_energy_test {
 
 using namespace equipoise;
 namespace kernels = HWY_NAMESPACE;
@@ -187,4 +187,4 @@ TEST(HybridEnergy, OfElasticBallsIsKeptOnLanes) {
   }
 }
 
-}  // namespace
+}  // namespace hybrid_energy_test

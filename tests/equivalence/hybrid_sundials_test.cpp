@@ -14,7 +14,7 @@
 #include "equipoise/spin_up/initial_state.hpp"
 #include "lagrangian.hpp"
 
-namespace {
+namespace hybrid_sundials_test {
 
 using namespace equipoise;
 
@@ -198,4 +198,4 @@ TEST(HybridSundials, OneBallSticks) {
   axes.expect_same(z, end, y, accuracy);
 }
 
-}  // namespace
+}  // namespace hybrid_sundials_test

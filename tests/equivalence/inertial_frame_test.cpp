@@ -11,7 +11,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
-namespace {
+namespace inertial_frame_test {
 
 using cases::Case;
 using equipoise::Trajectory;
@@ -117,4 +117,4 @@ TEST(InertialFrameReference, DoesNotChangeWithItsStep) {
   }
 }
 
-}  // namespace
+}  // namespace inertial_frame_test

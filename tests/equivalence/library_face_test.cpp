@@ -31,7 +31,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace library_face_test {
 
 Study rotor(std::uint64_t starts, const std::vector<std::string>& overrides = {}) {
   Study study = parse_study(constant_speed, "rotor", overrides);
@@ -360,5 +360,5 @@ TEST(Reproduce, KnowsWhatThereIsAndStops) {
   EXPECT_FALSE(r.open);
 }
 
-}  // namespace
+}  // namespace library_face_test
 }  // namespace equipoise

@@ -11,7 +11,7 @@
 #include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
-namespace {
+namespace lingering_test {
 
 // One of 700 starts comes to balls that drift at different rates (period 8.24). Wandering starts look like it for
 // thousands of units before they co-drift.
@@ -116,5 +116,5 @@ TEST(Lingering, AShortStayNearARareMotionDecidesNothing) {
   EXPECT_EQ(told(runner, start), late);
 }
 
-}  // namespace
+}  // namespace lingering_test
 }  // namespace equipoise

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../support/sanitized.hpp"
+#include "../support/sizes.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/explain/explain.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
@@ -18,7 +18,7 @@
 #include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "machine_follow.hpp"
 
-namespace {
+namespace machine_labels_test {
 
 using equipoise::Fate;
 using equipoise::Outcome;
@@ -122,7 +122,7 @@ class MachineLabels : public testing::TestWithParam<Case> {};
 TEST_P(MachineLabels, HoldTenTimesLater) {
   const Case& c = GetParam();
   const Study study = parse_study(c.toml, c.name);
-  constexpr std::size_t starts = equipoise::sized(10, 3);
+  const std::size_t starts = equipoise::sized(10, 3);
   const std::vector<Named> fates = fates_of(study, starts);
   int undecided = 0;
   for (std::size_t i = 0; i < starts; ++i) {
@@ -386,4 +386,4 @@ TEST(Passed, HasBoundsAndSurvivesTheFile) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
+}  // namespace machine_labels_test

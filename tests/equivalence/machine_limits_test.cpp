@@ -16,7 +16,7 @@
 #include "equipoise/model/state_layout.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace machine_limits_test {
 
 using equipoise::parse_study;
 using equipoise::Study;
@@ -177,4 +177,4 @@ TEST(MachineEnsemble, AWeakMotorStallsAndAStrongOneDoesNot) {
   EXPECT_EQ(outcomes(0.05)[equipoise::Outcome::stalled], 0);
 }
 
-}  // namespace
+}  // namespace machine_limits_test

@@ -14,6 +14,7 @@
 
 #include "equipoise/attractors/motion.hpp"
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
@@ -22,7 +23,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace machine_motions_test {
 
 using Eigen::VectorXd;
 using model::System;
@@ -335,7 +336,7 @@ TEST(MachineMotions, MultipliersAreThoseOfDifferences) {
     }
     Eigen::VectorXcd expected = motion->spectrum;
     if (motion->period == 0.0) expected = (motion->spectrum * period).array().exp();
-    const Eigen::VectorXcd found = map.eigenvalues();
+    const Eigen::VectorXcd found = equipoise::dense::eigenvalues(map);
     for (const auto& value : expected) {
       double nearest = 1e300;
       for (const auto& other : found) nearest = std::min(nearest, std::abs(other - value));
@@ -407,5 +408,5 @@ TEST(MachineMotions, BalanceAndLockedMotionsKeepTheirNamesUnderALittleGravity) {
   }
 }
 
-}  // namespace
+}  // namespace machine_motions_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace machine_page_test {
 
 constexpr std::uint64_t starts = 1200;
 
@@ -259,5 +259,5 @@ torque = { constant = 0.05, slope = -0.02, until = 200.0 }
   EXPECT_GT(page.motions[0].x.size(), 50u);
 }
 
-}  // namespace
+}  // namespace machine_page_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "equipoise/trapping_regions/validated_level.hpp"
 
 namespace equipoise {
-namespace {
+namespace machine_regions_test {
 
 using Eigen::VectorXd;
 using model::System;
@@ -221,5 +221,5 @@ TEST(MachineRegions, ContinuaHaveTheirLevelToo) {
   }
 }
 
-}  // namespace
+}  // namespace machine_regions_test
 }  // namespace equipoise

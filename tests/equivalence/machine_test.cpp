@@ -12,7 +12,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 #include "machine_reference.hpp"
 
-namespace {
+namespace machine_test {
 
 using equipoise::parse_study;
 using equipoise::Study;
@@ -182,4 +182,4 @@ TEST_P(Machine, MovesAsMassPointsDo) {
 
 INSTANTIATE_TEST_SUITE_P(Case, Machine, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
 
-}  // namespace
+}  // namespace machine_test

@@ -18,7 +18,7 @@
 #include "equipoise/periodic_orbits/variational.hpp"
 #include "../support/parameters.hpp"
 
-namespace {
+namespace motion_test {
 
 using namespace equipoise;
 using Eigen::VectorXd;
@@ -328,4 +328,4 @@ TEST(SlowDrift, IsMeasuredAndNamed) {
   }
 }
 
-}  // namespace
+}  // namespace motion_test

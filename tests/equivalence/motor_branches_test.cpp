@@ -8,7 +8,7 @@
 #include "equipoise/continuation/continuation.hpp"
 
 namespace equipoise {
-namespace {
+namespace motor_branches_test {
 
 // Balls too light to balance it.
 Study heavy_rotor() {
@@ -78,5 +78,5 @@ TEST(MotorBranches, TheHangUpAtResonanceEndsWhereTheMotorsLineLeavesTheResonance
   }
 }
 
-}  // namespace
+}  // namespace motor_branches_test
 }  // namespace equipoise

@@ -11,7 +11,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace observation_test {
 
 // A ramp whose balls are released before its end, so that psi' jumps while they are free.
 Study ramp() {
@@ -90,5 +90,5 @@ TEST(Observation, RejectsWhatCannotBeObserved) {
   EXPECT_THROW(observe(ramp(), s), InputError);
 }
 
-}  // namespace
+}  // namespace observation_test
 }  // namespace equipoise

@@ -12,7 +12,7 @@
 #include "equipoise/trapping_regions/trials.hpp"
 
 namespace equipoise {
-namespace {
+namespace orbit_region_test {
 
 using Eigen::VectorXd;
 
@@ -124,5 +124,5 @@ TEST(OrbitRegions, RulesCatchTheirMotions) {
   EXPECT_TRUE(found.all.rule.cycles.empty());
 }
 
-}  // namespace
+}  // namespace orbit_region_test
 }  // namespace equipoise

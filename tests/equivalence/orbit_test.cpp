@@ -17,7 +17,7 @@
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/periodic_orbits/variational.hpp"
 
-namespace {
+namespace orbit_test {
 
 using Eigen::VectorXd;
 using equipoise::advance_state;
@@ -357,4 +357,4 @@ TEST(RefineEquilibrium, ReachesFamiliesWhereTheJacobianIsSingular) {
   }
 }
 
-}  // namespace
+}  // namespace orbit_test

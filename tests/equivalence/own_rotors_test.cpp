@@ -18,9 +18,9 @@
 #include "equipoise/spin_up/own_starts.hpp"
 
 #include "lane_studies.hpp"
-#include "../support/sanitized.hpp"
+#include "../support/sizes.hpp"
 
-namespace {
+namespace own_rotors_test {
 
 using namespace lanes;
 
@@ -172,7 +172,7 @@ TEST(FamilyRegions, FallsForEveryRotorOfThePart) {
 // The share over a box is the mean share of rotors at evenly spread values in it.
 TEST(OwnRotorShares, AreTheMeanOfKnownRotors) {
   constexpr int rotors = 16;
-  constexpr std::uint64_t each = sized(1000, 250);
+  const std::uint64_t each = sized(1000, 250);
   double mean = 0.0, variance = 0.0;
   for (int k = 0; k < rotors; ++k) {
     const double eccentricity = 0.006 + 0.008 * (k + 0.5) / rotors;
@@ -194,4 +194,4 @@ TEST(OwnRotorShares, AreTheMeanOfKnownRotors) {
   EXPECT_NEAR(share, mean, 4.0 * std::sqrt(variance));
 }
 
-}  // namespace
+}  // namespace own_rotors_test

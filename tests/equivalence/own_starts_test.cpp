@@ -24,10 +24,10 @@
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "../support/studies.hpp"
-#include "../support/sanitized.hpp"
+#include "../support/sizes.hpp"
 
 namespace equipoise {
-namespace {
+namespace own_starts_test {
 
 const std::string driven_rotor = R"([rotor]
 eccentricity = 0.02
@@ -343,5 +343,5 @@ TEST(MapperOfManyThreads, EndsEarlyWhenAskedTo) {
   EXPECT_TRUE(mapper(std::vector<InitialState>(9), options).empty());
 }
 
-}  // namespace
+}  // namespace own_starts_test
 }  // namespace equipoise

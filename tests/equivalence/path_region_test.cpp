@@ -17,7 +17,7 @@
 #include "equipoise/start_runs/start_runner.hpp"
 
 namespace equipoise {
-namespace {
+namespace path_region_test {
 
 constexpr double speed = 2.4;
 
@@ -145,5 +145,5 @@ TEST(PathRegion, StandsWhereEachRotorHasTheMotion) {
   }
 }
 
-}  // namespace
+}  // namespace path_region_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/spin_up/spin_up.hpp"
 #include "lane_studies.hpp"
 
-namespace {
+namespace smooth_batch_test {
 
 using namespace lanes;
 
@@ -132,4 +132,4 @@ TEST(HeldBalls, OfAMotorThatIsTooWeakAreNeverLetGo) {
   }
 }
 
-}  // namespace
+}  // namespace smooth_batch_test

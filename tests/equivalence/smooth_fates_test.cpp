@@ -11,7 +11,7 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
-namespace {
+namespace smooth_fates_test {
 
 using equipoise::Fate;
 using equipoise::Outcome;
@@ -103,4 +103,4 @@ TEST_P(SmoothFates, AreThoseByProof) {
 INSTANTIATE_TEST_SUITE_P(Case, SmoothFates, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
+}  // namespace smooth_fates_test

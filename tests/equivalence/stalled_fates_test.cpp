@@ -12,7 +12,7 @@
 #include "equipoise/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
-namespace {
+namespace stalled_fates_test {
 
 using namespace equipoise;
 
@@ -113,4 +113,4 @@ TEST(HeldBalls, WaitForTheirMotor) {
   EXPECT_EQ(result.stalled->count, 0u);
 }
 
-}  // namespace
+}  // namespace stalled_fates_test

@@ -14,7 +14,7 @@
 #include "equipoise/standards/severity.hpp"
 
 namespace equipoise {
-namespace {
+namespace standards_of_starts_test {
 
 // Ends in several motions: 1500 rpm is 25 Hz.
 const std::string machine = R"([rotor]
@@ -92,5 +92,5 @@ TEST(StandardsOfStarts, AreOfMachinesWithUnits) {
   EXPECT_FALSE(holds(standards_text(run(machine.substr(0, machine.find("[standards]")))), "zone"));
 }
 
-}  // namespace
+}  // namespace standards_of_starts_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace stopped_search_test {
 
 // Everything that a search finds, as far as the lanes and the catalogue show it.
 void expect_same(const AttractorSearch& a, const AttractorSearch& b) {
@@ -66,5 +66,5 @@ TEST(SearchLog, BringAStoppedSearchToTheSameEnd) {
   EXPECT_EQ(kept.size(), all);
 }
 
-}  // namespace
+}  // namespace stopped_search_test
 }  // namespace equipoise

@@ -16,7 +16,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_equations_test {
 
 namespace odeint = boost::numeric::odeint;
 using State = std::vector<double>;
@@ -259,5 +259,5 @@ TEST(EquationsOfAStudy, SayWhatTheyDoNotHave) {
   EXPECT_EQ(key_of({"rotor.eccentricity={values=[0.01]}"}), "rotor.eccentricity");
 }
 
-}  // namespace
+}  // namespace study_equations_test
 }  // namespace equipoise

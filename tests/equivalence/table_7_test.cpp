@@ -6,7 +6,7 @@
 #include "../literature/table_7_protocol.hpp"
 
 namespace equipoise {
-namespace {
+namespace table_7_test {
 
 TEST(Table7, DefaultProtocolIsTheStudyFiles) {
   for (const Table7Row& row : table_7_rows)
@@ -53,5 +53,5 @@ TEST(Table7, LeadIsReadFromAsManyStartsAsAsked) {
   }
 }
 
-}  // namespace
+}  // namespace table_7_test
 }  // namespace equipoise

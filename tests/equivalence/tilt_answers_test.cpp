@@ -21,7 +21,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_answers_test {
 
 using namespace tilting;
 
@@ -289,5 +289,5 @@ TEST(TiltFates, AfterARampAndUnderAMotorAreThoseOfFixedAxes) {
   }
 }
 
-}  // namespace
+}  // namespace tilt_answers_test
 }  // namespace equipoise

@@ -15,7 +15,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_bearings_test {
 
 using namespace tilting;
 
@@ -120,5 +120,5 @@ TEST(TiltBearings, TakeACouple) {
   EXPECT_NE(text(all).find("forces are those of all supports together;"), std::string::npos) << text(all);
 }
 
-}  // namespace
+}  // namespace tilt_bearings_test
 }  // namespace equipoise

@@ -25,7 +25,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_certificate_test {
 
 using namespace tilting;
 
@@ -166,5 +166,5 @@ TEST(TiltCertificate, DecidesStarts) {
   EXPECT_THROW(basin(long_rotor_with({"rotor.gravity=0.01", "numerics.decide=proof"}), {}), InputError);
 }
 
-}  // namespace
+}  // namespace tilt_certificate_test
 }  // namespace equipoise

@@ -12,12 +12,13 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/random.hpp"
 #include "equipoise/drives/full_state.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/model/system.hpp"
 #include "tilt_fixed_axes.hpp"
 
-namespace {
+namespace tilt_equations_test {
 
 namespace model = equipoise::model;
 using namespace equipoise::tilting;
@@ -231,7 +232,7 @@ double growth_of_balance(const model::Parameters& p, double speed) {
   const model::BalancedStates states = model::balanced_states(system);
   EXPECT_EQ(states.kind, model::BalancedStates::Kind::isolated);
   const VectorXd y = model::balanced_state(system, speed, states.angles.front().data());
-  return model::jacobian(system, y).eigenvalues().real().maxCoeff();
+  return equipoise::dense::largest_real_part(model::jacobian(system, y));
 }
 
 // Boundaries of stability to eight digits, found with matrices of their own (Rodrigues and others 2011, model of linear
@@ -266,4 +267,4 @@ TEST(TiltEquations, TwoPlanesCloseTheirPolygons) {
   EXPECT_EQ(std::count_if(states.angles.begin(), states.angles.end(), is_it), 1);
 }
 
-}  // namespace
+}  // namespace tilt_equations_test

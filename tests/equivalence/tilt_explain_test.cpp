@@ -23,7 +23,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_explain_test {
 
 const char* const drum = R"([rotor]
 mass = "45 kg"
@@ -353,5 +353,5 @@ TEST(TiltExplain, CheckSaysWhyBalanceIsImpossible) {
 
 TEST(TiltExplain, PagesTakeIt) { EXPECT_NO_THROW(check_pages(parse_study(drum, "drum", {}))); }
 
-}  // namespace
+}  // namespace tilt_explain_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_families_test {
 
 using namespace tilting;
 
@@ -111,5 +111,5 @@ TEST(TiltFamilies, ValuesOfTheTiltStandAsTheyAre) {
   EXPECT_EQ(to_toml(direct->at(values)), to_toml(drawn_study(study, values)));
 }
 
-}  // namespace
+}  // namespace tilt_families_test
 }  // namespace equipoise

@@ -29,7 +29,7 @@
 #include "tilt_dense.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_grade_test {
 
 using namespace tilting;
 using Planes = std::array<double, 2>;
@@ -123,7 +123,7 @@ TEST(TiltGrade, IsThatOfTheTrajectory) {
     own.initial = start_of(r.study, i);
     // Balls too light for balance come to rest against the rotor.
     const auto at_end = [&](const std::vector<double>& places) {
-      return dense(own, {{0.0, 200.0, false, 0.0}}, places).back().unbalance;
+      return tilting::dense(own, {{0.0, 200.0, false, 0.0}}, places).back().unbalance;
     };
     seen.push_back(at_end({3.0, -2.0, 1.0}));
     EXPECT_NEAR(told[i], seen.back(), 1e-5 * seen.back()) << i;
@@ -237,5 +237,5 @@ TEST(TiltGrade, ExplainSaysWhyThereIsNone) {
   EXPECT_FALSE(says(text(tilting_too + ", bearings_at = ['0.3 m', '-0.2 m'] }"), "none: ISO 21940-11"));
 }
 
-}  // namespace
+}  // namespace tilt_grade_test
 }  // namespace equipoise

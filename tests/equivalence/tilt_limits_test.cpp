@@ -22,7 +22,7 @@
 #include "tilt_dense.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_limits_test {
 
 using namespace tilting;
 
@@ -121,7 +121,7 @@ TEST(TiltBasinTransients, OfRotorsThatDifferAreThoseOfEach) {
     if (!(until < 400.0f)) continue;
     Study own = drawn_study(r.study, drawn_values(r.study, sampler, r.study.sampling.seed, i));
     own.initial = start_of(r.study, i);
-    const std::vector<Seen> all = dense(own, {{0.0, until, false, 0.0}}, {2.0, -3.0});
+    const std::vector<Seen> all = tilting::dense(own, {{0.0, until, false, 0.0}}, {2.0, -3.0});
     double peak = 0.0;
     for (const Seen& s : all) peak = std::max(peak, s.radial);
     EXPECT_NEAR((*r.every_start->transient("peak_radial"))[i], peak, 0.001 * peak) << i;
@@ -226,7 +226,7 @@ TEST(TiltPages, SayWhereTheShaftIs) {
       // The same start in fixed axes, long after.
       Study own = far.basin.study;
       own.initial = start_of(own, 0);
-      const std::vector<Seen> all = dense(own, {{0.0, 400.0, false, 0.0}}, {z});
+      const std::vector<Seen> all = tilting::dense(own, {{0.0, 400.0, false, 0.0}}, {z});
       if (all.back().radial > radial) at = z;
       radial = std::max(radial, all.back().radial);
     }
@@ -249,5 +249,5 @@ TEST(TiltPages, SayWhereTheShaftIs) {
   EXPECT_EQ(plain.find("outermost bearing"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace tilt_limits_test
 }  // namespace equipoise

@@ -11,7 +11,7 @@
 #include "tilt_dense.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_observation_test {
 
 using namespace tilting;
 
@@ -30,7 +30,7 @@ TEST(TiltObservation, IsThatOfFixedAxes) {
     ASSERT_EQ(seen.windows, 12u);
     for (std::size_t i = 0; i < seen.starts; ++i) {
       start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
-      const std::vector<Seen> all = dense(study, stretches(study, settings.until), places);
+      const std::vector<Seen> all = tilting::dense(study, stretches(study, settings.until), places);
       for (std::size_t k = 3; k < seen.windows; ++k) {  // the balls are free from 14.3 on
         double largest = 0.0, last = 0.0;
         for (const Seen& s : all) {
@@ -50,5 +50,5 @@ TEST(TiltObservation, StillNeedsEqualSupports) {
   EXPECT_THROW(observe(long_rotor_with({"rotor.tilt.stiffness={ x = [0, 9], y = [0, 10] }"}), settings), InputError);
 }
 
-}  // namespace
+}  // namespace tilt_observation_test
 }  // namespace equipoise

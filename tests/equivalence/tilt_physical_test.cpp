@@ -22,7 +22,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_physical_test {
 
 using Complex = std::complex<double>;
 constexpr Complex i1(0.0, 1.0);
@@ -375,5 +375,5 @@ TEST(TiltPhysical, TakesSupportsAsTwoNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace tilt_physical_test
 }  // namespace equipoise

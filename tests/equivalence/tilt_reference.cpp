@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "equipoise/integrate/adaptive-inl.hpp"
+#include "equipoise/math/dense.hpp"
 #include "tilt_dense.hpp"
 
 namespace equipoise::tilting {
@@ -209,7 +210,7 @@ Eigen::VectorXcd fixed_eigenvalues(const model::System& system, const VectorXd& 
     less[k] -= step;
     jacobian.col(k) = (fixed_rate(system, more) - fixed_rate(system, less)) / (2.0 * step);
   }
-  return jacobian.eigenvalues();
+  return equipoise::dense::eigenvalues(jacobian);
 }
 
 int drifting_by(const std::string& name) {

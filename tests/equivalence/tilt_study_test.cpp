@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/capability.hpp"
 #include "equipoise/mechanics/forced_vibration.hpp"
@@ -22,7 +23,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_study_test {
 
 using namespace tilting;
 
@@ -196,7 +197,7 @@ TEST(TiltStudy, EveryPlaneTakesPartInBalance) {
     EXPECT_LT(left_over(p, phi.data()), 1e-14);
     // As many angles are free as there are eigenvalues at 0.
     const VectorXd y = model::balanced_state(system, 3.5, phi.data());
-    const Eigen::VectorXcd rates = model::jacobian(system, y).eigenvalues();
+    const Eigen::VectorXcd rates = equipoise::dense::eigenvalues(model::jacobian(system, y));
     EXPECT_EQ((rates.cwiseAbs().array() < 1e-6).count(), c.freedom);
     EXPECT_LT(model::rate(system, y).lpNorm<Eigen::Infinity>(), 1e-13);
   }
@@ -396,5 +397,5 @@ TEST(TiltStudy, BallsTogetherWhirlAsOneBody) {
   }
 }
 
-}  // namespace
+}  // namespace tilt_study_test
 }  // namespace equipoise

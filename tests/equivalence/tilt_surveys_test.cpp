@@ -34,7 +34,7 @@
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_surveys_test {
 
 using namespace tilting;
 
@@ -316,5 +316,5 @@ TEST(TiltCharts, HaveThePublishedBifurcations) {
     }
 }
 
-}  // namespace
+}  // namespace tilt_surveys_test
 }  // namespace equipoise

@@ -12,6 +12,7 @@
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/attractors/motion_figures.hpp"
 #include "equipoise/ensembles/basin.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/sampling/starts.hpp"
@@ -21,7 +22,7 @@
 #include "transient_lanes.hpp"
 
 namespace equipoise {
-namespace {
+namespace tilt_transients_test {
 
 using namespace tilting;
 
@@ -55,9 +56,9 @@ TEST_P(TiltTransients, AreThoseOfFixedAxes) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const auto run = stretches(study, last_begin + horizon);
-    expect_same_figures(rows[i], figures(asked, dense(study, run, c.places, c.bearings), last_begin),
+    expect_same_figures(rows[i], figures(asked, tilting::dense(study, run, c.places, c.bearings), last_begin),
                         std::string(c.name) + ", start " + std::to_string(i));
-    const TransientRow centre = figures(asked, dense(study, run, {0.0}), last_begin);
+    const TransientRow centre = figures(asked, tilting::dense(study, run, {0.0}), last_begin);
     differs = differs || rows[i].peak_radial > 1.1f * centre.peak_radial;
   }
   EXPECT_EQ(differs, c.places != std::vector<double>{0.0}) << c.name;
@@ -189,7 +190,7 @@ void is_that_of_fixed_axes(const std::vector<std::string>& overrides, const std:
     ASSERT_TRUE(run.steady && run.end && !run.lost);
     const double ramped = study.speed.duration, until = ramped + 150.0;
     const double rate = study.speed.final / ramped;
-    std::vector<Seen> all = dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places, bearings);
+    std::vector<Seen> all = tilting::dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places, bearings);
     const TransientRow told = transient_row(asked, run.sums, false, run.end),
                        expected = figures(asked, all, until - 60.0);
     for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_at_end, &TransientRow::peak_force})
@@ -230,7 +231,7 @@ TEST(TiltHeldRun, KnowsHowSlowlyVibrationDiesOut) {
     flow(0.0, y.data(), moved.data());
     for (int r = 0; r < 8; ++r) jacobian(r, k) = (moved[kept[r]] - dy[kept[r]]) / step;
   }
-  const double slowest = -jacobian.eigenvalues().real().maxCoeff();
+  const double slowest = -equipoise::dense::largest_real_part(jacobian);
   EXPECT_GT(slowest, 0.01);
   EXPECT_NEAR(model::slowest_decay(p, w), slowest, 1e-6);
 }
@@ -264,5 +265,5 @@ TEST(TiltMotionFigures, AreThoseOfTheMotion) {
   EXPECT_GE(checked, 1);
 }
 
-}  // namespace
+}  // namespace tilt_transients_test
 }  // namespace equipoise

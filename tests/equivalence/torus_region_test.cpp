@@ -17,7 +17,7 @@
 #include "equipoise/trapping_regions/validated_level.hpp"
 
 namespace equipoise {
-namespace {
+namespace torus_region_test {
 
 // The torus V2 of two balls at Omega = 2.4, and its trapping region.
 struct Found {
@@ -140,5 +140,5 @@ TEST(TorusRegion, IsForToriOnly) {
   EXPECT_FALSE(rule.windowed.regions);
 }
 
-}  // namespace
+}  // namespace torus_region_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace touching_balance_test {
 
 using Kind = model::BalancedStates::Kind;
 
@@ -158,5 +158,5 @@ TEST(TouchingBalance, StartsWhoseBallsNeverMeetAreThoseOfBallsThatPass) {
   EXPECT_LT(met, 9 * starts / 10);
 }
 
-}  // namespace
+}  // namespace touching_balance_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "transient_lanes.hpp"
 
 namespace equipoise {
-namespace {
+namespace transients_test {
 
 constexpr double no_window_ends = 1e6;  // longer than any trajectory here: the final speed has only this window
 
@@ -380,5 +380,5 @@ TEST(BasinTransients, DisplacementsCountFromWhereTheRotorRests) {
   }
 }
 
-}  // namespace
+}  // namespace transients_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "equipoise/reports/basin_report.hpp"
 
 namespace equipoise {
-namespace {
+namespace verdict_test {
 
 const std::string machine = R"([rotor]
 mass = "4 kg"
@@ -323,5 +323,5 @@ TEST(PlainNames, SayWhatBallsDo) {
   EXPECT_EQ(plain_name("balanced"), "");
 }
 
-}  // namespace
+}  // namespace verdict_test
 }  // namespace equipoise

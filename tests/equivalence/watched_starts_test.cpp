@@ -16,7 +16,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace watched_starts_test {
 
 StartArrays starts_of_basin(Study study, std::uint64_t starts) {
   study.sampling.starts = starts;
@@ -185,5 +185,5 @@ TEST(FollowedRun, KnowsWhenBallsAreHeld) {
   EXPECT_EQ(run.time(), 50.0);
 }
 
-}  // namespace
+}  // namespace watched_starts_test
 }  // namespace equipoise

@@ -11,7 +11,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace window_sampling_test {
 
 namespace kernels = HWY_NAMESPACE;
 
@@ -69,5 +69,5 @@ TEST(Windows, AreSampledEightTimesAPeriodOfEveryMotion) {
   }
 }
 
-}  // namespace
+}  // namespace window_sampling_test
 }  // namespace equipoise

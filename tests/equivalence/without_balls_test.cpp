@@ -24,7 +24,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace without_balls_test {
 
 const std::string short_ramp = "[speed]\nprofile = \"ramp\"\nfinal = 3.0\nduration = 40.0\n";
 const std::string motor = R"(inertia = 0.5
@@ -322,5 +322,5 @@ TEST(Basin, AResumedFileHoldsTheSameWithoutBalls) {
   EXPECT_EQ(without_balls_json(*fresh.without_balls, fresh.study), without_balls_json(*more.without_balls, more.study));
 }
 
-}  // namespace
+}  // namespace without_balls_test
 }  // namespace equipoise

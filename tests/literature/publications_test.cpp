@@ -14,7 +14,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace publications_test {
 
 using namespace equipoise;
 
@@ -223,4 +223,4 @@ TEST(Publications, StandInTheDocumentationWithTheseVerdicts) {
             without_ours(text_of("docs/evidence/publications.md")));
 }
 
-}  // namespace
+}  // namespace publications_test

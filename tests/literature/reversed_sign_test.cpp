@@ -10,11 +10,12 @@
 #include <random>
 #include <vector>
 
+#include "equipoise/math/dense.hpp"
 #include "equipoise/publications/measures.hpp"
 #include "equipoise/publications/publication.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace reversed_sign_test {
 
 enum class Coupling { right = 1, published = -1 };
 
@@ -86,7 +87,7 @@ std::vector<double> rates_at(const Machine& m, double w, const Turning& z) {
     const Turning d = h * Turning::Unit(k);
     jacobian.col(k) = (flow(m, w, z + d) - flow(m, w, z - d)) / (2.0 * h);
   }
-  const Eigen::VectorXcd values = jacobian.eigenvalues();
+  const Eigen::VectorXcd values = equipoise::dense::eigenvalues(jacobian);
   std::vector<double> real;
   for (const auto& v : values) real.push_back(v.real());
   std::sort(real.begin(), real.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); });
@@ -232,4 +233,4 @@ TEST(ReversedSign, TurnsTheRatesRoundBelowTheCriticalSpeedToo) {
   EXPECT_LT(rates_at(m, 3.0, there).front(), -1e-5);
 }
 
-}  // namespace
+}  // namespace reversed_sign_test

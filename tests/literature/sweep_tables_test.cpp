@@ -15,7 +15,7 @@
 #include "equipoise/sweeps/sweep_axis.hpp"
 
 namespace equipoise {
-namespace {
+namespace sweep_tables_test {
 
 // Per cell: standard errors of at most 0.8 %, against 0.1 % in print.
 #ifdef EQUIPOISE_SANITIZE
@@ -103,5 +103,5 @@ TEST_P(SweptTable, AgreesWithThePublishedOneCellByCell) {
 
 INSTANTIATE_TEST_SUITE_P(Literature, SweptTable, testing::Values(1, 2));
 
-}  // namespace
+}  // namespace sweep_tables_test
 }  // namespace equipoise

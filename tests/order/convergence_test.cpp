@@ -12,7 +12,7 @@
 #include "equipoise/integrate/adaptive-inl.hpp"
 #include "equipoise/model/flow-inl.hpp"
 
-namespace {
+namespace convergence_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace dop853 = equipoise::HWY_NAMESPACE::dop853;
@@ -239,4 +239,4 @@ TEST(AdaptiveIntegrator, KeepsErrorsInProportionToItsTolerance) {
   }
 }
 
-}  // namespace
+}  // namespace convergence_test

@@ -14,7 +14,7 @@
 #include "equipoise/statistics/quantile.hpp"
 
 namespace equipoise {
-namespace {
+namespace answer_test {
 
 const std::string machine = constant_machine + "[limits]\ndisplacement = \"5 mm\"\nvelocity = \"4.5 mm/s\"\n";
 
@@ -158,5 +158,5 @@ TEST(Svg, WritesOutWhatIsNoMarkupAndPlacesDataInItsFrame) {
   EXPECT_DOUBLE_EQ(round_up(20.0), 20.0);
 }
 
-}  // namespace
+}  // namespace answer_test
 }  // namespace equipoise

@@ -14,7 +14,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace balanced_motion_test {
 
 // 12 kg on springs of `stiffness` (N/m), 800 g mm, two balls of 11.2 g in a race of 70 mm, under its weight: on 50 N/m
 // it hangs 34 radii of its race below where the springs are slack.
@@ -104,5 +104,5 @@ TEST(BalancedMotion, IsSaidToBeLostToWhatTheRotorHas) {
   EXPECT_FALSE(says(neither, "gravity")) << neither;
 }
 
-}  // namespace
+}  // namespace balanced_motion_test
 }  // namespace equipoise

@@ -16,7 +16,7 @@
 #include "../support/parameters.hpp"
 
 namespace equipoise {
-namespace {
+namespace balanced_region_test {
 
 using Eigen::VectorXd;
 
@@ -157,5 +157,5 @@ TEST(LevelLadder, ANeighboursLevelIsABeginningOnly) {
   EXPECT_EQ(highest_good_level({16.0, 0}, {}, none, 1.0), 0.0);
 }
 
-}  // namespace
+}  // namespace balanced_region_test
 }  // namespace equipoise

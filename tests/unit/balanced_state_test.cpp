@@ -10,7 +10,7 @@
 
 #include "equipoise/base/angles.hpp"
 
-namespace {
+namespace balanced_state_test {
 
 using equipoise::pi;
 using equipoise::model::balanced_states;
@@ -163,4 +163,4 @@ TEST(ProjectionToBalanced, GivesUpWhereThereIsNoBalancedState) {
   EXPECT_FALSE(equipoise::model::project_to_balanced(rotor(0.2, {0.05, 0.05, 0.05}), phi));
 }
 
-}  // namespace
+}  // namespace balanced_state_test

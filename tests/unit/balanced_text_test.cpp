@@ -9,7 +9,7 @@
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
-namespace {
+namespace balanced_text_test {
 
 // A row of letters each: b balanced, u undecided, anything else "locked".
 BasinSlice drawn(const std::string& y, const std::vector<std::string>& rows) {
@@ -48,5 +48,5 @@ TEST(BalancedText, SaysNothingOfAMapThatStopped) {
   EXPECT_EQ(balanced_text(map), "");
 }
 
-}  // namespace
+}  // namespace balanced_text_test
 }  // namespace equipoise

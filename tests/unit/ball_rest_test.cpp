@@ -9,7 +9,7 @@
 
 #include "equipoise/integrate/ball_rest-inl.hpp"
 
-namespace {
+namespace ball_rest_test {
 
 using Row = equipoise::HWY_NAMESPACE::RestingRow<8>;
 
@@ -82,4 +82,4 @@ TEST(RestingRow, GoesAsLeastResistanceHasIt) {
   }
 }
 
-}  // namespace
+}  // namespace ball_rest_test

@@ -13,7 +13,7 @@
 
 #include "equipoise/base/angles.hpp"
 
-namespace {
+namespace cancelling_test {
 
 using equipoise::pi;
 using equipoise::two_pi;
@@ -160,4 +160,4 @@ TEST(Cancelling, SixteenUnlikeBallsAreToldOfWithoutAllOrders) {
                "of many orders of these balls in the race, none that was tried cancels just the unbalance");
 }
 
-}  // namespace
+}  // namespace cancelling_test

@@ -6,7 +6,7 @@
 #include "equipoise/attractors/catalogue.hpp"
 
 namespace equipoise {
-namespace {
+namespace catalogue_test {
 
 Attractor attractor(int id) { return {id, "", "", {}, {}}; }
 
@@ -29,5 +29,5 @@ TEST(Catalogue, TellsWhatIsNewWhereverItStands) {
   EXPECT_EQ(numbers(list.listed_since(earlier)), (std::vector<int>{2, 10}));
 }
 
-}  // namespace
+}  // namespace catalogue_test
 }  // namespace equipoise

@@ -15,7 +15,7 @@
 #include "equipoise/types/fate.hpp"
 
 namespace equipoise {
-namespace {
+namespace cell_answer_test {
 
 const std::string drawn_rotor = with(with(constant_speed, "= 0.01", "= { uniform = [0.005, 0.015] }"), "drag = 0.05",
                                      "drag = { values = [0.04, 0.06] }");
@@ -231,5 +231,5 @@ TEST(HeatColour, GoesFromEndToEnd) {
   EXPECT_EQ(heat_colour(0.5), viridis[4]);
 }
 
-}  // namespace
+}  // namespace cell_answer_test
 }  // namespace equipoise

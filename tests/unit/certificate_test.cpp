@@ -20,12 +20,13 @@
 #include "equipoise/balanced_regions/balanced_region.hpp"
 #include "equipoise/balanced_regions/critical_level.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/lyapunov.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/reports/certificate_json.hpp"
 #include "equipoise/reports/certify_report.hpp"
 
-namespace {
+namespace certificate_test {
 
 using namespace equipoise;
 
@@ -123,7 +124,7 @@ TEST(Certificate, SetsHoldNoPointWhereVGrows) {
     const Case c = case_of(balancer(beta), speed);
     const Certificate found = largest_certificate({c.p, speed}, c.phi.data(), c.form, c.critical);
     ASSERT_GT(found.level, 0.0);
-    const Eigen::MatrixXd factor = found.form.llt().matrixU();
+    const Eigen::MatrixXd factor = equipoise::dense::Cholesky(found.form).upper();
     const Eigen::VectorXd centre = model::centred_state(c.p, c.phi.data());
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
@@ -286,7 +287,7 @@ TEST(Certificate, CoversTheRegionThatAProgramTestsInDoubles) {
   for (int i = 0; i < 1000; ++i) {
     Eigen::VectorXd e(size);
     for (double& v : e) v = normal(random);
-    const Eigen::MatrixXd factor = c.form.llt().matrixU();
+    const Eigen::MatrixXd factor = equipoise::dense::Cholesky(c.form).upper();
     const Eigen::VectorXd d = factor.triangularView<Eigen::Upper>().solve(e.normalized());
     double v = 0.0;
     for (int row = 0; row < size; ++row) {
@@ -360,4 +361,4 @@ TEST(Certify, ProvesAStudyAndSaysWhyItDoesNot) {
   EXPECT_THROW(certify(parse_study(text, "study", {"rotor.stiffness=[1.0,2.0]"})), InputError);
 }
 
-}  // namespace
+}  // namespace certificate_test

@@ -25,7 +25,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace chart_test {
 
 Study chart_rotor(double speed, double drag) {
   Study study = parse_study(constant_speed, "rotor");
@@ -524,5 +524,5 @@ TEST(Chart, ThePictureNamesWhatItShows) {
   EXPECT_FALSE(holds(script, "balance ends"));
 }
 
-}  // namespace
+}  // namespace chart_test
 }  // namespace equipoise

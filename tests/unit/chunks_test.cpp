@@ -11,7 +11,7 @@
 #include "equipoise/sweeps/cell_desk.hpp"
 
 namespace equipoise {
-namespace {
+namespace chunks_test {
 
 constexpr std::uint64_t first = 17, limit = 20000;
 
@@ -141,5 +141,5 @@ TEST(Chunks, WhatDecidingThrowsIsThrown) {
   EXPECT_THROW(compute({throwing, 2}), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace chunks_test
 }  // namespace equipoise

@@ -16,7 +16,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace comparison_result_test {
 
 BasinOutcomes ensemble(const std::vector<short>& outcome) {
   BasinOutcomes o;
@@ -162,5 +162,5 @@ TEST(ComparedFigures, NeedTransientsAndOneUnit) {
   EXPECT_NEAR(d.difference, 0.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace comparison_result_test
 }  // namespace equipoise

@@ -7,7 +7,7 @@
 #include "equipoise/statistics/comparison.hpp"
 
 namespace equipoise {
-namespace {
+namespace comparison_test {
 
 // erfc(z / sqrt 2) with the pooled standard error, computed separately.
 TEST(Agreement, LargeCountsUseThePooledNormalTest) {
@@ -94,5 +94,5 @@ TEST(Difference, NothingComparedKnowsNothing) {
   EXPECT_EQ(d.high, 1.0);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace equipoise

@@ -26,7 +26,7 @@
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
-namespace {
+namespace continuum_plane_test {
 
 using Complex = std::complex<double>;
 
@@ -309,5 +309,5 @@ TEST(PlaneStudies, AskWhatTheCornersOfferAsTheyAreRead) {
   EXPECT_EQ(drags, (std::vector<double>{drag.centre(0), drag.centre(0), drag.centre(2), drag.centre(2)}));
 }
 
-}  // namespace
+}  // namespace continuum_plane_test
 }  // namespace equipoise

@@ -15,7 +15,7 @@
 #include "../support/parameters.hpp"
 
 namespace equipoise {
-namespace {
+namespace continuum_test {
 
 using Eigen::VectorXd;
 
@@ -163,5 +163,5 @@ TEST(Continuum, WhatNewtonsMethodLeavesIsNoMember) {
   EXPECT_LT(members, static_cast<int>(survey.members.size()));
 }
 
-}  // namespace
+}  // namespace continuum_test
 }  // namespace equipoise

@@ -25,7 +25,7 @@
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
-namespace {
+namespace cycle_chart_test {
 
 ChartSettings cycle_settings(double low_speed, double high_speed, double low_drag, double high_drag) {
   ChartSettings settings =
@@ -366,5 +366,5 @@ TEST(CycleChart, ThreadsMakeNoDifference) {
   EXPECT_EQ(chart_csv(around_generalised()), chart_csv(bifurcation_chart(charted_rotor(), settings)));
 }
 
-}  // namespace
+}  // namespace cycle_chart_test
 }  // namespace equipoise

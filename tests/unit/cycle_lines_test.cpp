@@ -17,7 +17,7 @@
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
-namespace {
+namespace cycle_lines_test {
 
 // A plane, and where cycles are born that change across it.
 struct BirthOfCycles {
@@ -214,5 +214,5 @@ TEST(CycleLines, ABranchAlongSpeedDoublesItsPeriodWhereTheCurveOfDoublingsIs) {
           true, 1e-4);
 }
 
-}  // namespace
+}  // namespace cycle_lines_test
 }  // namespace equipoise

@@ -14,7 +14,7 @@
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
-namespace {
+namespace cycle_points_test {
 
 // Special points of the curve on which cycles of one of two swings become tori, near a double Hopf point.
 std::vector<SpecialPoint> of_tori(bool slow, const SliceAxis& speed, const SliceAxis& drag,
@@ -183,5 +183,5 @@ TEST(CyclePoints, AStoppedChartSaysHowManyPlacesAreLeft) {
   EXPECT_EQ(chart_answer(chart), whole);  // how balance is lost, and what is proved, were known before
 }
 
-}  // namespace
+}  // namespace cycle_points_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
-namespace {
+namespace cycle_returns_test {
 
 // Heavier balls in a rotor with more unbalance and damping than the paper's.
 Study heavier() {
@@ -134,5 +134,5 @@ TEST(CycleReturns, AClosedCurveIsPassedOnceThoughCyclesBeginAtAnotherTime) {
   EXPECT_EQ(doubled, 2);
 }
 
-}  // namespace
+}  // namespace cycle_returns_test
 }  // namespace equipoise

@@ -20,7 +20,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace data_sheet_study_test {
 
 using Overrides = std::vector<std::string>;
 
@@ -386,5 +386,5 @@ TEST(Typos, InValuesAreSeen) {
   EXPECT_TRUE(holds(said("48 kN/m", "48 kn/m"), "(did you mean \"kN\"?)"));
 }
 
-}  // namespace
+}  // namespace data_sheet_study_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/datasheet/vibration_data.hpp"
 
 namespace equipoise {
-namespace {
+namespace datasheet_test {
 
 TEST(BallDrag, WallsMultiplyItAsInTheExactSolution) {
   EXPECT_DOUBLE_EQ(model::stokes_drag(0.1, 8e-3), 3.0 * pi * 0.1 * 8e-3);
@@ -112,5 +112,5 @@ TEST(NearestName, IsTheOneThatWasMeant) {
   EXPECT_EQ(did_you_mean("", names), "");
 }
 
-}  // namespace
+}  // namespace datasheet_test
 }  // namespace equipoise

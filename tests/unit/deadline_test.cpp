@@ -11,7 +11,7 @@
 #include "equipoise/base/error.hpp"
 
 namespace equipoise {
-namespace {
+namespace deadline_test {
 
 TEST(TimeLimit, IsReadWithItsUnit) {
   EXPECT_EQ(read_time_limit("--within", "90"), 90.0);
@@ -54,5 +54,5 @@ TEST(Deadline, IsNotOverWhereTheFlagWasSetBefore) {
   EXPECT_FALSE(deadline.over());
 }
 
-}  // namespace
+}  // namespace deadline_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "equipoise/drives/spin_up_shape.hpp"
 
 namespace equipoise {
-namespace {
+namespace design_problem_test {
 
 const std::string plain_design = constant_speed + "[design]\nmethod = \"random\"\nobjective = [\"balanced\"]\n";
 
@@ -333,5 +333,5 @@ TEST(DesignStanding, LimitsComeFirstThenEveryObjective) {
   EXPECT_LT(standing.worth(all[2])[0], standing.worth(all[4])[0]);
 }
 
-}  // namespace
+}  // namespace design_problem_test
 }  // namespace equipoise

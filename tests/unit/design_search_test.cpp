@@ -10,7 +10,7 @@
 #include "equipoise/design/search.hpp"
 
 namespace equipoise {
-namespace {
+namespace design_search_test {
 
 using Worths = std::vector<SearchWorth>;
 using Toy = std::function<SearchWorth(const SearchPoint&)>;
@@ -137,5 +137,5 @@ TEST(DesignSearch, GridIsAsFineAsItsPointsAllow) {
     for (const double v : x) EXPECT_EQ(4.0 * v, std::round(4.0 * v));  // five values each, ends included
 }
 
-}  // namespace
+}  // namespace design_search_test
 }  // namespace equipoise

@@ -7,7 +7,7 @@
 #include "equipoise/base/percent_text.hpp"
 
 namespace equipoise {
-namespace {
+namespace display_text_test {
 
 const std::string replaced = "\xEF\xBF\xBD";
 
@@ -46,5 +46,5 @@ TEST(PercentText, HasNoExponentAndNeverRoundsToAllOrNone) {
   EXPECT_EQ(percent_text(0.00001), "less than 0.01 %");
 }
 
-}  // namespace
+}  // namespace display_text_test
 }  // namespace equipoise

@@ -6,7 +6,7 @@
 #include "equipoise/drawing/document.hpp"
 
 namespace equipoise {
-namespace {
+namespace document_test {
 
 Document sample(const std::string& picture) {
   Document d{"A < B & \"C\"", {}};
@@ -51,5 +51,5 @@ TEST(Markdown, PointsToPicturesAndEscapes) {
   EXPECT_NE(text.find("> x \\< y \\| z"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace equipoise

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace equation_constants_test {
 
 // Doubles passed to the number type.
 std::set<double> given;
@@ -29,12 +29,14 @@ void sin_cos(const Noted& a, Noted& sine, Noted& cosine) {
   cosine = Noted::of(std::cos(a.value));
 }
 
-}  // namespace
+}  // namespace equation_constants_test
 
 #include "equipoise/model/flow-inl.hpp"
 
 namespace equipoise {
-namespace {
+namespace equation_constants_test {
+
+using namespace ::equation_constants_test;
 
 // A proof encloses what follows from the parameters, which are doubles. A product or sum of them rounded before it
 // became an interval would be treated as exact.
@@ -61,5 +63,5 @@ TEST(EquationConstants, AreFormedInTheNumberType) {
   for (const double v : given) EXPECT_TRUE(exact.count(v)) << v << " was rounded in doubles";
 }
 
-}  // namespace
+}  // namespace equation_constants_test
 }  // namespace equipoise

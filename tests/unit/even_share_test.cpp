@@ -13,7 +13,7 @@
 #include "equipoise/statistics/even_share.hpp"
 
 namespace equipoise {
-namespace {
+namespace even_share_test {
 
 using Set = std::function<bool(double, double)>;  // of angles in turns
 
@@ -198,5 +198,5 @@ TEST(SamplingChoice, RandomStartsNeededAreThoseThatWilsonNeeds) {
   }
 }
 
-}  // namespace
+}  // namespace even_share_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "../support/explained.hpp"
 
 namespace equipoise {
-namespace {
+namespace explain_balance_test {
 
 // For a start that is `off` balance: the rate at which the difference between successive strobes changes, from `from`
 // to `to` strobes, with the largest value within each period of the slow oscillation.
@@ -258,5 +258,5 @@ TEST(GradeText, HasTheFigureAndTheGradeOfTheStandard) {
   EXPECT_EQ(grade_text(6.3), "G 6.3 (within grade G 6.3)");
 }
 
-}  // namespace
+}  // namespace explain_balance_test
 }  // namespace equipoise

@@ -14,7 +14,7 @@
 #include "../support/explained.hpp"
 
 namespace equipoise {
-namespace {
+namespace explain_motor_test {
 
 Explanation driven(const std::string& torque, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"speed={profile='torque'}", "rotor.inertia=0.5", "speed.torque=" + torque});
@@ -145,5 +145,5 @@ TEST(ExplainedMotor, JsonHasTheRunUp) {
   EXPECT_FALSE(holds(explain_text(explained(constant_speed)), "run-up"));
 }
 
-}  // namespace
+}  // namespace explain_motor_test
 }  // namespace equipoise

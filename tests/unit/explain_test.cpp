@@ -14,7 +14,7 @@
 #include "../support/explained.hpp"
 
 namespace equipoise {
-namespace {
+namespace explain_test {
 
 const std::string machine = with(ramp_machine, "3000 rpm", "2000 rpm");
 
@@ -194,5 +194,5 @@ TEST(ExplainJson, HasEveryFigureInBothForms) {
   EXPECT_FALSE(plain["final_speed"].contains("si"));
 }
 
-}  // namespace
+}  // namespace explain_test
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/literature/paper_rotor.hpp"
 
 namespace equipoise {
-namespace {
+namespace feature_trends_test {
 
 // The given largest r, with balls that drift at `rate`.
 Features shown(double largest, double rate) {
@@ -82,5 +82,5 @@ TEST(FeatureTrends, ChaosLastsWhereItDidForAllNearest) {
   }
 }
 
-}  // namespace
+}  // namespace feature_trends_test
 }  // namespace equipoise

@@ -12,7 +12,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace form_test {
 
 const std::string machine = with(ramp_machine, "final = \"3000 rpm\"", "initial = \"0 rpm\"\nfinal = \"1500 rpm\"");
 
@@ -174,5 +174,5 @@ TEST(Form, OverridesAreWrittenIntoTheText) {
   EXPECT_THROW(form_of(machine, "machine", {"rotor.mass=13 m"}), InputError);
 }
 
-}  // namespace
+}  // namespace form_test
 }  // namespace equipoise

@@ -20,7 +20,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace gravity_well_test {
 
 using Eigen::VectorXd;
 using model::GravityWell;
@@ -145,5 +145,5 @@ TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
   EXPECT_FALSE(held_at(system, 0.0, 0.0, 1.0, 2.0));
 }
 
-}  // namespace
+}  // namespace gravity_well_test
 }  // namespace equipoise

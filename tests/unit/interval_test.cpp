@@ -17,7 +17,7 @@
 #include "equipoise/math/positive_definite.hpp"
 #include "equipoise/math/proven_sine.hpp"
 
-namespace {
+namespace interval_test {
 
 using equipoise::AffineForm;
 using equipoise::Constant;
@@ -280,4 +280,4 @@ TEST(PositiveDefinite, IsNeverSaidOfAMatrixThatIsNot) {
   EXPECT_FALSE(equipoise::certainly_positive(matrix(1e-3, INFINITY), 0.0));
 }
 
-}  // namespace
+}  // namespace interval_test

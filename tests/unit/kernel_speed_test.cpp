@@ -15,7 +15,7 @@
 #include "equipoise/sampling/starts.hpp"
 
 namespace equipoise {
-namespace {
+namespace kernel_speed_test {
 
 namespace kernels = HWY_NAMESPACE;
 
@@ -94,5 +94,5 @@ TEST(KernelSpeed, LanesKeepTheirLeadOverTheScalarIntegrator) {
   }
 }
 
-}  // namespace
+}  // namespace kernel_speed_test
 }  // namespace equipoise

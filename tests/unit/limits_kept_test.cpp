@@ -16,7 +16,7 @@
 #include "equipoise/text/transient_report.hpp"
 
 namespace equipoise {
-namespace {
+namespace limits_kept_test {
 
 Study with_limits(const std::string& limits) { return parse_study(constant_speed + "[limits]\n" + limits, "s"); }
 
@@ -181,5 +181,5 @@ TEST(ResidualLimit, RefusesWhatIsNoGrade) {
       holds(refusal_of(constant_speed + "[limits]\nresidual = \"G 6.3\"\n"), "needs a study in physical units"));
 }
 
-}  // namespace
+}  // namespace limits_kept_test
 }  // namespace equipoise

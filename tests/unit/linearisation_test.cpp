@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/math/gradient.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/model/ball_count.hpp"
@@ -19,7 +20,7 @@
 #include "equipoise/model/system.hpp"
 #include "../support/parameters.hpp"
 
-namespace {
+namespace linearisation_test {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -75,7 +76,7 @@ MatrixXd second_order_form(const model::Parameters& p, double w, const std::vect
     position(2 + i, 4 + i) = 1.0;
     velocity(2 + i, 4 + n + i) = 1.0;
   }
-  const MatrixXd acceleration = -M.inverse() * (C * velocity + K * position);
+  const MatrixXd acceleration = -equipoise::dense::inverse(M) * (C * velocity + K * position);
   MatrixXd rate(2 * size, 2 * size);
   rate.topRows(2) = velocity.topRows(2);
   rate.row(2) = acceleration.row(0) - w * velocity.row(1);
@@ -182,7 +183,7 @@ TEST(Eigenvalues, AreTheRecordedOnesOfTwoBalls) {
     const model::Parameters p = base_rotor(2, row.drag, 0.05);
     for (int state = 0; state < 2; ++state) {
       const auto angles = model::balanced_states(p).angles.at(state);
-      const Eigen::VectorXcd found = jacobian_at(p, row.speed, {angles[0], angles[1]}).eigenvalues();
+      const Eigen::VectorXcd found = equipoise::dense::eigenvalues(jacobian_at(p, row.speed, {angles[0], angles[1]}));
       bool present = false;
       for (const std::complex<double>& value : found)
         // Printed numbers are rounded: half a unit of the last place, and a little more where a digit was cut off.
@@ -201,7 +202,7 @@ TEST(Eigenvalues, VanishOnceForEveryBallBeyondTwo) {
     for (int i = 0; i < n; ++i) p.mass[i] += 0.003 * i;
     const auto phi = balanced_angles(p);
     int zeros = 0;
-    for (const std::complex<double>& value : jacobian_at(p, 2.4, phi).eigenvalues()) {
+    for (const std::complex<double>& value : equipoise::dense::eigenvalues(jacobian_at(p, 2.4, phi))) {
       // Zero eigenvalues belong to directions along the continuum, found to rounding; the next smallest are about
       // beta/2.
       if (std::abs(value) < 1e-12)
@@ -273,4 +274,4 @@ TEST(Jacobian, HasTheSameBitsWhateverTheWidthOfItsNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace linearisation_test

@@ -24,7 +24,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace locked_chart_test {
 
 const std::string with_motor = R"([rotor]
 eccentricity = 0.1
@@ -406,5 +406,5 @@ TEST(LockedChart, SaysOfWhichRotorsItKnowsNoLockedStates) {
   EXPECT_TRUE(holds(told("contact_angle = 0.2\n"), "balls that touch or stick"));
 }
 
-}  // namespace
+}  // namespace locked_chart_test
 }  // namespace equipoise

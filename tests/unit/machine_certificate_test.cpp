@@ -15,13 +15,14 @@
 #include "equipoise/analyses/certify.hpp"
 #include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/balanced_regions/balanced_region.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/proof/certificate.hpp"
 #include "equipoise/reports/certificate_json.hpp"
 #include "equipoise/reports/certify_report.hpp"
 
-namespace {
+namespace machine_certificate_test {
 
 using namespace equipoise;
 
@@ -103,7 +104,7 @@ Proved largest(const model::System& system) {
 class States {
  public:
   explicit States(const Certificate& c)
-      : c_(c), centre_(model::balanced_state(c.system(), c.speed, c.phi.data())), factor_(c.form.llt().matrixU()) {}
+      : c_(c), centre_(model::balanced_state(c.system(), c.speed, c.phi.data())), factor_(equipoise::dense::Cholesky(c.form).upper()) {}
 
   Eigen::VectorXd deviation(double share) {
     Eigen::VectorXd e(centre_.size());
@@ -222,4 +223,4 @@ TEST(MachineCertificate, OfAStudySaysWhichVariables) {
   EXPECT_NE(certify_text(result).find(", psi_dot 0.0"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace machine_certificate_test

@@ -20,7 +20,7 @@
 #include "equipoise/periodic_orbits/recurrence.hpp"
 
 namespace equipoise {
-namespace {
+namespace many_balls_test {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -226,5 +226,5 @@ TEST(SameMotion, WhateverTheBallsAreCalled) {
   EXPECT_FALSE(same_motion(p, motion, other));
 }
 
-}  // namespace
+}  // namespace many_balls_test
 }  // namespace equipoise

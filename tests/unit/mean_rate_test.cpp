@@ -9,7 +9,7 @@
 #include "equipoise/base/angles.hpp"
 
 namespace equipoise {
-namespace {
+namespace mean_rate_test {
 
 AngleRecord record_of(double duration, double spacing, const std::function<double(double)>& angle) {
   AngleRecord record(spacing);
@@ -84,5 +84,5 @@ TEST(MeanRate, RecordsOfAnyLengthStayBoundedAndExact) {
   EXPECT_EQ(mean_rate(record - record, true).rate, 0.0);
 }
 
-}  // namespace
+}  // namespace mean_rate_test
 }  // namespace equipoise

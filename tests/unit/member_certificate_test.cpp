@@ -15,7 +15,7 @@
 #include "equipoise/reports/certificate_json.hpp"
 #include "equipoise/reports/certify_report.hpp"
 
-namespace {
+namespace member_certificate_test {
 
 using namespace equipoise;
 
@@ -201,4 +201,4 @@ TEST(MemberCertificate, OfAStudyIsWrittenAndReadBack) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace member_certificate_test

@@ -14,7 +14,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace motor_curve_test {
 
 using model::DriveSegment;
 using model::Load;
@@ -215,5 +215,5 @@ TEST(DriveSheet, RefusesWhatContradictsItself) {
             "speed.load.constant");
 }
 
-}  // namespace
+}  // namespace motor_curve_test
 }  // namespace equipoise

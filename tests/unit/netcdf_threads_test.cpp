@@ -12,7 +12,7 @@
 #include "equipoise/io/netcdf.hpp"
 
 namespace equipoise::io {
-namespace {
+namespace netcdf_threads_test {
 
 // A file with `number` a hundred times, and its text.
 void write(const std::string& path, double number) {
@@ -59,5 +59,5 @@ TEST(NetcdfFile, IsWrittenAndReadBySeveralThreads) {
   std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace netcdf_threads_test
 }  // namespace equipoise::io

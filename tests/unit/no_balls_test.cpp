@@ -21,7 +21,7 @@
 #include "equipoise/trajectory/simulate.hpp"
 
 namespace equipoise {
-namespace {
+namespace no_balls_test {
 
 const std::string bare = R"([rotor]
 eccentricity = 0.01
@@ -160,5 +160,5 @@ TEST(NoBalls, MinusOneBallIsNone) {
   EXPECT_TRUE(holds(error_of([] { parse_study(with(bare, "balls = 0", "balls = -1"), "s"); }), "from 0 to 16"));
 }
 
-}  // namespace
+}  // namespace no_balls_test
 }  // namespace equipoise

@@ -77,7 +77,7 @@ HWY_EXPORT(sin_cos_array);
 HWY_EXPORT(step_factor);
 HWY_EXPORT(coarse_round_trip);
 HWY_EXPORT(not_zero_after_braces);
-namespace {
+namespace pack_test {
 
 template <class Check>
 void on_every_target(Check check) {
@@ -137,6 +137,6 @@ TEST(Pack, StepFactorsFollowTheErrorWithinTheCoarseLogarithm) {
   });
 }
 
-}  // namespace
+}  // namespace pack_test
 }  // namespace equipoise
 #endif

@@ -21,7 +21,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace physical_study_test {
 
 const std::string& machine = ramp_machine;
 const double omega_c = std::sqrt(48000.0 / 12.0);
@@ -340,5 +340,5 @@ TEST(PhysicalEcho, LeadsBackToTheSameMachine) {
   }));
 }
 
-}  // namespace
+}  // namespace physical_study_test
 }  // namespace equipoise

@@ -6,7 +6,7 @@
 #include "equipoise/classification/pilot.hpp"
 
 namespace equipoise {
-namespace {
+namespace pilot_test {
 
 constexpr int own = 4, other = 2;
 
@@ -58,5 +58,5 @@ TEST(Pilot, OnlyStaysThatWouldHaveDecidedAreEvidence) {
   EXPECT_EQ(audit.hits(), 9);
 }
 
-}  // namespace
+}  // namespace pilot_test
 }  // namespace equipoise

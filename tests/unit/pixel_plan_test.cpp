@@ -13,7 +13,7 @@
 #include "equipoise/result_files/basin_file.hpp"
 
 namespace equipoise {
-namespace {
+namespace pixel_plan_test {
 
 using Paint = std::function<short(int column, int row)>;
 
@@ -163,5 +163,5 @@ TEST(ThinnedAxis, KeepsCentres) {
   }
 }
 
-}  // namespace
+}  // namespace pixel_plan_test
 }  // namespace equipoise

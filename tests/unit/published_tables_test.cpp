@@ -10,7 +10,7 @@
 #include "equipoise/literature/reproduction.hpp"
 
 namespace equipoise {
-namespace {
+namespace published_tables_test {
 
 // The size of the paper's tables: 7 tables, 95 ensembles, 265 cells, 21.1 million starts.
 TEST(PublishedTables, AreAllThere) {
@@ -165,5 +165,5 @@ TEST(Table7, CandidatesAreRead) {
   }
 }
 
-}  // namespace
+}  // namespace published_tables_test
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/statistics/quantile.hpp"
 
 namespace equipoise {
-namespace {
+namespace quantile_test {
 
 TEST(QuantileRanks, AreThoseOfTables) {
   // n = 100, median, 95 %: ranks 40 and 61 (Conover, Practical Nonparametric Statistics, 3rd ed., table A3 gives 40).
@@ -139,5 +139,5 @@ TEST(Distribution, CountsWeights) {
   EXPECT_GE(w.quantiles[0].high, r.quantiles[0].high);
 }
 
-}  // namespace
+}  // namespace quantile_test
 }  // namespace equipoise

@@ -7,7 +7,7 @@
 #include "equipoise/base/random.hpp"
 
 namespace equipoise {
-namespace {
+namespace random_test {
 
 // The generator's published known answer (file kat_vectors of Random123) for a counter and a key of zeros.
 TEST(Random, WordsAreThoseOfPhilox) {
@@ -67,5 +67,5 @@ TEST(Random, NeighboursAreNotCorrelated) {
   EXPECT_NEAR(product, 0.0, 5.0 / std::sqrt(count));
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace equipoise

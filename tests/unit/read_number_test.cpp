@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 namespace equipoise {
-namespace {
+namespace read_number_test {
 
 void expect_same(const std::string& text) {
   double expected = 7.0, read = 7.0;
@@ -56,5 +56,5 @@ TEST(ReadNumber, NumberInTakesWhatATextBeginsWith) {
   EXPECT_EQ(number_in(""), 0.0);
 }
 
-}  // namespace
+}  // namespace read_number_test
 }  // namespace equipoise

@@ -29,7 +29,7 @@
 #include "equipoise/words/proof.hpp"
 
 namespace equipoise {
-namespace {
+namespace report_test {
 
 const std::string machine = constant_machine + "[limits]\nvelocity = \"4.5 mm/s\"\n";
 
@@ -395,5 +395,5 @@ TEST(TransientText, SaysWhichFiguresHoldTheWeight) {
       "from where the rotor rests, 2.477 mm below its unloaded springs; bearing forces include its weight, 118.9 N"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace equipoise

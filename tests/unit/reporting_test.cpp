@@ -14,7 +14,7 @@
 #include "equipoise/running/stage_progress.hpp"
 
 namespace equipoise {
-namespace {
+namespace reporting_test {
 
 bool stopped(const RunOptions& options) { return options.stop && options.stop->load(); }
 
@@ -167,5 +167,5 @@ TEST(Stages, OfOneNameGoOnCountingAndOthersBegin) {
   EXPECT_EQ(last.total, 3u);
 }
 
-}  // namespace
+}  // namespace reporting_test
 }  // namespace equipoise

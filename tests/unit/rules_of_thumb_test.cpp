@@ -17,7 +17,7 @@
 #include "../support/explained.hpp"
 
 namespace equipoise {
-namespace {
+namespace rules_of_thumb_test {
 
 const std::string& machine = constant_machine;
 
@@ -158,5 +158,5 @@ TEST(RulesOfThumb, SpeakOfEverySystemOrSayWhyNot) {
   EXPECT_EQ(json["advice"][4]["figures"][0]["unit"], "s");
 }
 
-}  // namespace
+}  // namespace rules_of_thumb_test
 }  // namespace equipoise

@@ -16,7 +16,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace sampling_box_test {
 
 const std::string free_balls = constant_speed + R"([initial]
 x = 0.01
@@ -124,5 +124,5 @@ TEST(SamplingBox, SourcePlacesTheDrawnState) {
   }
 }
 
-}  // namespace
+}  // namespace sampling_box_test
 }  // namespace equipoise

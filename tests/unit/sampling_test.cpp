@@ -17,7 +17,7 @@
 #include "equipoise/sampling/starts.hpp"
 
 namespace equipoise {
-namespace {
+namespace sampling_test {
 
 using Points = std::vector<std::vector<double>>;
 
@@ -242,5 +242,5 @@ TEST(Sampler, RandomStartsAreWhatTheyWere) {
   EXPECT_EQ(sampler.weight(9, 1234), 1.0);
 }
 
-}  // namespace
+}  // namespace sampling_test
 }  // namespace equipoise

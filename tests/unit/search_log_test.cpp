@@ -19,7 +19,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace search_log_test {
 
 // As bytes read back and written again; empty if that is not whole.
 template <class T>
@@ -189,5 +189,5 @@ TEST(SearchLog, AreKeptAmongUnfinishedResults) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-}  // namespace
+}  // namespace search_log_test
 }  // namespace equipoise

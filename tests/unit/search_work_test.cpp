@@ -10,7 +10,7 @@
 #include "equipoise/attractor_search/pilot_run.hpp"
 
 namespace equipoise {
-namespace {
+namespace search_work_test {
 
 // The search of a rotor, and the total count of each stage.
 struct Search {
@@ -88,5 +88,5 @@ TEST(SearchWork, FewStartsHaveFewScoutsAndRegionsOfBalanceAlone) {
   EXPECT_NE(search_key("", {.few_starts = true}), search_key("", {}));
 }
 
-}  // namespace
+}  // namespace search_work_test
 }  // namespace equipoise

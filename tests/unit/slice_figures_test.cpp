@@ -17,7 +17,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace slice_figures_test {
 
 SliceFigures slice_figures(const BasinSlice& map) {
   SliceFigureCount count(map);
@@ -163,5 +163,5 @@ TEST(SliceAxis, IsReadAsPeopleWriteIt) {
     EXPECT_THROW(angle_link(bad, "--tie"), InputError) << bad;
 }
 
-}  // namespace
+}  // namespace slice_figures_test
 }  // namespace equipoise

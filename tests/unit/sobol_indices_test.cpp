@@ -11,7 +11,7 @@
 #include "equipoise/statistics/sobol_indices.hpp"
 
 namespace equipoise {
-namespace {
+namespace sobol_indices_test {
 
 using Inputs = std::vector<double>;
 
@@ -111,5 +111,5 @@ TEST(SobolIndices, DependOnTheSeedAloneAndNeedAnOutcomeThatVaries) {
   EXPECT_TRUE(sobol_indices({2, {}}).empty());
 }
 
-}  // namespace
+}  // namespace sobol_indices_test
 }  // namespace equipoise

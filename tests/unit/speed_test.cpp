@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace speed_test {
 
 using equipoise::model::Segment;
 using equipoise::model::segments;
@@ -272,4 +272,4 @@ TEST(FirstTimeAt, IsTheFirstTimeTheRampFunctionHasTheSpeed) {
   EXPECT_EQ(waiting.first_time_at(1.5), 7.0);
 }
 
-}  // namespace
+}  // namespace speed_test

@@ -26,7 +26,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace stability_test {
 
 Study paper_rotor(double speed, double drag) {
   Study study = parse_study(constant_speed, "rotor");
@@ -441,5 +441,5 @@ TEST(Stability, AFileIsReplacedOnlyByTheSamePlane) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/standards/walking.hpp"
 
 namespace equipoise::standards {
-namespace {
+namespace standards_test {
 
 TEST(HandArm, WeightingIsThatOfTheStandardsTable) {
   // ISO 5349-1:2001, table A.2: third octaves 10^(n/10) Hz from n = 8, to the digits printed.
@@ -56,5 +56,5 @@ TEST(Walking, SlidesWhereSomeDirectionOfTheForceWins) {
     }
 }
 
-}  // namespace
+}  // namespace standards_test
 }  // namespace equipoise::standards

@@ -9,7 +9,7 @@
 #include "equipoise/statistics/share.hpp"
 
 namespace equipoise {
-namespace {
+namespace statistics_test {
 
 TEST(Starts, AreAddressedBySeedAndIndexAlone) {
   double a[8], b[8];
@@ -76,5 +76,5 @@ TEST(Share, IntervalsCoverTheTruthAsOftenAsTheySay) {
   }
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace equipoise

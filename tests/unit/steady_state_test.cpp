@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/math/dense.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace steady_state_test {
 
 using namespace std::complex_literals;
 using Complex = std::complex<double>;
@@ -150,7 +151,7 @@ TEST(OneBall, StaysAtAStableSynchronousState) {
   s.speed.speed = 0.8;  // below resonance the ball joins the heavy side
   int stable = 0;
   for (const Synchronous& state : synchronous_states(s.parameters, 0.8)) {
-    const Eigen::VectorXcd values = model::jacobian(s.parameters, 0.8, state.state).eigenvalues();
+    const Eigen::VectorXcd values = equipoise::dense::eigenvalues(model::jacobian(s.parameters, 0.8, state.state));
     if (values.real().maxCoeff() >= 0.0) continue;
     ++stable;
     s.initial.x = state.state[0];
@@ -181,4 +182,4 @@ TEST(BalancedBalls, DoNotMoveAndHoldTheRotorCentred) {
   }
 }
 
-}  // namespace
+}  // namespace steady_state_test

@@ -13,7 +13,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace stopped_following_test {
 
 // On the paper's V1, where both balls lag behind together.
 class StoppedFollowing : public testing::Test {
@@ -64,5 +64,5 @@ TEST_F(StoppedFollowing, ListsNoStart) {
   EXPECT_FALSE(runner.follow(state).has_value());
 }
 
-}  // namespace
+}  // namespace stopped_following_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace stopped_spin_up_test {
 
 Study ramp(const std::string& duration) {
   return parse_study(rotor_and_balancer + "[speed]\nprofile = \"ramp\"\nfinal = 2.4\nduration = " + duration + "\n",
@@ -77,5 +77,5 @@ TEST(LongSpinUp, IsNotWatchedBeyondMemory) {
   EXPECT_EQ(refused({"release.time=0.0"}), "");                       // free from the start
 }
 
-}  // namespace
+}  // namespace stopped_spin_up_test
 }  // namespace equipoise

@@ -22,7 +22,7 @@
 #include "equipoise/result_files/basin_file.hpp"
 
 namespace equipoise {
-namespace {
+namespace store_test {
 
 namespace fs = std::filesystem;
 
@@ -406,5 +406,5 @@ TEST_F(Files, WhereNothingCanBeWrittenIsSaid) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
-}  // namespace
+}  // namespace store_test
 }  // namespace equipoise

@@ -11,7 +11,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_check_test {
 
 const std::string checked = with(with(ramp_machine, "mass = \"60 g\"\ndrag = \"2e-4 N m s\"\n",
                                       "ball_diameter = \"10 mm\"\nball_material = \"steel\"\n"
@@ -144,5 +144,5 @@ TEST(StudyCheck, SaysWhereDragIsOfAFormula) {
   EXPECT_FALSE(holds(check_of(ramp_machine).most, "of a formula"));
 }
 
-}  // namespace
+}  // namespace study_check_test
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/toml/overrides.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_errors_test {
 
 // The cases below depend on its line numbers.
 const std::string good =
@@ -202,5 +202,5 @@ TEST(BadInput, FilesThatCannotBeReadAreNamedWithTheReason) {
   std::remove(empty.c_str());
 }
 
-}  // namespace
+}  // namespace study_errors_test
 }  // namespace equipoise

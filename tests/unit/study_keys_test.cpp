@@ -15,7 +15,7 @@
 #include "../support/studies.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_keys_test {
 
 using study::Key;
 using study::KeyTable;
@@ -235,5 +235,5 @@ TEST(StudyKeys, StandInTheGuide) {
   expect_in_docs("reference/study-file.md", tables);
 }
 
-}  // namespace
+}  // namespace study_keys_test
 }  // namespace equipoise

@@ -19,7 +19,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_test {
 
 const std::string& ramp = ramp_speed;
 const std::string trapezoid = rotor_and_balancer + R"([speed]
@@ -327,5 +327,5 @@ TEST(Echo, KeepsEveryBitOfEveryNumber) {
   }
 }
 
-}  // namespace
+}  // namespace study_test
 }  // namespace equipoise

@@ -20,7 +20,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace study_tree_test {
 
 StudyValue good_tree() {
   return {{"rotor", {{"eccentricity", 0.01}, {"damping", 0.5}}},
@@ -306,5 +306,5 @@ TEST(Check, SaysOfAStudyWhatTheReaderSaysOfItsText) {
   EXPECT_GT(refusals, 100);
 }
 
-}  // namespace
+}  // namespace study_tree_test
 }  // namespace equipoise

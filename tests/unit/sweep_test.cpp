@@ -25,7 +25,7 @@
 #include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
 
-namespace {
+namespace sweep_test {
 
 using namespace equipoise;
 
@@ -235,4 +235,4 @@ TEST(SweepFile, IsTheSameFromMemory) {
   std::filesystem::remove(path);
 }
 
-}  // namespace
+}  // namespace sweep_test

@@ -18,7 +18,7 @@
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/trajectory/simulate.hpp"
 
-namespace {
+namespace symmetry_test {
 
 namespace kernels = equipoise::HWY_NAMESPACE;
 namespace model = equipoise::model;
@@ -308,4 +308,4 @@ RC_GTEST_PROP(ClampedSuperposition, EqualsDirectIntegration, ()) {
   for (int i = 0; i < 4; ++i) RC_ASSERT(std::fabs(superposed[i] - z[i]) < 1e-11);
 }
 
-}  // namespace
+}  // namespace symmetry_test

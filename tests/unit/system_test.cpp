@@ -20,7 +20,7 @@
 #include "../support/snapshots.hpp"
 
 namespace equipoise {
-namespace {
+namespace system_test {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -246,5 +246,5 @@ TEST(System, NeedsOfAnswersStandInTheGuide) {
                  {{"needs of answers", "| answer | command | needs |\n|---|---|---|\n" + table}});
 }
 
-}  // namespace
+}  // namespace system_test
 }  // namespace equipoise

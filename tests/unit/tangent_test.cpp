@@ -10,7 +10,7 @@
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
-namespace {
+namespace tangent_test {
 
 const std::string driven = rotor_and_balancer + "[speed]\nprofile = \"torque\"\n";
 
@@ -81,5 +81,5 @@ INSTANTIATE_TEST_SUITE_P(Of, Tangents,
                                          Kind{"motor", motor, driven}, Kind{"speed_control", held, driven}),
                          [](const auto& info) { return std::string(info.param.name); });
 
-}  // namespace
+}  // namespace tangent_test
 }  // namespace equipoise

@@ -18,7 +18,7 @@
 #include "../support/study_difference.hpp"
 
 namespace equipoise {
-namespace {
+namespace uncertain_test {
 
 constexpr std::uint64_t draws = 100000;
 
@@ -215,5 +215,5 @@ TEST(Uncertain, WhatIsSampledAndFollowedMayChangeAfterReading) {
   EXPECT_THROW(check(study), InputError);
 }
 
-}  // namespace
+}  // namespace uncertain_test
 }  // namespace equipoise

@@ -10,7 +10,7 @@
 #include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
-namespace {
+namespace unit_table_test {
 
 struct Worth {
   const char* text;
@@ -131,5 +131,5 @@ TEST(UnitTable, HasTheUnitOfEveryEcho) {
   }
 }
 
-}  // namespace
+}  // namespace unit_table_test
 }  // namespace equipoise::study

@@ -12,7 +12,7 @@
 #include "equipoise/units/units.hpp"
 
 namespace equipoise::study {
-namespace {
+namespace units_test {
 
 struct Reading {
   const char* text;
@@ -228,5 +228,5 @@ TEST(BalanceGrade, IsEccentricityTimesSpeed) {
   EXPECT_FALSE(model::standard_grade_met(4001.0).has_value());
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace equipoise::study

@@ -9,7 +9,7 @@
 #include "equipoise/classification/window_features.hpp"
 
 namespace equipoise {
-namespace {
+namespace window_test {
 
 WindowSums circling(double rate, double r) {
   WindowSums sums;
@@ -133,5 +133,5 @@ TEST(Windows, ChaosIsKnownByWindowsThatResembleItWithoutRepeating) {
   EXPECT_EQ(tracker.attractor_at_end(), 9);
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace equipoise

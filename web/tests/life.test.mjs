@@ -17,39 +17,33 @@ const standing = sharedPage(() =>
   openPage(browser, { ...STILL, hash: `study=table-2-omega-2.4&set=sampling.starts%3D${FEW}` }),
 );
 
-const LONGEST_FRAME = 25; // ms: a 60 Hz screen with room for a machine that does other work too
+const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
 
-/** Times between some pictures, in ms, the shortest first. */
-async function frameGaps(page) {
-  const times = await page.evaluate(
+// Counted in pictures and not in seconds: a busy machine draws fewer of them, and the same holds of each.
+check("plays on from picture to picture while workers compute", async () => {
+  const page = await playing();
+  const { still, starts } = await page.evaluate(
     () =>
       new Promise((resolve) => {
-        const times = [];
-        const tick = (now) => (times.push(now), times.length < 150 ? requestAnimationFrame(tick) : resolve(times));
+        const text = (place) => document.querySelector(place)?.textContent ?? "";
+        const seen = new Set();
+        let time = "", same = 0, still = 0, pictures = 0;
+        const tick = () => {
+          seen.add(text("#verdict"));
+          const now = text("#stage .readout b");
+          same = now === time ? same + 1 : 0;
+          still = Math.max(still, same);
+          time = now;
+          // Until workers have added starts some times, and at least for this many pictures.
+          if (++pictures < 150 || (seen.size < 3 && pictures < 5000)) requestAnimationFrame(tick);
+          else resolve({ still, starts: seen.size });
+        };
         requestAnimationFrame(tick);
       }),
   );
-  return times
-    .slice(1)
-    .map((time, k) => time - times[k])
-    .sort((a, b) => a - b);
-}
-
-const check = (name, work) => test(name, { skip: missing, timeout: LONGEST }, work);
-
-check("plays on smoothly while workers compute", async () => {
-  const page = await playing();
-  // Another program may take the machine for a moment: the best of some looks is what the page can do.
-  let median = Infinity;
-  for (let look = 0; look < 6 && median >= LONGEST_FRAME; ++look) {
-    const gaps = await frameGaps(page);
-    median = gaps[Math.floor(gaps.length / 2)];
-    const slow = gaps[Math.floor(0.95 * gaps.length)];
-    console.log(`frames a second: median ${(1000 / median).toFixed(0)}, slowest twentieth ${(1000 / slow).toFixed(0)}`);
-  }
-  assert.ok(median < LONGEST_FRAME, `${median} ms`);
-  const before = await page.textContent("#stage .readout b");
-  await page.waitForFunction((time) => document.querySelector("#stage .readout b").textContent !== time, before);
+  assert.ok(starts >= 3, `the answer was shown in ${starts} states`);
+  // The time is shown in tenths: some pictures may share one.
+  assert.ok(still < 30, `the rotor stood still for ${still} pictures`);
 });
 
 check("steps, pauses, lets held balls go, and a dragged ball starts where it is dropped", async () => {

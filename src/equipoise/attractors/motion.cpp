@@ -360,7 +360,7 @@ std::optional<Motion> Journey::persistence() {
   if (!on_section() && !comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
   if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
-  MotionKind kind;
+  MotionKind kind = MotionKind::chaotic;
   const auto exponents = exponents_of(kind);
   chaotic_ = exponents && kind == MotionKind::chaotic;
   if (!exponents || (kind == MotionKind::chaotic ? !is_over() : repeats_ < 2)) return std::nullopt;

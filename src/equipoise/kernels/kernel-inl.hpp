@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "equipoise/batch/batch_block-inl.hpp"
-#include "equipoise/batch/watch_radius-inl.hpp"
+#include "equipoise/batch/batch_watch-inl.hpp"
 #include "equipoise/classification/classify-inl.hpp"
 #include "equipoise/classification/follow_on-inl.hpp"
 #include "equipoise/kernels/batch_job.hpp"
+#include "equipoise/kernels/watch_of-inl.hpp"
 #include "equipoise/model/ball_count.hpp"
 #include "equipoise/model/flow-inl.hpp"
 #include "equipoise/model/hybrid_flow-inl.hpp"
 #include "equipoise/model/smooth_flow-inl.hpp"
-#include "equipoise/transients/watch_transients-inl.hpp"
 #include "equipoise/types/fate.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,23 +45,15 @@ class WatchForLoss : public NoObserver {
   std::vector<Fate>& fates_;
 };
 
-// The watch that a task asks for; null if none.
-template <bool tilt>
-std::unique_ptr<BatchWatch> watch_of(const BatchTask& task) {
-  if (task.transients) return std::make_unique<WatchTransients<tilt>>(task, *task.transients);
-  if (task.radius) return std::make_unique<WatchRadius>(*task.radius);
-  return nullptr;
-}
-
 template <class Flow, int groups, class Observer, class Rotors>
 bool run_block(const BatchTask& task, const Flow& flow, Observer& observer, const Rotors& rotors) {
   const auto block = std::make_unique<BatchBlock<Flow, Observer, groups, Rotors>>(task, flow, observer, rotors);
   return block->run();
 }
 
-template <class Flow, int groups, bool tilt, class Fates, class Rotors>
+template <class Flow, int groups, class Fates, class Rotors>
 bool run_watched(const BatchTask& task, const Flow& flow, Fates& fates, const Rotors& rotors) {
-  const auto watch = watch_of<tilt>(task);
+  const auto watch = watch_of(task);
   const auto observer = std::make_unique<FollowOn<Fates, groups>>(fates, watch.get(), flow.size());
   return run_block<Flow, groups>(task, flow, *observer, rotors);
 }
@@ -102,10 +94,9 @@ bool classify_balls(const BatchJob& job) {
   const auto fates = std::make_unique<Fates>(job.task, *job.rule, job.fates, job.pilot);
   const auto flow = flow_of<room, kind, false>(job.task);
   const auto run = [&](const auto& rotors) {
-    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>, kind == BatchKind::tilting>(
-        job.task, flow, *fates, rotors);
+    return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *fates, rotors);
   };
-  if constexpr (kind < BatchKind::smooth)
+  if constexpr (kind == BatchKind::plain)
     if (!job.task.own) return run(OneRotor{});
   return run(own_rotors<room, kind, false>());
 }
@@ -120,7 +111,7 @@ bool advance_balls(const BatchJob& job) {
     const auto flow = flow_of<room, kind, acceleration>(job.task);
     using Flow = std::remove_const_t<decltype(flow)>;
     if constexpr (watched)
-      return run_watched<Flow, groups, kind == BatchKind::tilting>(job.task, flow, fates, rotors);
+      return run_watched<Flow, groups>(job.task, flow, fates, rotors);
     else
       return run_block<Flow, groups>(job.task, flow, fates, rotors);
   };
@@ -129,8 +120,6 @@ bool advance_balls(const BatchJob& job) {
       return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>(OneRotor{})
                                                   : run.template operator()<true, false>(OneRotor{});
   }
-  if constexpr (kind < BatchKind::smooth)
-    if (!job.task.own) return run.template operator()<true, true>(OneRotor{});
   return run.template operator()<true, true>(own_rotors<room, kind, true>());
 }
 

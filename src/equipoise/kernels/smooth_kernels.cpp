@@ -23,7 +23,7 @@ const auto held_rotors = [] {
 
 // One kernel for any number of balls: with the rotor they are one body.
 bool run_held_target(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
-  const auto watch = watch_of<false>(task);
+  const auto watch = watch_of(task);
   const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
   return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
 }
@@ -31,7 +31,7 @@ bool run_held_target(const BatchTask& task, const HoldRule& rule, std::vector<He
 // To the task's end, without a rule.
 bool advance_held_target(const BatchJob& job) {
   WatchForLoss fates(job.fates);
-  return run_watched<HeldFlow<Pack>, 1, false>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
+  return run_watched<HeldFlow<Pack>, 1>(job.task, HeldFlow<Pack>(*job.task.system), fates, held_rotors);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -34,6 +34,11 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
 
 MatrixXd symmetric_eigenvectors(const MatrixXd& a) { return Eigen::SelfAdjointEigenSolver<MatrixXd>(a).eigenvectors(); }
 
+Schur schur(const MatrixXd& a) {
+  const Eigen::ComplexSchur<MatrixXd> decomposition(a);
+  return {decomposition.matrixU(), decomposition.matrixT()};
+}
+
 double determinant(const MatrixXd& a) { return a.determinant(); }
 MatrixXd inverse(const MatrixXd& a) { return a.inverse(); }
 MatrixXcd inverse(const MatrixXcd& a) { return a.inverse(); }

@@ -23,6 +23,12 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
 /// Columns of unit length, in the order of the eigenvalues.
 Eigen::MatrixXd symmetric_eigenvectors(const Eigen::MatrixXd& a);
 
+/// A = U T U^* with U unitary and T upper triangular.
+struct Schur {
+  Eigen::MatrixXcd u, t;
+};
+Schur schur(const Eigen::MatrixXd& a);
+
 double determinant(const Eigen::MatrixXd& a);
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);

@@ -4,16 +4,13 @@
 #include <complex>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "equipoise/math/dense.hpp"
 
 namespace equipoise {
 
 Eigen::MatrixXd solve_lyapunov(const Eigen::MatrixXd& a, const Eigen::MatrixXd& q) {
   // With A = U T U^* and X = U^* P U the equation reads T^* X + X T = -U^* Q U, solved column by column.
-  const Eigen::ComplexSchur<Eigen::MatrixXd> schur(a);
-  const Eigen::MatrixXcd &u = schur.matrixU(), &t = schur.matrixT();
+  const auto [u, t] = dense::schur(a);
   const Eigen::MatrixXcd c = -(u.adjoint() * q * u);
   const Eigen::Index size = a.rows();
   Eigen::MatrixXcd x = Eigen::MatrixXcd::Zero(size, size);

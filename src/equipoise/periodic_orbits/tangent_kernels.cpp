@@ -26,7 +26,7 @@ template <template <int room> class Source>
 std::optional<TangentFlight> run_plain(const TangentJob& j) {
   using model::dimension;
   if (j.system.balls() == 2) return run_source<Source<2>, dimension(2)>(j);
-  return run_source<Source<model::any_count>, dimension(2), dimension(4), dimension(6), dimension(8), dimension(16)>(j);
+  return run_source<Source<model::any_count>, dimension(4), dimension(8), dimension(16)>(j);
 }
 
 std::optional<TangentFlight> run_tangents_target(const TangentJob& j) {

@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Runs the tests of a build folder that may have a new answer.
+
+usage: run.py BUILD [--all] [ARGUMENT of ctest...]
+
+A test is not run again while the files that it depends on are as they were when it last passed in this folder. What takes
+long (labels full, and those in KEPT) is not run either while those are as they were when everything was run last, on
+any machine: tests/passed.json says so. --all runs everything, in full size, and writes that file anew once all have passed.
+With arguments for ctest (-R basin), all that those choose are run.
+"""
+import hashlib
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+
+sys.dont_write_bytecode = True
+from layers_test import MAY_INCLUDE  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+RECORD = ROOT / "tests/passed.json"
+BUILT_BY = ["CMakeLists.txt", "CMakePresets.json", "cmake/", "src/equipoise/CMakeLists.txt"]
+PROGRAM = ["src/", "apps/", "studies/", *BUILT_BY]
+# Where the program's words come from: documentation quotes them.
+WORDS = [f"src/equipoise/{room}/" for room in "words text reports answers decision explain charts design_words changes".split()]
+
+# What the tests of a label depend on: files, and folders (ending with a slash).
+DEPENDS = {
+    "cli": [*PROGRAM, "tests/cli/", "tests/snapshots/"],
+    "published": PROGRAM,
+    "python": ["src/", "python/", "studies/", *BUILT_BY],
+    "types": ["python/equipoise/", "pyproject.toml"],
+    "fuzz": ["tests/fuzz/", "studies/", *(f"src/equipoise/{room}/" for room in ("study", "toml", "units", "base"))],
+}
+# Labels whose tests take minutes. ./dev test runs them if one of these files has changed since all were run.
+KEPT = {
+    "web": ["web/", "tests/web/", "tests/web.cmake", "cmake/web.cmake", "src/equipoise/base/", "src/equipoise/CMakeLists.txt"],
+    "outside": [*BUILT_BY, "packaging/", "examples/", "tests/install/", "tests/install.cmake", "setup.py", "pyproject.toml",
+                "MANIFEST.in", "python/CMakeLists.txt", "python/portable_wheel.py", "python/tests/test_wheel.py"],
+    "site": ["docs/", "python/equipoise/"],
+    "lessons": [*WORDS, "docs/tutorials/", "docs/how-to/", "README.md", "tests/docs/", "examples/", "apps/", "studies/"],
+    "notebooks": ["python/notebooks/", "python/equipoise/", "python/tests/test_notebooks.py", "python/tests/notebooks.py"],
+    "pictures": ["python/equipoise/", "python/tests/test_plot.py"],
+    "bench": ["bench/", "CMakePresets.json"],
+    "sentences": [*WORDS, "tests/audit/"],
+    "faults": ["tests/faults/", "apps/", *(f"src/equipoise/{room}/" for room in
+               ("io", "result_files", "cell_files", "columns", "running", "planes", "sweeps", "ensembles", "basin_slices"))],
+}
+
+
+def files():
+    """Every file of the project with a mark of its content; none outside of a checkout, where everything is run."""
+    done = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True)
+    names = [name for name in done.stdout.splitlines() if (ROOT / name).is_file() and ROOT / name != RECORD]
+    return {name: hashlib.sha1((ROOT / name).read_bytes()).hexdigest() for name in names}
+
+
+def mark(marks, paths):
+    """One mark of all files under these paths."""
+    of = sorted(f"{name} {m}" for name, m in marks.items() if any(name == p or p[-1] == "/" and name.startswith(p) for p in paths))
+    return hashlib.sha1("\n".join(of).encode()).hexdigest()
+
+
+def rooms_below(rooms):
+    """These rooms of the library and all that they stand on."""
+    found, left = set(), list(rooms)
+    while left:
+        room = left.pop()
+        if room not in found:
+            found.add(room)
+            left += MAY_INCLUDE.get(room, ())
+    return found
+
+
+def suites(marks):
+    """Of each suite of the test programs, as ctest names it: what its sources depend on."""
+    found = {}
+    for folder in ("unit", "equivalence", "order", "literature"):
+        beside = [n for n in marks if n.startswith(f"tests/{folder}/") and not n.endswith("_test.cpp")]
+        shared = [*BUILT_BY, "tests/CMakeLists.txt", "tests/support/", "tests/snapshots/", "studies/", *beside]
+        helpers = "\n".join((ROOT / n).read_text() for n in marks if n in beside or n.startswith("tests/support/"))
+        for name in (n for n in marks if n.startswith(f"tests/{folder}/") and n.endswith("_test.cpp")):
+            text = (ROOT / name).read_text()
+            rooms = rooms_below(re.findall(r'"equipoise/(\w+)/', text + helpers))
+            if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
+                rooms = set(MAY_INCLUDE)
+            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in rooms), *(["docs/"] if "docs" in text else [])]
+            for suite in re.findall(r"^\w*TEST\w*\((\w+),", text, re.MULTILINE):
+                for entry in (f"{folder}.{suite}", f"{folder}.{suite}.slow"):
+                    found.setdefault(entry, []).extend(depends)
+    return found
+
+
+def main():
+    build, arguments = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
+    everything = "--all" in arguments
+    arguments = [a for a in arguments if a != "--all"]
+    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
+    labels, number = {}, {}
+    for place, test in enumerate(json.loads(listed)["tests"], 1):
+        of = next((p["value"] for p in test.get("properties", ()) if p["name"] == "LABELS"), [])
+        if "long" not in of:
+            labels[test["name"]], number[test["name"]] = of, str(place)
+    marks, own_record = files(), build / "passed.json"
+    passed = json.loads(own_record.read_text()) if own_record.exists() else {}
+    kept = json.loads(RECORD.read_text()) if RECORD.exists() else {}
+    of_suites, of_labels = suites(marks), {label: mark(marks, paths) for label, paths in {**DEPENDS, **KEPT}.items()}
+
+    def of_test(name, of):
+        if name in of_suites:
+            return mark(marks, of_suites[name])
+        label = (of + [""])[0]
+        return of_labels.get(name.split(".")[0] if label == "full" else label, "")
+
+    now = {name: of_test(name, of) for name, of in labels.items()}
+
+    chosen, left = list(labels), {}
+    if marks and not everything and not arguments:
+        chosen = []
+        for name, of in labels.items():
+            if now[name] and passed.get(name) == now[name]:
+                left.setdefault("have passed with these files before", []).append(name)
+            elif of and of[0] in ("full", *KEPT) and kept.get(name) == now[name]:
+                left.setdefault("passed with these files when everything was run", []).append(name)
+            else:
+                chosen.append(name)
+    for why, names in left.items():
+        print(f"{len(names)} tests {why}", flush=True)
+    if not chosen:
+        print("Nothing is left to be run. --all runs everything.")
+        return 0
+    report = build / "tests.xml"
+    select = [] if arguments else ["-I", "0,0,0," + ",".join(number[name] for name in chosen)]
+    if everything:
+        os.environ["EQUIPOISE_TESTS"] = "all"  # tests of full size (tests/support/sizes.hpp)
+    code = subprocess.run(["ctest", "--test-dir", build, "-LE", "^long$", "--output-on-failure", "--parallel", str(os.cpu_count()),
+                           "--output-junit", report, *select, *arguments], cwd=ROOT).returncode
+    if not report.exists():
+        return code or 1
+    states = {case.get("name"): case.get("status") for case in xml.parse(report).getroot().iter("testcase")}
+    report.unlink()
+    for name, state in states.items():
+        if state == "run" and now.get(name):
+            passed[name] = now[name]
+        else:
+            passed.pop(name, None)
+    own_record.write_text(json.dumps(passed, indent=0, sort_keys=True))
+    if everything and not arguments and marks and code == 0 and all(states.get(name) == "run" for name in labels):
+        slow = {name: now[name] for name, of in labels.items() if of and of[0] in ("full", *KEPT)}
+        RECORD.write_text(json.dumps(slow, indent=0, sort_keys=True) + "\n")
+        print(f"All have passed: {RECORD.relative_to(ROOT)} says so")
+    return code
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background would have its tests ignore it
+    sys.exit(main())
