@@ -5,9 +5,7 @@
 """
 import json
 import os
-import sys
 import time
-import unittest
 
 from program import ROW, STUDIES, Case, answer, interrupted, main, run, started, text_of
 

@@ -12,9 +12,9 @@ import subprocess
 import sys
 import tempfile
 import time
-import unittest
 
-from program import DRIVE, EASY, PROGRAM, ROW, STUDIES, Case, answer, interrupted, main, run, started, with_xarray
+from program import (
+    DRIVE, EASY, PROGRAM, ROW, STUDIES, Case, answer, interrupted, main, run, slow, started, with_xarray)
 
 # What xarray finds in a file: everything, what has no words, and what concerns the run rather than its result.
 XARRAY = """
@@ -111,6 +111,7 @@ class Basin(Case):
             self.assertEqual(left[1], sorted(of_starts)[(len(of_starts) - 1) // 2])
         self.assertGreater(sticking, 0)
 
+    @slow
     def test_what_dry_friction_leaves_is_the_same_after_an_interruption(self):
         whole, parts = (self.path(name) for name in ("whole.nc", "parts.nc"))
         command = ("basin", ROW, *STICKS, "--json", "--quiet", "--starts")
@@ -135,6 +136,7 @@ class Basin(Case):
                                  [g["mm_per_s"] for g in outcome["left_unbalance"]["balance_grade"]])
         self.assertTrue(any("left_unbalance" in o for o in outcomes))
 
+    @slow
     def test_transients_are_told_by_outcome_when_asked_for(self):
         common = ("basin", ROW, "--starts", "1000", "--no-changes", "--quiet")
         self.assertNotIn("transients", answer("basin", *EASY, "--starts", "10"))
@@ -175,6 +177,7 @@ class Basin(Case):
         self.assertLessEqual((balanced["high"] - balanced["low"]) / 2, 0.02)
         self.assertLess(found["starts"], 20000)
 
+    @slow
     def test_half_width_chooses_the_cheaper_way_and_says_so(self):
         text = run("basin", ROW, "--half-width", "0.004", "--quiet", "--wide").stdout
         self.assertRegex(text, r"Sampling: scrambled Sobol, 16 x \d[\d ]* starts; random starts would have needed about 57 \d00\.")
@@ -187,6 +190,7 @@ class Basin(Case):
         obeyed = run("basin", ROW, "--half-width", "0.006", "--set", "sampling.method=random", "--json", "--quiet")
         self.assertEqual(json.loads(obeyed.stdout)["sampling"], {"method": "random", "half_width": 0.006})
 
+    @slow
     def test_sobol_and_grid_say_what_they_are_worth(self):
         for method, by in (("sobol", "replicates"), ("grid", "pairs")):
             way = ["--set", "sampling.method=" + method, "--starts", "8192", "--quiet"]
@@ -295,10 +299,9 @@ horizon = "20 s"
             with self.subTest(command=command):
                 process = started(*command, study)
                 self.assertIn("looking for attractors: ", process.stderr.readline())
-                began = time.monotonic()
                 self.assertEqual(interrupted(process)[2], 130)
-                self.assertLess(time.monotonic() - began, 10.0)  # about one second on an idle machine
 
+    @slow
     def test_bar_on_a_terminal(self):
         pid, terminal = pty.fork()
         if pid == 0:

@@ -9,9 +9,8 @@ import os
 import re
 import sys
 import tempfile
-import unittest
 
-from program import EASY, ROW, WASHER, Case, answer, content, main, rows_of, run, text_of, with_xarray
+from program import EASY, ROW, WASHER, Case, answer, content, main, rows_of, run, slow, text_of, with_xarray
 
 # At 5 critical speeds a drag of 0.2 lets all starts balance until balance itself becomes unstable near 0.1.
 QUICK = ("capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between", "0.08:0.14",
@@ -66,6 +65,7 @@ class Capacity(Case):
             self.assertEqual((told[3] or "").strip(), unit)
             self.assertTrue(abs(float(told[2]) / most - 1) < 1e-3, told[2])  # four digits
 
+    @slow
     def test_the_range_of_a_sweep_holds_those_of_all_its_cells(self):
         found = answer("capacity", WASHER, "--starts", "5", "--precision", "0.1", "--at-least", "0.3",
                        "--over", "balancer.ball_diameter=30 mm,44 mm")
@@ -80,6 +80,7 @@ class Capacity(Case):
 
 
 class DrawnValues(Case):
+    @slow
     def test_a_trial_is_what_basin_says_of_drawn_rotors(self):
         drawn = ["--set", "rotor.damping={uniform=[0.4,0.6]}"]
         found = answer(*QUICK, *drawn, "--set", "rotor.eccentricity={uniform=[0.01,0.02]}")  # replaced by --of
@@ -91,6 +92,7 @@ class DrawnValues(Case):
         text = run(*QUICK, *drawn, *kept, "--quiet").stdout  # read from the file
         self.assertIn("drawn with each start: rotor.damping uniform, 0.4 to 0.6", text)
 
+    @slow
     def test_rotors_that_can_balance_count_where_that_of_the_medians_cannot(self):
         # Two balls of 0.06 cancel an eccentricity of 0.08; two of 0.03 or 0.02 do not: a third of the starts balances.
         found = answer("capacity", ROW, *QUICK[2:6], "--set", "balancer.mass={values=[0.02,0.03,0.06]}", "--at-least", "0.2",

@@ -5,9 +5,7 @@
 """
 import json
 import math
-import os
 import shutil
-import unittest
 
 from program import MACHINE, ROW, Case, answer, content, main, rows_of, run, with_xarray
 
@@ -104,4 +102,4 @@ class Results(Case):
 
 
 if __name__ == "__main__":
-    main()])
+    main()

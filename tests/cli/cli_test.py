@@ -9,10 +9,8 @@ import json
 import math
 import os
 import re
-import sys
-import unittest
 
-from program import DRIVE, GRINDER, ROW, STUDIES, WASHER, Case, answer, main, run, text_of
+from program import DRIVE, GRINDER, ROW, STUDIES, WASHER, Case, answer, main, run, slow, text_of
 
 
 class Explain(Case):
@@ -35,6 +33,7 @@ class Cost(Case):
 
     # Predicted on as many starts as basin follows here. The error is other work on the machine; a factor of three for
     # that.
+    @slow
     def test_it_is_within_a_factor_of_three(self):
         for study, more in ((ROW, ["--set", "sampling.starts=100000"]), (WASHER, ["--set", "sampling.starts=300"])):
             cost = json.loads(run("explain", study, "--cost", "--within", "60s", "--json", *more).stdout)["cost"]
@@ -57,6 +56,7 @@ class Uncertain(Case):
     DRAWS = ["--set", "rotor.eccentricity={uniform=[0.005, 0.015]}", "--set", "speed={profile='constant', speed=1.8}",
              "--set", "release={}"]
 
+    @slow
     def test_basin_says_what_is_drawn_and_what_balance_depends_on(self):
         done = run("basin", ROW, "--starts", "8", "--sensitivity", "12", "--quiet", *self.DRAWS)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -71,6 +71,7 @@ class Uncertain(Case):
         self.assertEqual(found["sensitivity_design"]["evaluations"], 12 * 4)
         self.assertEqual(found["study"]["rotor"]["eccentricity"], {"uniform": [0.005, 0.015]})
 
+    @slow
     def test_a_replay_prints_what_the_start_drew(self):
         done = run("basin", ROW, "--start-index", "3", *self.DRAWS)
         value = float(done.stdout.split("rotor.eccentricity = ")[1].split()[0])
@@ -118,6 +119,7 @@ class Examples(Case):
 class TiltingWasher(Case):
     STUDY = os.path.join(STUDIES, "tilting-washer.toml")
 
+    @slow
     def test_is_answered_in_words(self):
         done = run("basin", self.STUDY, "--set", "sampling.starts=20", "--quiet")
         self.assertEqual(done.returncode, 0)

@@ -3,8 +3,6 @@
 
     compare_test.py PROGRAM STUDIES
 """
-import sys
-import unittest
 
 from program import ROW, Case, answer, main, run
 

@@ -6,9 +6,8 @@
 import json
 import os
 import sys
-import unittest
 
-from program import ROW, STUDIES, Case, answer, main, rows_of, run, text_of, with_xarray
+from program import ROW, STUDIES, Case, answer, main, rows_of, run, slow, text_of, with_xarray
 
 # Spin-ups to one speed share their attractor search: an ensemble costs only its starts.
 DESIGN = """
@@ -35,6 +34,7 @@ class Design(Case):
     def study(self, objective='["balanced"]', more=""):
         return self.file("study.toml", text_of(ROW) + DESIGN.format(objective=objective) + more)
 
+    @slow
     def test_what_stays_the_same_whatever_moves_is_drawn(self):
         picture = self.path("picture.svg")
         told = answer("design", self.study('["-release.time"]'), "--plot", picture)
@@ -58,6 +58,7 @@ class Design(Case):
         self.assertIn("</svg>", text_of(picture))
         self.assertIn("design", run("inspect", file).stdout)
 
+    @slow
     def test_xarray_opens_the_file_with_names_and_units(self):
         file = self.path("front.nc")
         told = answer("design", self.study(), "-o", file)
@@ -66,6 +67,7 @@ class Design(Case):
         self.assertEqual(read["without_words"], [])
         self.assertGreater(read["ensembles"], told["candidates"])
 
+    @slow
     def test_front_of_two_objectives_trades_one_for_the_other(self):
         told = answer("design", self.study('["balanced", "spin_up_time"]'), "--set", "design.method=random")
         pairs = [(m["objectives"]["balanced"]["value"], m["objectives"]["spin_up_time"]["value"]) for m in told["front"]]
@@ -105,6 +107,7 @@ class Design(Case):
         self.assertIn('"balancer.balls"', proposed)
         self.assertIsNone(told(bare + "\n" + proposed)["proposed_design"])
 
+    @slow
     def test_within_leaves_time_to_check_the_best(self):
         done = run("design", self.study(), "--within", "6s", "--set", "design.trajectories=100_000_000", "--json", "--quiet")
         self.assertEqual(done.returncode, 4, done.stderr)

@@ -7,11 +7,10 @@ import json
 import os
 import re
 import shutil
-import sys
 import tempfile
 import unittest
 
-from program import DRIVE, EASY, ROW, answer, interrupted, main, run, started
+from program import DRIVE, EASY, ROW, answer, interrupted, main, run, slow, started
 
 
 class Results(unittest.TestCase):
@@ -87,6 +86,7 @@ class Results(unittest.TestCase):
         outcomes = {o["name"]: o["pixels"] for o in json.loads(passing.stdout)["outcomes"]}
         self.assertEqual(outcomes["failed"], 0)
 
+    @slow
     def test_says_where_balls_start_that_no_axis_places(self):
         plane = ["--x", "rotor.eccentricity", "--x-range", "0.009:0.011", "--y", "balancer.drag", "--y-range", "0.24:0.26",
                  "--size", "2x1", "--quiet"]  # each pixel's rotor has a search of its own, quick in thick oil

@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -71,10 +72,23 @@ def started(*arguments):
     return subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
+def ended_cpu():
+    """CPU seconds of all processes that have ended: what a program takes of them does not depend on what runs beside it."""
+    ended = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return ended.ru_utime + ended.ru_stime
+
+
 def interrupted(process):
-    """Standard output and error of a process that is told to stop, and its exit code."""
+    """Standard output and error of a process that is told to stop, and its exit code. It does not go on computing."""
+    with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
+        user, system = file.read().rpartition(")")[2].split()[11:13]
+    before = ended_cpu() + (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
     process.send_signal(signal.SIGINT)
-    return *process.communicate(timeout=120), process.returncode
+    said = process.communicate(timeout=120)
+    after = ended_cpu() - before
+    if after > 6.0:  # it takes a second or two
+        raise AssertionError(f"{after:.1f} CPU seconds after it was told to stop")
+    return *said, process.returncode
 
 
 def content(path):

@@ -5,7 +5,6 @@
 """
 import os
 import shlex
-import unittest
 
 from program import ROW, SNAPSHOTS, WASHER, Case, content, main, run
 

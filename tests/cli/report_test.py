@@ -7,14 +7,13 @@ import base64
 import json
 import os
 import re
-import sys
 import tempfile
 import time
 import unittest
 import zlib
 from html.parser import HTMLParser
 
-from program import EASY, ROW, WASHER, Case, answer, content, interrupted, main, run, started, text_of
+from program import EASY, ROW, WASHER, Case, answer, content, interrupted, main, run, slow, started, text_of
 
 
 class Page(HTMLParser):
@@ -134,6 +133,7 @@ class Machines(Case):
         self.assertEqual(json.loads(again.stdout)["resumed_from"], 300)
         self.assertEqual(Page(page).lead, first)
 
+    @slow
     def test_interrupted_it_says_so(self):
         path = self.path("page.html")
         process = started("report", ROW, "--starts", "100000000", "-o", path, "--quiet")
@@ -171,6 +171,7 @@ class OtherPages(Case):
         for text in ("final speed 2.4, 2.6", "2 cells with 200 starts each (400 in all) at random ball angles", "drifting apart"):
             self.assertIn(text, page.text)
 
+    @slow
     def test_of_a_sweep_over_two_and_three_parameters(self):
         at = ["--over", "speed.final=2.4,2.6", "--over", "balancer.drag=0.1,0.25", "--starts", "40"]
         page, found = self.page_of("sweep", ROW, *at)
@@ -201,6 +202,7 @@ class OtherPages(Case):
         for text in ("unbalance, kg mm", "above 15 mm", "mass 40 kg", "peak displacement, mm", "limit"):
             self.assertIn(text, page.text)
 
+    @slow
     def test_of_a_capacity(self):
         quick = ["capacity", ROW, "--set", "speed.speed=5", "--set", "balancer.drag=0.2", "--at-least", "0.9", "--between",
                  "0.08:0.14", "--precision", "0.1", "--starts", "200"]
@@ -227,6 +229,7 @@ class OtherPages(Case):
         self.assertEqual(png_size(large.text), (350, 2))
         self.assertIn("One of 2 x 2 points is drawn", large.text)
 
+    @slow
     def test_drawn_values_are_said_in_the_first_sentence(self):
         drawn = [*EASY[1:], "--set", "rotor.eccentricity={uniform=[0.005,0.015]}", "--set", "rotor.damping={normal=[0.5,0.02]}"]
         both = "With rotor damping and eccentricity drawn anew for every start, "

@@ -4,10 +4,8 @@
     stability_test.py PROGRAM STUDIES
 """
 import json
-import os
 import random
 import shutil
-import unittest
 
 from program import (
     DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, main, rows_of, run, started, with_xarray)
@@ -106,4 +104,4 @@ class Results(Case):
 
 
 if __name__ == "__main__":
-    main()])
+    main()

@@ -7,9 +7,7 @@ import json
 import os
 import signal
 import subprocess
-import sys
 import time
-import unittest
 
 from program import EASY, PROGRAM, ROW, Case, main, run
 
@@ -78,7 +76,6 @@ class Usage(Case):
         self.assertIn("\n10 starts", run("basin", *EASY, "--starts", "010", "--quiet").stdout)  # not octal
 
     def test_files_that_never_end_and_pipes(self):
-        begin = time.monotonic()
         self.refused("basin", "/dev/zero", words=["/dev/zero: cannot be read (more than 16 MiB)"])
         results = self.path("row.nc")
         run("basin", *EASY, "--starts", "10", "-o", results, "--quiet")
@@ -86,7 +83,6 @@ class Usage(Case):
             self.refused(command, results, words=['row.nc: cannot be read (NetCDF, a file of results: "equipoise inspect" reads it)'])
         self.assertEqual(run("inspect", results).returncode, 0)
         self.refused("certify", "--check", "/dev/zero", words=["more than 64 MiB"])
-        self.assertLess(time.monotonic() - begin, 30)
         done = shell(f"cat {ROW} | $E explain /dev/stdin")  # a pipe can be read only once, but the text is needed twice
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 

@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, main, rows_of, run, text_of, with_xarray
+from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, main, rows_of, run, slow, text_of, with_xarray
 
 XARRAY = """
 import json, sys, xarray
@@ -42,6 +42,7 @@ class Sweep(Case):
             self.assertEqual(counts(cell["outcomes"]), counts(alone["outcomes"]), cell["at"])
             self.assertEqual(cell["starts"], 800)
 
+    @slow
     def test_a_log_gets_a_line_in_ten_seconds(self):
         begin = time.monotonic()
         usual = {key: value for key, value in os.environ.items() if key != "EQUIPOISE_PROGRESS"}
@@ -59,6 +60,7 @@ class Sweep(Case):
             self.assertEqual((refused.returncode, refused.stdout), (2, ""))
             self.assertIn(f"EQUIPOISE_PROGRESS = {wrong}: must be a number of seconds from 0.1 to 86400", refused.stderr)
 
+    @slow
     def test_a_neighbours_search_changes_no_outcome(self):
         # Motions appear and vanish between cells: an orbit, a torus that becomes chaos, one captured.
         sweep = answer("sweep", ROW, "--over", "speed.final=2,2.2,2.4,2.5,3.2", "--starts", "3000")
@@ -133,6 +135,7 @@ class Sweep(Case):
         self.assertEqual(seen["median"], sweep["cells"][0]["transients"]["peak_radial"]["quantiles"][0]["value"])
         self.assertEqual(seen["without_words"], [])
 
+    @slow
     def test_what_dry_friction_leaves_is_in_the_file(self):
         look = """
 import json, sys, xarray
@@ -184,6 +187,7 @@ class Job(Case):
         self.assertEqual(done.returncode, 0, done)
         self.assertEqual(os.listdir(self.folder), ["0.nc"])
 
+    @slow
     def test_of_a_capacity_the_first_tells_what_one_process_finds(self):
         words = f'capacity "{ROW}" --set speed.speed=5 --set balancer.drag=0.2 --between 0.08:0.14 --precision 0.1 --starts 200 --json'
         done = self.started(words)

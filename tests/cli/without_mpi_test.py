@@ -7,7 +7,6 @@ twice.
 import os
 import shutil
 import subprocess
-import sys
 import unittest
 
 from program import PROGRAM, ROW, main, run

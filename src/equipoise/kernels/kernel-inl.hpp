@@ -96,7 +96,7 @@ bool classify_balls(const BatchJob& job) {
   const auto run = [&](const auto& rotors) {
     return run_watched<std::remove_const_t<decltype(flow)>, batch_groups<room, kind>>(job.task, flow, *fates, rotors);
   };
-  if constexpr (kind == BatchKind::plain)
+  if constexpr (kind < BatchKind::smooth)
     if (!job.task.own) return run(OneRotor{});
   return run(own_rotors<room, kind, false>());
 }
@@ -120,6 +120,8 @@ bool advance_balls(const BatchJob& job) {
       return job.task.segment.acceleration == 0.0 ? run.template operator()<false, false>(OneRotor{})
                                                   : run.template operator()<true, false>(OneRotor{});
   }
+  if constexpr (kind < BatchKind::smooth)
+    if (!job.task.own) return run.template operator()<true, true>(OneRotor{});
   return run.template operator()<true, true>(own_rotors<room, kind, true>());
 }
 
