@@ -55,9 +55,15 @@ KEPT = {
 
 def files():
     """Every file of the project with a mark of its content; none outside of a checkout, where everything is run."""
+
+    def content(path):
+        if path.name == "CMakeLists.txt" or path.suffix == ".cmake":  # what builds everything says the same with other comments
+            return b"\n".join(line for line in path.read_bytes().splitlines() if not line.lstrip().startswith(b"#"))
+        return path.read_bytes()
+
     done = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True)
     names = [name for name in done.stdout.splitlines() if (ROOT / name).is_file() and ROOT / name != RECORD]
-    return {name: hashlib.sha1((ROOT / name).read_bytes()).hexdigest() for name in names}
+    return {name: hashlib.sha1(content(ROOT / name)).hexdigest() for name in names}
 
 
 def mark(marks, paths):
@@ -89,7 +95,7 @@ def suites(marks):
             rooms = rooms_below(re.findall(r'"equipoise/(\w+)/', text + helpers))
             if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
                 rooms = set(MAY_INCLUDE)
-            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in rooms), *(["docs/"] if "docs" in text else [])]
+            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in rooms), *(["docs/"] if "in_docs(" in text or "/docs/" in text else [])]
             for suite in re.findall(r"^\w*TEST\w*\((\w+),", text, re.MULTILINE):
                 for entry in (f"{folder}.{suite}", f"{folder}.{suite}.slow"):
                     found.setdefault(entry, []).extend(depends)
