@@ -65,7 +65,7 @@ double scalar_nanoseconds() {
 
 // Least times of interleaved rounds, which exclude other work on the machine.
 TEST(KernelSpeed, LanesKeepTheirLeadOverTheScalarIntegrator) {
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+#if defined(EQUIPOISE_SANITIZE) || defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
   GTEST_SKIP() << "instrumented or unoptimised code says nothing of speed";
 #endif
   // Half the measured lead (docs/evidence/performance.md). A slip of the compiler or of the code costs more than that;
