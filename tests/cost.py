@@ -5,11 +5,10 @@ usage: cost.py BUILD [--write]   configures and builds BUILD from nothing, runs 
                                  two at a time, and prints the table; --write: into docs/evidence
        cost.py --one LOG COMMAND... runs one compiler or linker, and adds what it took to LOG
 
-CPU seconds hardly depend on what else the machine does; seconds on the clock do.
+What else the machine does stretches CPU seconds by some tenths, and seconds on the clock by any factor.
 """
 import collections
 import concurrent.futures
-import json
 import os
 import pathlib
 import platform
@@ -18,24 +17,24 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
+
+sys.dont_write_bytecode = True
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/evidence/cost.md"
 
 
 def timed(command, **more):
-    """Exit code, CPU seconds with those of all children, seconds on the clock, output."""
-    begin = time.monotonic()
+    """Exit code, CPU seconds with those of all children, output."""
     child = subprocess.Popen(command, stdin=subprocess.DEVNULL, **more)
     text = child.stdout.read() if child.stdout else b""
     _, status, usage = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)
-    return child.returncode, usage.ru_utime + usage.ru_stime, time.monotonic() - begin, text
+    return child.returncode, usage.ru_utime + usage.ru_stime, text
 
 
 def one(log, command):
-    code, cpu, _, _ = timed(command)
+    code, cpu, _ = timed(command)
     made = command[command.index("-o") + 1] if "-o" in command else ""
     with open(log, "a") as file:  # a line is written at once
         file.write(f"{cpu:.2f}\t{made}\n")
@@ -51,7 +50,7 @@ def built(build):
     settings = [f"-DCMAKE_CXX_{tool}_LAUNCHER={launcher}" for tool in ("COMPILER", "LINKER")]
     whole = 0.0
     for command in (["cmake", "--preset", "dev", "-B", build, *settings], ["cmake", "--build", build]):
-        code, cpu, _, _ = timed(command, cwd=ROOT, stdout=sys.stderr)
+        code, cpu, _ = timed(command, cwd=ROOT, stdout=sys.stderr)
         whole += cpu
         if code:
             sys.exit(f"cost.py: {command[1]}: {code}")
@@ -66,29 +65,25 @@ def built(build):
 
 def tested(build):
     """Of each test: name, label, CPU seconds, whether it passed."""
-    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1", "-LE", "^long$"], capture_output=True, text=True,
-                            check=True).stdout
+    from run import listed  # here, since compilers are started through this script
 
-    def run(test):
-        more = {p["name"]: p["value"] for p in test.get("properties", ())}
+    def run(more, test):
         environment = {**os.environ, **dict(entry.split("=", 1) for entry in more.get("ENVIRONMENT", ()))}
-        code, cpu, _, text = timed(test["command"], cwd=more.get("WORKING_DIRECTORY", build), env=environment,
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        code, cpu, text = timed(test["command"], cwd=more.get("WORKING_DIRECTORY", build), env=environment,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         text = text.decode(errors="replace")
         wanted = more.get("PASS_REGULAR_EXPRESSION")
         passed = any(re.search(one, text) for one in wanted) if wanted else code == 0
         print(f"{cpu:8.1f} s  {'' if passed else 'FAILED '}{test['name']}", file=sys.stderr, flush=True)
         if not passed:
             print(text, file=sys.stderr)
-        return test["name"], more.get("LABELS", ["house"])[0], cpu, passed
+        return test["name"], (more["LABELS"] + ["house"])[0], cpu, passed
 
-    tests = json.loads(listed)["tests"]
-    makes = [{p["name"] for p in test.get("properties", ())} for test in tests]
-    first = [test for test, names in zip(tests, makes) if "FIXTURES_SETUP" in names]
-    others = [test for test, names in zip(tests, makes) if "FIXTURES_SETUP" not in names]
-    done = [run(test) for test in first]
+    tests = [(more, test) for _, more, test in listed(build)]
+    done = [run(more, test) for more, test in tests if "FIXTURES_SETUP" in more]
+    others = [(more, test) for more, test in tests if "FIXTURES_SETUP" not in more]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        return done + list(pool.map(run, others))
+        return done + list(pool.map(run, *zip(*others)))
 
 
 def table(head, rows):

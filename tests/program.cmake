@@ -44,7 +44,7 @@ if(NOT EQUIPOISE_SANITIZE)  # runs are killed at moments measured in seconds
   set_tests_properties(faults.nothing_is_lost PROPERTIES LABELS faults TIMEOUT ${longest_test} COST 130)
 endif()
 
-# Every table from a few thousand starts a row, judged by the errors of both samples (exit code 3 if a cell that is
+# Every table from a few thousand starts per row, judged by the errors of both samples (exit code 3 if a cell that is
 # claimed to agree differs); at the paper's sample sizes: ./dev validate.
 set(literature_starts 4000)
 if(EQUIPOISE_SANITIZE)

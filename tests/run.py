@@ -87,51 +87,58 @@ def suites(marks):
     """Of each suite of the test programs, as ctest names it: what its sources depend on."""
     found = {}
     for folder in ("unit", "equivalence", "order", "literature"):
-        beside = [n for n in marks if n.startswith(f"tests/{folder}/") and not n.endswith("_test.cpp")]
-        shared = [*BUILT_BY, "tests/CMakeLists.txt", "tests/support/", "tests/snapshots/", "studies/", *beside]
-        helpers = "\n".join((ROOT / n).read_text() for n in marks if n in beside or n.startswith("tests/support/"))
+        helpers = [n for n in marks if n.startswith(f"tests/{folder}/") and not n.endswith("_test.cpp")]
+        shared = [*BUILT_BY, "tests/CMakeLists.txt", "tests/support/", "tests/snapshots/", "studies/", *helpers]
+        support = "\n".join((ROOT / n).read_text() for n in marks if n in helpers or n.startswith("tests/support/"))
         for name in (n for n in marks if n.startswith(f"tests/{folder}/") and n.endswith("_test.cpp")):
             text = (ROOT / name).read_text()
-            rooms = rooms_below(re.findall(r'"equipoise/(\w+)/', text + helpers))
+            reached = rooms_below(re.findall(r'"equipoise/(\w+)/', text + support))
             if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
-                rooms = set(MAY_INCLUDE)
-            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in rooms), *(["docs/"] if "in_docs(" in text or "/docs/" in text else [])]
+                reached = MAY_INCLUDE
+            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in reached)]
+            if "in_docs(" in text or "/docs/" in text:
+                depends.append("docs/")
             for suite in re.findall(r"^\w*TEST\w*\((\w+),", text, re.MULTILINE):
                 for entry in (f"{folder}.{suite}", f"{folder}.{suite}.slow"):
                     found.setdefault(entry, []).extend(depends)
     return found
 
 
+def listed(build):
+    """Every test of a build folder but the long ones: its number to ctest, its properties (LABELS: none is []), itself."""
+    done = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
+    for number, test in enumerate(json.loads(done.stdout)["tests"], 1):
+        more = {"LABELS": [], **{p["name"]: p["value"] for p in test.get("properties", ())}}
+        if "long" not in more["LABELS"]:
+            yield number, more, test
+
+
 def main():
     build, arguments = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
     everything = "--all" in arguments
     arguments = [a for a in arguments if a != "--all"]
-    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
-    labels, number = {}, {}
-    for place, test in enumerate(json.loads(listed)["tests"], 1):
-        of = next((p["value"] for p in test.get("properties", ()) if p["name"] == "LABELS"), [])
-        if "long" not in of:
-            labels[test["name"]], number[test["name"]] = of, str(place)
+    labels, numbers = {}, {}
+    for number, more, test in listed(build):
+        labels[test["name"]], numbers[test["name"]] = (more["LABELS"] + [""])[0], str(number)
     marks, own_record = files(), build / "passed.json"
     passed = json.loads(own_record.read_text()) if own_record.exists() else {}
     kept = json.loads(RECORD.read_text()) if RECORD.exists() else {}
     of_suites, of_labels = suites(marks), {label: mark(marks, paths) for label, paths in {**DEPENDS, **KEPT}.items()}
 
-    def of_test(name, of):
+    def of_test(name, label):
         if name in of_suites:
             return mark(marks, of_suites[name])
-        label = (of + [""])[0]
         return of_labels.get(name.split(".")[0] if label == "full" else label, "")
 
-    now = {name: of_test(name, of) for name, of in labels.items()}
+    now = {name: of_test(name, label) for name, label in labels.items()}
 
     chosen, left = list(labels), {}
     if marks and not everything and not arguments:
         chosen = []
-        for name, of in labels.items():
+        for name, label in labels.items():
             if now[name] and passed.get(name) == now[name]:
                 left.setdefault("have passed with these files before", []).append(name)
-            elif of and of[0] in ("full", *KEPT) and kept.get(name) == now[name]:
+            elif label in ("full", *KEPT) and kept.get(name) == now[name]:
                 left.setdefault("passed with these files when everything was run", []).append(name)
             else:
                 chosen.append(name)
@@ -142,7 +149,7 @@ def main():
         return 0
     report = build / "tests.xml"
     # By number, and then without -LE, which would number anew what it leaves.
-    select = ["-LE", "^long$", *arguments] if arguments else ["-I", "0,0,0," + ",".join(number[name] for name in chosen)]
+    select = ["-LE", "^long$", *arguments] if arguments else ["-I", "0,0,0," + ",".join(numbers[name] for name in chosen)]
     if everything:
         os.environ["EQUIPOISE_TESTS"] = "all"  # tests of full size (tests/support/sizes.hpp)
     code = subprocess.run(["ctest", "--test-dir", build, "--output-on-failure", "--parallel", str(os.cpu_count()),
@@ -163,7 +170,7 @@ def main():
     if everything and marks:
         for name, state in states.items():
             kept.pop(name, None)
-            if state == "run" and labels[name] and labels[name][0] in ("full", *KEPT):
+            if state == "run" and labels[name] in ("full", *KEPT):
                 kept[name] = now[name]
         RECORD.write_text(json.dumps({name: kept[name] for name in sorted(kept) if name in labels}, indent=0) + "\n")
         print(f"{RECORD.relative_to(ROOT)} says what has passed")

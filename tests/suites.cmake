@@ -1,5 +1,5 @@
-# Writes ctest's entries of a test program, an entry a suite. Suites and cases that SLOW names ("long Suite",
-# "full Suite.Case", "full Prefix/Suite.Case/0") get its label; such cases are one entry a suite, or, if long, one each.
+# Writes ctest's entries of a test program, one per suite. Suites and cases that SLOW names ("long Suite",
+# "full Suite.Case", "full Prefix/Suite.Case/0") get its label; its full cases are one more entry, its long ones one each.
 # cmake -DPROGRAM=.. -DLABEL=.. -DENTRIES=.. -DTIMEOUT=.. -DENVIRONMENT=.. -DSLOW=.. -P suites.cmake, after linking.
 cmake_minimum_required(VERSION 3.22)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)

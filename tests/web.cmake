@@ -1,7 +1,6 @@
 # Tests of the browser's engine, where Emscripten and Node.js are: the same fates as the program, and what its calls answer.
 find_program(EQUIPOISE_EMCC emcc)
 find_program(EQUIPOISE_NODE node)
-find_package(Python3 COMPONENTS Interpreter)
 if(NOT EQUIPOISE_EMCC OR NOT EQUIPOISE_NODE OR NOT Python3_FOUND OR NOT EQUIPOISE_BUILD_PROGRAM OR EQUIPOISE_SANITIZE)
   message(STATUS "Tests of the browser's engine are left out: they need Emscripten, Node.js and Python 3")
   return()

@@ -83,7 +83,7 @@ def test_the_target_is_chosen_by_argument(easy):
 
 
 def cpu_of(pid):
-    """CPU seconds of a process that runs: those do not depend on what runs beside it, as seconds on the clock do."""
+    """CPU seconds of a running process. Other programs hardly stretch them, unlike seconds on the clock."""
     with open(f"/proc/{pid}/stat", encoding="ascii") as file:
         user, system = file.read().rpartition(")")[2].split()[11:13]
     return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")

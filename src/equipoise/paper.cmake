@@ -46,9 +46,6 @@ target_sources(equipoise_paper PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/paper_files.c
 
 target_link_libraries(equipoise_paper PUBLIC equipoise PRIVATE
   TBB::tbb fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
-target_compile_options(equipoise_paper PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor ${equipoise_cold})
+target_compile_options(equipoise_paper PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor ${equipoise_cold_options})
 set_target_properties(equipoise_paper PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 9)
 equipoise_precompile(equipoise_paper <Eigen/Core> <fmt/format.h>)
-if(EQUIPOISE_SANITIZE STREQUAL CORE)  # as what is not instrumented of the library
-  target_compile_definitions(equipoise_paper PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=0)
-endif()

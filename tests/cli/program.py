@@ -46,7 +46,7 @@ def slow(case):
 
 
 def main():
-    """Runs the cases of the script that were asked for."""
+    """Runs the slow cases of the script, or all others."""
     def cases(suite):
         for one in suite:
             yield from cases(one) if isinstance(one, unittest.TestSuite) else [one]
@@ -73,13 +73,13 @@ def started(*arguments):
 
 
 def ended_cpu():
-    """CPU seconds of all processes that have ended: what a program takes of them does not depend on what runs beside it."""
+    """CPU seconds of all processes that have ended: other programs hardly stretch what one takes of them."""
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     return ended.ru_utime + ended.ru_stime
 
 
 def interrupted(process):
-    """Standard output and error of a process that is told to stop, and its exit code. It does not go on computing."""
+    """Standard output and error of a process after SIGINT, and its exit code. It does not go on computing."""
     with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
         user, system = file.read().rpartition(")")[2].split()[11:13]
     before = ended_cpu() + (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
@@ -87,7 +87,7 @@ def interrupted(process):
     said = process.communicate(timeout=120)
     after = ended_cpu() - before
     if after > 6.0:  # it takes a second or two
-        raise AssertionError(f"{after:.1f} CPU seconds after it was told to stop")
+        raise AssertionError(f"{after:.1f} CPU seconds after SIGINT")
     return *said, process.returncode
 
 

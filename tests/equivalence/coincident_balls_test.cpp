@@ -159,7 +159,8 @@ TEST_P(CoincidentBalls, MoveOnTheRecordedOrbitAndObeyTheTransverseLaw) {
 
   // All eight: 1 along the motion, the transverse pair, and the rest smaller.
   std::vector<double> sizes;
-  for (const std::complex<double>& value : equipoise::dense::eigenvalues(flight.derivative)) sizes.push_back(std::abs(value));
+  for (const std::complex<double>& value : equipoise::dense::eigenvalues(flight.derivative))
+    sizes.push_back(std::abs(value));
   std::sort(sizes.rbegin(), sizes.rend());
   EXPECT_NEAR(sizes[0], 1.0, 1e-10);
   EXPECT_NEAR(sizes[1], law, 1e-10);

@@ -83,8 +83,8 @@ TEST(Stroboscopic, MultipliersOfTheBalancedStateAreThoseOfItsEigenvalues) {
   const auto phi = model::balanced_states(isotropic).angles.front();
   const auto orbit = balanced_orbit({p, 2.4}, phi.data());
   ASSERT_TRUE(orbit);
-  const Eigen::VectorXcd rates =
-      equipoise::dense::eigenvalues(model::jacobian(isotropic, 2.4, model::centred_state(isotropic, phi.data()).data()));
+  const Eigen::VectorXcd rates = equipoise::dense::eigenvalues(
+      model::jacobian(isotropic, 2.4, model::centred_state(isotropic, phi.data()).data()));
   ASSERT_EQ(orbit->multipliers.size(), rates.size());
   for (const std::complex<double>& rate : rates) {
     const std::complex<double> expected = std::exp(rate * model::section_period(p, 2.4));

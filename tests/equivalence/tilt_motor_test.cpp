@@ -51,7 +51,8 @@ TEST(TiltMotor, TransientsAreThoseOfFixedAxes) {
     ASSERT_TRUE(classify_batch(task, rule, starts.fates, nullptr));
     for (std::size_t i = 0; i < count; ++i) {
       start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
-      const TransientRow expected = figures(asked, tilting::dense(study, stretches(study, until), {3.0, -3.0}, bearings), 0.0);
+      const TransientRow expected =
+          figures(asked, tilting::dense(study, stretches(study, until), {3.0, -3.0}, bearings), 0.0);
       const TransientRow told = transient_row(asked, table.rows[i], false);
       const std::string what = std::string(gravity) + ", start " + std::to_string(i);
       expect_same_figures(told, expected, what);

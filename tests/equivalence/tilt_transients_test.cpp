@@ -87,7 +87,8 @@ const std::vector<std::string> on_unlike{"rotor.gravity=0.02",
                                          "release.speed=2.5"};
 
 // Three, of which that in the middle takes most: the weight rests on it.
-const std::vector<Held> three{{-2.0, {0.1, 0.1}, {0.05, 0.05}}, {0.5, {0.7, 0.9}, {0.1, 0.12}}, {3.0, {0.2, 0.3}, {0.05, 0.03}}};
+const std::vector<Held> three{
+    {-2.0, {0.1, 0.1}, {0.05, 0.05}}, {0.5, {0.7, 0.9}, {0.1, 0.12}}, {3.0, {0.2, 0.3}, {0.05, 0.03}}};
 const std::vector<std::string> on_three{"rotor.gravity=0.02",
                                         "rotor.stiffness=[1, 1.3]",
                                         "rotor.damping=[0.2, 0.2]",

@@ -104,7 +104,9 @@ Proved largest(const model::System& system) {
 class States {
  public:
   explicit States(const Certificate& c)
-      : c_(c), centre_(model::balanced_state(c.system(), c.speed, c.phi.data())), factor_(equipoise::dense::Cholesky(c.form).upper()) {}
+      : c_(c),
+        centre_(model::balanced_state(c.system(), c.speed, c.phi.data())),
+        factor_(equipoise::dense::Cholesky(c.form).upper()) {}
 
   Eigen::VectorXd deviation(double share) {
     Eigen::VectorXd e(centre_.size());
