@@ -83,24 +83,42 @@ def rooms_below(rooms):
     return found
 
 
+def included(marks):
+    """Of each source and header of the tests: the other files of the tests that it includes."""
+    of = {}
+    for name in (n for n in marks if n.startswith("tests/") and n.endswith((".cpp", ".hpp"))):
+        near = (os.path.normpath(f"{os.path.dirname(name)}/{i}") for i in re.findall(r'#include "([^"]+)"', (ROOT / name).read_text()))
+        of[name] = {n for n in near if n in marks}
+    return of
+
+
+def sources_of(test, include):
+    """A test's own source, all headers of the tests that it reaches, and the helpers that define what those declare."""
+    found, left = set(), {test}
+    while left:
+        name = left.pop()
+        found.add(name)
+        helpers = {n for n in include if n.endswith(".cpp") and not n.endswith("_test.cpp") and name in include[n]}
+        left |= (include[name] | (helpers if name.endswith(".hpp") else set())) - found
+    return found
+
+
 def suites(marks):
     """Of each suite of the test programs, as ctest names it: what its sources depend on."""
-    found = {}
-    for folder in ("unit", "equivalence", "order", "literature"):
-        helpers = [n for n in marks if n.startswith(f"tests/{folder}/") and not n.endswith("_test.cpp")]
-        shared = [*BUILT_BY, "tests/CMakeLists.txt", "tests/support/", "tests/snapshots/", "studies/", *helpers]
-        support = "\n".join((ROOT / n).read_text() for n in marks if n in helpers or n.startswith("tests/support/"))
-        for name in (n for n in marks if n.startswith(f"tests/{folder}/") and n.endswith("_test.cpp")):
-            text = (ROOT / name).read_text()
-            reached = rooms_below(re.findall(r'"equipoise/(\w+)/', text + support))
-            if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
-                reached = MAY_INCLUDE
-            depends = [name, *shared, *(f"src/equipoise/{room}/" for room in reached)]
-            if "in_docs(" in text or "/docs/" in text:
-                depends.append("docs/")
-            for suite in re.findall(r"^\w*TEST\w*\((\w+),", text, re.MULTILINE):
-                for entry in (f"{folder}.{suite}", f"{folder}.{suite}.slow"):
-                    found.setdefault(entry, []).extend(depends)
+    found, include = {}, included(marks)
+    for name in (n for n in include if re.match(r"tests/(unit|equivalence|order|literature)/\w+_test\.cpp$", n)):
+        sources = sources_of(name, include)
+        text = "\n".join((ROOT / n).read_text() for n in sources)
+        reached = rooms_below(re.findall(r'"equipoise/(\w+)/', text))
+        if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
+            reached = MAY_INCLUDE
+        depends = [*BUILT_BY, "tests/CMakeLists.txt", "tests/snapshots/", "studies/", *sources,
+                   *(f"src/equipoise/{room}/" for room in reached)]
+        if "in_docs(" in text or "/docs/" in text:
+            depends.append("docs/")
+        for suite in re.findall(r"^\w*TEST\w*\((\w+),", (ROOT / name).read_text(), re.MULTILINE):
+            for entry in (f"{name.split('/')[1]}.{suite}", f"{name.split('/')[1]}.{suite}.slow"):
+                found.setdefault(entry, []).extend(depends)
     return found
 
 
