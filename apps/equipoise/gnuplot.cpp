@@ -35,13 +35,13 @@ bool is_whole(const std::string& path) {
   std::string tail(static_cast<std::size_t>(last), '\0');
   file.seekg(-last, std::ios::end);
   file.read(tail.data(), last);
-  return file && tail.find(end) != tail.npos;
+  return file && tail.find(end) != std::string::npos;
 }
 
 }  // namespace
 
 void draw(const std::string& path, const std::function<std::string(const std::string&)>& script_for) {
-  io::Replacement place(path, ".new" + path.substr(path.rfind('.')));
+  io::Replacement place(path, path.substr(path.rfind('.')));
   const std::string script = script_for(place.file());
   std::signal(SIGPIPE, SIG_IGN);  // the exit code tells that gnuplot gave up
   std::FILE* gnuplot = popen("gnuplot", "w");

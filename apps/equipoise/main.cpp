@@ -112,6 +112,7 @@ int run(int given, char** arguments) {
     if (!sub->parsed()) continue;
     if (repeats_work(*sub)) return bad_input;
     refuse_empty_values(*sub);
+    refuse_same_files(*sub);
     return command();
   }
   return bad_input;

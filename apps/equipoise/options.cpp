@@ -13,6 +13,7 @@
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/echo/given_value.hpp"
+#include "equipoise/running/parallel.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
@@ -39,7 +40,8 @@ int threads_option(const std::optional<std::string>& text) {
   // TBB makes no more threads than the machine has cores unless told to, and complains on standard error.
   static std::optional<tbb::global_control> allowed;
   const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
-  allowed.emplace(tbb::global_control::max_allowed_parallelism, std::max(cores, static_cast<std::size_t>(threads)));
+  allowed.emplace(tbb::global_control::max_allowed_parallelism,
+                  std::max(cores, static_cast<std::size_t>(thread_count(threads))));
   return threads;
 }
 

@@ -2,6 +2,9 @@
 #include "usage.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -123,13 +126,46 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int a
   return text;
 }
 
+namespace {
+std::string name_of(const CLI::Option& option) {
+  return option.get_positional() ? option.get_type_name() : option.get_name();
+}
+}  // namespace
+
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_expected_min() == 0) continue;  // its value is optional
     for (const std::string& value : option->results())
-      if (value.empty())
-        throw InputError(option->get_positional() ? option->get_type_name() : option->get_name(), "", "",
-                         fmt::format(words::value_empty, takes(*option)));
+      if (value.empty()) throw InputError(name_of(*option), "", "", fmt::format(words::value_empty, takes(*option)));
+  }
+}
+
+namespace {
+
+bool same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path first = fs::weakly_canonical(a, error), second = fs::weakly_canonical(b, error);
+  if (error || (fs::exists(first, error) && !fs::is_regular_file(first, error))) return false;
+  return first == second ||
+         (fs::exists(first, error) && fs::exists(second, error) && fs::equivalent(first, second, error));
+}
+
+}  // namespace
+
+// Results in NetCDF are exempt: a command goes on with those that are there, or refuses them.
+void refuse_same_files(const CLI::App& command) {
+  std::vector<std::pair<const CLI::Option*, std::string>> files;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    if (!type.starts_with("FILE") && !type.starts_with("STUDY")) continue;
+    for (const std::string& value : option->results()) {
+      if (value.ends_with(".nc")) continue;
+      for (const auto& [other, path] : files)
+        if (other != option && same_file(path, value))
+          throw InputError(name_of(*option), "", display_text(value), fmt::format(words::same_file, name_of(*other)));
+      files.emplace_back(option, value);
+    }
   }
 }
 

@@ -16,4 +16,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, int a
 /// Throws InputError for an option with an empty value, which never means anything.
 void refuse_empty_values(const CLI::App& command);
 
+/// Throws InputError if two options name one file: what is written would replace what is read.
+void refuse_same_files(const CLI::App& command);
+
 }  // namespace equipoise::app

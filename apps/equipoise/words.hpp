@@ -40,8 +40,7 @@ inline constexpr char precision_range[] = "a part of the range from 0.0001 to 0.
 inline constexpr char trajectory_range[] = "a whole number from 1000 to 1000000000000";
 inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:6";
 // Option, key, a range.
-inline constexpr char axis_without_range[] =
-    "has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}";
+inline constexpr char axis_without_range[] = "has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}";
 inline constexpr char range_given_twice[] = "{} has a range, too; give one";
 inline constexpr char block_range[] = "a power of two from 2 to 64";
 inline constexpr char box_range[] = "a whole number from 0 to 1000000000";
@@ -57,6 +56,7 @@ inline constexpr char shard_form[] = "must be I/N with I from 1 to N, e.g. 2/8";
 // Files. After the option and its path.
 
 // Why.
+inline constexpr char same_file[] = "is the same file as {}; must be another one";
 inline constexpr char not_writable[] = "cannot be written: {}; must be a file in a folder that exists";
 inline constexpr char ends_in[] = "must be a file name that ends in {}";
 inline constexpr char ends_in_either[] = "must be a file name that ends in {} or {}";

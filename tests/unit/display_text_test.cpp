@@ -5,6 +5,8 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/percent_text.hpp"
+#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/text/csv.hpp"
 
 namespace equipoise {
 namespace display_text_test {
@@ -33,6 +35,26 @@ TEST(DisplayText, EscapesControlCharactersOfBothSets) {
                          "31m"),
             "\\u009B31m");  // the other control sequence introducer
   EXPECT_EQ(display_text(std::string("\0", 1)), "\\u0000");
+}
+
+TEST(DisplayText, EscapesWhatChangesTheDirectionOfWriting) {
+  EXPECT_EQ(display_text("a\xE2\x80\xAEz\xE2\x81\xA9\xE2\x80\x8F"), "a\\u202Ez\\u2069\\u200F");
+  EXPECT_EQ(display_text("\xE2\x80\x93\xE2\x81\xBB"), "\xE2\x80\x93\xE2\x81\xBB");  // a dash, a superscript minus
+  EXPECT_EQ(display_lines("a\x1B\n\nb\n"), "a\\u001B\n\nb\n");
+}
+
+// A name with a line break would leave the quotes, and what follows would be a command.
+TEST(Quoted, IsOneLineInOnePairOfQuotes) {
+  EXPECT_EQ(quoted("it's"), "'it''s'");
+  EXPECT_EQ(quoted("a\nsystem \"touch b\""), "'a\\u000Asystem \"touch b\"'");
+}
+
+TEST(CsvText, IsNoFormulaForASpreadsheet) {
+  EXPECT_EQ(csv_text("balanced"), "balanced");
+  EXPECT_EQ(csv_text("=HYPERLINK(\"a\",\"b\")"), "\"'=HYPERLINK(\"\"a\"\",\"\"b\"\")\"");
+  for (const char* text : {"+1+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "-x", "+", "=1"})
+    EXPECT_EQ(csv_text(text), std::string("'") + text);
+  for (const char* number : {"-2.5", "+3", "-1e-9", "-40 degC", "+12 mm/s"}) EXPECT_EQ(csv_text(number), number);
 }
 
 // All starts were once reported as 1e+02 %.

@@ -107,6 +107,18 @@ TEST(Nameplate, HasItsRatedBreakdownAndLockedRotorTorque) {
     const double kloss = 2.0 * 2.8 * 9.95 / (slip / top + top / slip);
     EXPECT_NEAR(model::nameplate_torque(motor, (1.0 - slip) * motor.synchronous_speed), kloss, 1e-12);
   }
+  // No speed gives more than the breakdown torque, whatever the torque at rest. It was up to 13 % more once.
+  for (const double at_rest : {0.1, 0.7, 1.5, 2.4, 2.7, 2.8}) {
+    const model::Nameplate other{9.95, 1440.0 * rpm, 1500.0 * rpm, 2.8, at_rest};
+    double most = 0.0, least = 1e9;
+    for (int i = 0; i <= 10000; ++i) {
+      const double torque = model::nameplate_torque(other, other.synchronous_speed * i / 10000.0);
+      most = std::max(most, torque);
+      if (i < 9000) least = std::min(least, torque);
+    }
+    EXPECT_LE(most, 2.8 * 9.95 * (1.0 + 1e-12)) << at_rest;
+    EXPECT_GT(least, 0.0) << at_rest;
+  }
   const model::CurvePoints points = model::nameplate_curve(motor);
   const DriveSegment chords = curve(points.speeds, points.torques);
   double off = 0.0;

@@ -406,5 +406,40 @@ TEST_F(Files, WhereNothingCanBeWrittenIsSaid) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+// What only reads a journal leaves it as it is, even if nothing in it can be used.
+TEST_F(Files, ReadingAJournalKeepsIt) {
+  {
+    io::Journal journal(part_, path_, "mine");
+    journal.append({.kind = io::Journal::Kind::cell, .first = 0, .count = 1}, "abcdefgh", 8);
+  }
+  flip_bit(part_, fs::file_size(part_) - 3);
+  const std::string before = content(part_);
+  { EXPECT_TRUE(io::Journal(part_).records().empty()); }
+  EXPECT_EQ(content(part_), before);
+  { EXPECT_TRUE(io::Journal(part_, path_, "mine").records().empty()); }  // nor what might have gone on from it
+  EXPECT_EQ(content(part_), before);
+  EXPECT_THROW(io::Journal(folder_ + "/none"), InputError);
+  EXPECT_FALSE(fs::exists(folder_ + "/none"));
+}
+
+// Zeros once filled the place of what another program had cut off.
+TEST_F(Files, AJournalCutByAnotherProgramIsNotedBeforeItIsUsed) {
+  io::Journal journal(part_, path_, "mine");
+  const std::string payload(1000, 'x');
+  journal.append({.kind = io::Journal::Kind::cell, .first = 0, .count = 1}, payload.data(), payload.size());
+  EXPECT_NO_THROW(journal.require_sound());
+  fs::resize_file(part_, 100);
+  EXPECT_THROW(journal.append({.kind = io::Journal::Kind::cell, .first = 1, .count = 1}, "a", 1), RunError);
+  EXPECT_THROW(journal.require_sound(), RunError);
+  fs::resize_file(part_, 5000);  // with zeros
+  EXPECT_THROW(journal.require_sound(), RunError);
+}
+
+TEST_F(Files, PlacesInTheNetworkAreNoFiles) {
+  for (const char* place :
+       {"http://127.0.0.1:9/result.nc", "https://127.0.0.1:9/result.nc#mode=bytes", "s3://bucket/result.nc"})
+    EXPECT_THROW(io::NetcdfFile(place, io::NetcdfFile::Mode::read), RunError) << place;
+}
+
 }  // namespace store_test
 }  // namespace equipoise

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "../support/studies.hpp"
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
@@ -168,21 +171,20 @@ TEST(SweepCells, ReadBackToTheSameBits) {
   cell.warm_start_levels.weights = {{-0.1, 1.0 / 3.0, 2.8}};
   const std::vector<std::uint8_t> bytes = io::bytes_of(cell);
   const auto back = io::cell_from(bytes);
-  ASSERT_TRUE(back);
-  EXPECT_EQ(io::bytes_of(*back), bytes);
-  EXPECT_EQ(back->starts, cell.starts);
-  EXPECT_EQ(back->outcomes[1].state, cell.outcomes[1].state);
-  EXPECT_TRUE(std::signbit(back->outcomes[1].state[1]));
-  EXPECT_EQ(*back->outcomes[1].r_mean, 0.1 + 0.2);
-  EXPECT_FALSE(back->outcomes[0].r_min);
-  EXPECT_EQ(back->outcomes[1].share.high, cell.outcomes[1].share.high);
-  EXPECT_TRUE(std::isnan(back->transients->figures[3].mean));
-  EXPECT_EQ(back->transients->figures[3].quantiles[1].high, std::numeric_limits<double>::infinity());
-  EXPECT_FALSE(back->passed);
-  EXPECT_EQ(back->note, cell.note);
-  EXPECT_EQ(back->warm_start_levels, cell.warm_start_levels);
+  EXPECT_EQ(io::bytes_of(back), bytes);
+  EXPECT_EQ(back.starts, cell.starts);
+  EXPECT_EQ(back.outcomes[1].state, cell.outcomes[1].state);
+  EXPECT_TRUE(std::signbit(back.outcomes[1].state[1]));
+  EXPECT_EQ(*back.outcomes[1].r_mean, 0.1 + 0.2);
+  EXPECT_FALSE(back.outcomes[0].r_min);
+  EXPECT_EQ(back.outcomes[1].share.high, cell.outcomes[1].share.high);
+  EXPECT_TRUE(std::isnan(back.transients->figures[3].mean));
+  EXPECT_EQ(back.transients->figures[3].quantiles[1].high, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(back.passed);
+  EXPECT_EQ(back.note, cell.note);
+  EXPECT_EQ(back.warm_start_levels, cell.warm_start_levels);
   for (std::size_t cut : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1})
-    EXPECT_FALSE(io::cell_from({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(cut)})) << cut;
+    EXPECT_THROW(io::cell_from({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(cut)}), RunError) << cut;
 }
 
 TEST(CapacityTrials, ReadBackToTheSameBits) {
@@ -194,14 +196,74 @@ TEST(CapacityTrials, ReadBackToTheSameBits) {
   unstable.unstable = true;
   const std::vector<std::uint8_t> bytes = io::bytes_of(std::vector{made, unstable});
   const auto back = io::trials_from(bytes);
-  ASSERT_TRUE(back);
-  ASSERT_EQ(back->size(), 2u);
-  EXPECT_EQ(io::bytes_of(*back), bytes);
-  EXPECT_EQ(back->front().value, made.value);
-  EXPECT_EQ(back->front().states, made.states);
-  EXPECT_EQ(back->front().most(), made.balanced.most);
-  EXPECT_EQ(back->back().most(), 0.0);
-  EXPECT_FALSE(io::trials_from({bytes.begin(), bytes.end() - 1}));
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(io::bytes_of(back), bytes);
+  EXPECT_EQ(back.front().value, made.value);
+  EXPECT_EQ(back.front().states, made.states);
+  EXPECT_EQ(back.front().most(), made.balanced.most);
+  EXPECT_EQ(back.back().most(), 0.0);
+  EXPECT_THROW(io::trials_from({bytes.begin(), bytes.end() - 1}), RunError);
+}
+
+// A record from a file is input: whatever is wrong in it is found before anything relies on it.
+TEST(SweepCells, SayWhereARecordIsWrong) {
+  SweepCell cell;
+  cell.outcomes = {outcome(1, "balanced", 0.0, 0.0)};
+  cell.transients = std::make_shared<TransientGroup>();
+  using Json = nlohmann::json;
+  const Json sound = Json::from_cbor(io::bytes_of(cell));
+  const auto problem = [&](const char* place, const Json& value) {
+    Json forged = sound;
+    forged[Json::json_pointer(place)] = value;
+    try {
+      (void)io::cell_from(Json::to_cbor(forged));
+    } catch (const RunError& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(problem("/note", "another"), "accepted");
+  EXPECT_EQ(problem("/outcomes", Json::array()), "outcomes has no entries");
+  EXPECT_EQ(problem("/outcomes", 3), "outcomes is no list");
+  EXPECT_EQ(problem("/outcomes/0", 3), "outcomes[0] has no members");
+  EXPECT_EQ(problem("/outcomes/0/name", 3), "outcomes[0].name is no text");
+  EXPECT_EQ(problem("/outcomes/0/left_unbalance", {0.1}), "outcomes[0].left_unbalance has 1 entries instead of 4");
+  EXPECT_EQ(problem("/outcomes/0/share/by", 3), "outcomes[0].share.by is out of range: 3");
+  EXPECT_EQ(problem("/outcomes/0/share/by", -1), "outcomes[0].share.by is out of range: -1");
+  EXPECT_EQ(problem("/outcomes/0/id", 1LL << 40), "outcomes[0].id is out of range: 1099511627776");
+  EXPECT_EQ(problem("/outcomes/0/id", 1e300), "outcomes[0].id is no integer");
+  EXPECT_EQ(problem("/starts", -1), "starts is out of range: -1");
+  EXPECT_EQ(problem("/balanced_stable", 1), "balanced_stable is neither true nor false");
+  EXPECT_EQ(problem("/undecided/low", "0"), "undecided.low is no number");
+  EXPECT_EQ(problem("/transients/figures", Json::array()),
+            fmt::format("transients.figures has 0 entries instead of {}", transient_figures.size()));
+  Json without = sound;
+  without.erase("failed");
+  EXPECT_THROW((void)io::cell_from(Json::to_cbor(without)), RunError);
+  // A reader that calls itself for each of these would run out of stack.
+  EXPECT_THROW((void)io::cell_from(std::vector<std::uint8_t>(100000, 0x81)), RunError);
+  EXPECT_THROW((void)io::cell_from(std::vector<std::uint8_t>(100000, 0x9F)), RunError);
+  EXPECT_THROW((void)io::cell_from(std::vector<std::uint8_t>(100000, 0xA1)), RunError);
+  EXPECT_THROW((void)io::cell_from({0x9B, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}), RunError);
+}
+
+// Every byte of a record replaced by every other of some kinds: read or refused, never worse.
+TEST(SweepCells, SurviveAnyByte) {
+  SweepCell cell;
+  cell.outcomes = {outcome(1, "balanced", 0.0, 0.0)};
+  const std::vector<std::uint8_t> sound = io::bytes_of(cell);
+  int refused = 0;
+  for (std::size_t at = 0; at < sound.size(); ++at)
+    for (const std::uint8_t byte : {0x00, 0x1B, 0x3B, 0x5F, 0x7B, 0x80, 0x9F, 0xBF, 0xC0, 0xF6, 0xFB, 0xFF}) {
+      std::vector<std::uint8_t> bytes = sound;
+      bytes[at] = byte;
+      try {
+        (void)io::cell_from(bytes);
+      } catch (const RunError&) {
+        ++refused;
+      }
+    }
+  EXPECT_GT(refused, static_cast<int>(sound.size()));
 }
 
 TEST(IdentityLines, TakeApartWhatAPlanPutTogether) {

@@ -7,8 +7,11 @@
 
 namespace equipoise {
 
-/// Valid UTF-8 on one line: other bytes become U+FFFD, control characters \u001B and the like.
+/// Valid UTF-8 on one line: other bytes become U+FFFD; control characters, and those that change the direction of
+/// writing, \u001B and the like.
 std::string display_text(std::string_view text);
+/// The same line by line: line ends stay.
+std::string display_lines(std::string_view text);
 
 /// Characters of valid UTF-8: columns on a terminal, for the alphabets and signs used here.
 inline std::size_t display_width(std::string_view text) {

@@ -74,8 +74,7 @@ void check(const BasinSlice& map) {
   for (const int column : {0, map.x.pixels - 1})
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
   const auto with_x = [&](int column) {
-    return to_toml(
-        study_with(study_with(map.study, map.x.key, map.x.centre(column)), map.y.key, map.y.centre(0)));
+    return to_toml(study_with(study_with(map.study, map.x.key, map.x.centre(column)), map.y.key, map.y.centre(0)));
   };
   if (map.x.pixels > 1 && with_x(0) == with_x(map.x.pixels - 1))
     throw InputError("map", map.x.key, "", fmt::format(words::sweeps::set_by_other_axis, map.y.key));
@@ -143,13 +142,9 @@ class Mapper {
       check_decides(map_.study);
       if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
     }
-    header_ = {to_toml(map_.study),
-               map_.x,
-               map_.y,
-               map_.links,
-               map_.block,
-               basin_file_header(map_.study, true, false).arithmetic,
-               starts_};
+    const BasinFileHeader of_starts = basin_file_header(map_.study, true, false);
+    header_ = {to_toml(map_.study), map_.x, map_.y, map_.links, map_.block, of_starts.arithmetic, starts_};
+    header_.components = of_starts.variables.size();
     if (!starts_) return;
     header_.rotor.balance_margin = map_.balance_margin.front();
     header_.rotor.balance_growth = map_.balance_growth.front();

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
@@ -46,6 +49,13 @@ SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const Pix
   if (map.block > 0) map.computed.reserve(held);
 }
 
+// Codes may come from a file, and be anything.
+short SliceAssembly::id_of(short code) const {
+  const auto found = seen_.find(code);
+  if (found == seen_.end()) throw RunError(fmt::format(words::sweeps::pixel_without_name, code));
+  return static_cast<short>(found->second.id);
+}
+
 // A multiple of the block size.
 int SliceAssembly::band_rows() const {
   const int block = std::max(1, map_.block);
@@ -72,7 +82,7 @@ void SliceAssembly::give_codes(std::vector<SlicePixel>& pixels) const {
   const bool same = std::all_of(seen_.begin(), seen_.end(), [](const auto& s) { return s.first == s.second.id; });
   if (same) return;
   for (SlicePixel& pixel : pixels)
-    if (pixel.code > 0) pixel.code = static_cast<short>(seen_.at(pixel.code).id);
+    if (pixel.code > 0) pixel.code = id_of(pixel.code);
 }
 
 void SliceAssembly::add_row(int row, const SlicePixel* pixels) {

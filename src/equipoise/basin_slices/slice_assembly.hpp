@@ -29,6 +29,7 @@ class SliceAssembly {
 
  private:
   int band_rows() const;
+  short id_of(short code) const;
   void give_codes(std::vector<SlicePixel>& pixels) const;
   void add_row(int row, const SlicePixel* pixels);
   void hold(const SlicePixel* pixels);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/bytes.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/kept_search_log.hpp"
 #include "equipoise/result_files/result_identity.hpp"
@@ -61,8 +62,12 @@ void SliceStore::open_results() {
   if (!std::filesystem::exists(path_)) return;
   file_.emplace(path_);
   require_same(file_->identity(), path_);
+  const SliceAxis &x = file_->x(), &y = file_->y();
+  if (x.pixels != header_.x.pixels || y.pixels != header_.y.pixels)
+    throw InputError(path_, "", "",
+                     fmt::format(words::sweeps::other_size, x.pixels, y.pixels, header_.x.pixels, header_.y.pixels));
   codes_ = file_->codes();
-  discoveries_ = file_->discoveries();
+  discoveries_ = file_->discoveries(header_.components);
 }
 
 void SliceStore::take(const io::Journal::Record& record) {
@@ -70,10 +75,11 @@ void SliceStore::take(const io::Journal::Record& record) {
   if (record.kind == Kind::note) return;
   if (record.kind == Kind::outcome_name) return take_name(record);
   if (record.kind == Kind::pixels) return take_pixels(record);
-  if (record.kind != Kind::discovery || record.first > discoveries_.size() || record.bytes % sizeof(double) != 0)
+  if (record.kind != Kind::discovery || record.first > discoveries_.size() ||
+      record.bytes != header_.components * sizeof(double))
     refuse_part();
   if (record.first < discoveries_.size()) return;  // in the results since then
-  std::vector<double>& state = discoveries_.emplace_back(record.bytes / sizeof(double));
+  std::vector<double>& state = discoveries_.emplace_back(header_.components);
   journal_.read(record, 0, record.bytes, state.data());
 }
 
@@ -84,6 +90,7 @@ void SliceStore::take_name(const io::Journal::Record& record) {
     refuse_part();
   std::string text(record.bytes, '\0');
   journal_.read(record, 0, record.bytes, text.data());
+  text = display_lines(text);
   const std::size_t line = std::min(text.find('\n'), text.size());
   codes_.push_back(
       {static_cast<short>(record.first), text.substr(0, line), text.substr(std::min(line + 1, text.size())), {}});
@@ -182,6 +189,7 @@ void SliceStore::read_rows(int first, int rows, SlicePixel* pixels) const {
 
 void SliceStore::finish(const std::function<void(const std::string&)>& write, bool complete) {
   try {
+    journal_.require_sound();
     write(path_);
   } catch (const RunError& e) {
     throw RunError(fmt::format(words::sweeps::kept_in_part, e.what(), path_));

@@ -98,7 +98,7 @@ enum class BatchEnd {
 /// Unit of the error of a component: lambda + sum mu_i for the rotor's position and velocity, and for those of its
 /// tilt, which begin at `tilt`; 1 for all others. Constant, so that step control costs no comparison per component.
 inline double batch_error_scale(const model::Parameters& p, int component, int tilt = -1) {
-  return component < 4 || (tilt >= 0 && component >= tilt) ? p.all_unbalances() : 1.0;
+  return component < 4 || (tilt >= 0 && component >= tilt) ? p.motion_scale() : 1.0;
 }
 
 }  // namespace equipoise

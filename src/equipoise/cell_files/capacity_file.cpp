@@ -104,8 +104,7 @@ namespace io {
 std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std::string& identity,
                                              std::vector<std::vector<CapacityTrial>>& trials) {
   const auto take = [&trials](std::size_t cell, const std::vector<std::uint8_t>& record) {
-    for (CapacityTrial& trial : trials_from(record).value_or(std::vector<CapacityTrial>{}))
-      trials[cell].push_back(std::move(trial));
+    for (CapacityTrial& trial : trials_from(record)) trials[cell].push_back(std::move(trial));
   };
   return std::make_unique<CellFile>(capacity_kind, path, identity, trials.size(), take);
 }

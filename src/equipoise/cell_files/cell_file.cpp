@@ -29,6 +29,15 @@ void require_these(const CellFileKind& kind, const std::string& there, const std
   require_same(there, here, of, fmt::format("results of this {}", kind.name), same_results(kind));
 }
 
+void take_sound(const CellFileKind& kind, const std::string& path, const CellFile::Take& take, std::size_t cell,
+                const std::vector<std::uint8_t>& record) {
+  try {
+    take(cell, record);
+  } catch (const RunError& e) {
+    refuse(kind, path, fmt::format(words::files::record_of_cell, cell + 1, e.what()));
+  }
+}
+
 void read_results(const CellFileKind& kind, const std::string& path, const NetcdfFile& file,
                   const CellFile::Take& take) {
   const std::size_t cells = file.length("cell"), size = file.length("record_byte");
@@ -37,12 +46,13 @@ void read_results(const CellFileKind& kind, const std::string& path, const Netcd
   const int records = file.variable("record", NC_BYTE, {size});
   std::size_t begin = 0;
   for (std::size_t cell = 0; cell < cells; ++cell) {
+    if (!(ends[cell] >= static_cast<double>(begin) && ends[cell] <= static_cast<double>(size)))
+      refuse(kind, path, "is damaged");
     const auto end = static_cast<std::size_t>(ends[cell]);
-    if (end < begin || end > size) refuse(kind, path, "is damaged");
     if (end == begin) continue;
     std::vector<std::uint8_t> record(end - begin);
     file.read(records, {begin}, {record.size()}, record.data());
-    take(cell, record);
+    take_sound(kind, path, take, cell, record);
     begin = end;
   }
 }
@@ -54,12 +64,18 @@ void read_journal(const CellFileKind& kind, const std::string& path, const Journ
     if (record.kind != kind.record) refuse(kind, path, words::files::something_else);
     std::vector<std::uint8_t> bytes(record.bytes);
     journal.read(record, 0, bytes.size(), bytes.data());
-    take(record.first, bytes);
+    take_sound(kind, path, take, record.first, bytes);
   }
 }
 
-void require_whole(const CellFileKind& kind, const std::string& path) {
+template <class Read>
+auto with_results(const CellFileKind& kind, const std::string& path, const Read& read) {
   if (const std::string damage = why_not_whole(path); !damage.empty()) refuse(kind, path, damage);
+  try {
+    return read(NetcdfFile(path, NetcdfFile::Mode::read, "it"));
+  } catch (const RunError& e) {
+    refuse(kind, path, fmt::format(words::files::damaged_within, e.what()));
+  }
 }
 
 }  // namespace
@@ -70,12 +86,12 @@ CellFile::CellFile(const CellFileKind& kind, const std::string& path, const std:
   const std::string part = path_ + ".part";
   journal_ = std::make_unique<Journal>(part, path_, identity);
   if (std::filesystem::exists(path_)) {
-    require_whole(kind, path_);
-    const NetcdfFile file(path_, NetcdfFile::Mode::read);
-    require_these(kind, file.attribute("identity"), identity, path_);
-    if (const std::size_t there = file.length("cell"); there != cells)
-      refuse(kind, path_, fmt::format("holds {} cells", there));
-    read_results(kind, path_, file, take);
+    with_results(kind, path_, [&](const NetcdfFile& file) {
+      require_these(kind, file.attribute("identity"), identity, path_);
+      if (const std::size_t there = file.length("cell"); there != cells)
+        refuse(kind, path_, fmt::format("holds {} cells", there));
+      read_results(kind, path_, file, take);
+    });
   }
   require_these(kind, journal_->identity(), identity, part);
   for (const Journal::Record& record : journal_->records()) {
@@ -97,6 +113,7 @@ void CellFile::finish(const std::function<void(const std::string&, const std::st
     if (rest == Rest::nothing) journal_->remove();
     return;
   }
+  journal_->require_sound();
   write(path_, identity_);
   if (rest != Rest::all) leave_notes(*journal_, rest == Rest::nothing);
 }
@@ -105,16 +122,16 @@ std::string read_cell_file(const CellFileKind& kind, const std::string& path, co
   if (std::error_code ignored; !std::filesystem::exists(path, ignored))
     throw InputError(path, "", "", words::study::no_file);
   if (path.ends_with(".part")) {
-    const Journal journal(path, path, "");
+    const Journal journal(path);
     read_journal(kind, path, journal, take);
     return journal.identity();
   }
-  require_whole(kind, path);
-  const NetcdfFile file(path, NetcdfFile::Mode::read);
-  if (file.attribute("kind") != kind.name)
-    throw InputError(path, "", "", fmt::format(words::files::other_command, kind.name));
-  read_results(kind, path, file, take);
-  return file.attribute("identity");
+  return with_results(kind, path, [&](const NetcdfFile& file) {
+    if (file.attribute("kind") != kind.name)
+      throw InputError(path, "", "", fmt::format(words::files::other_command, kind.name));
+    read_results(kind, path, file, take);
+    return file.attribute("identity");
+  });
 }
 
 }  // namespace equipoise::io

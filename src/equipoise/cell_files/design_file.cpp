@@ -102,11 +102,10 @@ class DesignWriter {
 
 }  // namespace
 
-// A record that is no ensemble is ignored.
 DesignFile::DesignFile(const std::string& path, const std::string& identity, std::size_t most)
     : most_(most),
       file_(design_kind, path, identity, most, [this](std::size_t number, const std::vector<std::uint8_t>& record) {
-        if (auto kept = io::sample_from(record)) samples_[number] = std::move(*kept);
+        samples_[number] = io::sample_from(record);
       }) {}
 
 std::optional<DesignSample> DesignFile::sample(std::uint64_t number, const std::string& name) const {

@@ -5,10 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/base/bytes.hpp"
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/error.hpp"
+#include "equipoise/words/files.hpp"
 
 namespace equipoise {
 
@@ -92,12 +97,6 @@ Json number_json(double v) {
   if (std::isnan(v)) return nullptr;
   return std::isfinite(v) ? Json(v) : Json(v > 0.0 ? "inf" : "-inf");
 }
-double number_from(const Json& j) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  return j.is_number() ? j.get<double>() : j.get<std::string>() == "inf" ? infinite : -infinite;
-}
-
 class RecordOut {
  public:
   template <class T, class... More>
@@ -131,51 +130,169 @@ class RecordOut {
   Json json_ = Json::object();
 };
 
+// Why bytes are no record, and where in it.
+struct Unreadable {
+  std::string place, problem;
+};
+
+double number_from(const Json& j, const std::string& place) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (j.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (j.is_number()) return j.get<double>();
+  if (j == "inf" || j == "-inf") return j == "inf" ? infinite : -infinite;
+  throw Unreadable{place, words::files::no_number};
+}
+
+std::string inside(const std::string& place, const char* member) {
+  return place.empty() ? member : place + "." + member;
+}
+
+// Every enumeration that records hold, by its last value.
+constexpr IntervalBy last_of(IntervalBy) { return static_cast<IntervalBy>(interval_names.size() - 1); }
+
+// What a record must be besides what its types say.
+void require(const SweepOutcome& o, const std::string& place) {
+  if (!o.unbalance.empty() && o.unbalance.size() != unbalance_quantiles.size())
+    throw Unreadable{inside(place, "left_unbalance"),
+                     fmt::format(words::files::wrong_length, o.unbalance.size(), unbalance_quantiles.size())};
+}
+void require(const SweepCell& c, const std::string& place) {
+  if (c.outcomes.empty()) throw Unreadable{inside(place, "outcomes"), words::files::no_entries};
+}
+template <class T>
+void require(const T&, const std::string&) {}
+
 class RecordIn {
  public:
-  explicit RecordIn(const Json& json) : json_(json) {}
+  RecordIn(const Json& json, const std::string& place) : json_(json), place_(place) {
+    if (!json.is_object()) throw Unreadable{place, words::files::no_members};
+  }
   template <class T, class... More>
   void operator()(const char* name, T& value, More&&... more) {
-    decode(json_.at(name), value);
+    const auto member = json_.find(name);
+    const std::string place = inside(place_, name);
+    if (member == json_.end()) throw Unreadable{place, words::files::absent};
+    decode(*member, value, place);
     if constexpr (sizeof...(more) > 0) (*this)(more...);
   }
 
   template <class T>
-  static void decode(const Json& json, T& value) {
+  static void decode(const Json& json, T& value, const std::string& place) {
     if constexpr (is_shared<T>) {
       auto content = json.is_null() ? nullptr : std::make_shared<std::remove_const_t<typename T::element_type>>();
-      if (content) decode(json, *content);
+      if (content) decode(json, *content, place);
       value = std::move(content);
     } else if constexpr (bytes_detail::is_optional<T>) {
       value.reset();
-      if (!json.is_null()) decode(json, value.emplace());
+      if (!json.is_null()) decode(json, value.emplace(), place);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      if (!json.is_string()) throw Unreadable{place, words::files::no_text};
+      value = display_lines(json.get_ref<const std::string&>());
     } else if constexpr (is_list<T>) {
-      if constexpr (requires { value.resize(0); }) value.resize(json.size());
-      for (std::size_t i = 0; i < value.size(); ++i) decode(json.at(i), value[i]);
-    } else if constexpr (std::is_enum_v<T>) {
-      value = static_cast<T>(json.get<int>());
+      decode_list(json, value, place);
     } else if constexpr (std::is_same_v<T, DesignEstimate>) {
-      value = {number_from(json.at(0)), number_from(json.at(1)), number_from(json.at(2))};
-    } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+      if (!json.is_array() || json.size() != 3) throw Unreadable{place, words::files::no_number};
+      value = {number_from(json[0], place), number_from(json[1], place), number_from(json[2], place)};
+    } else if constexpr (std::is_enum_v<T>) {
+      int number = 0;
+      decode(json, number, place);
+      if (number < 0 || number > static_cast<int>(last_of(T{}))) throw Unreadable{place, out_of_range(json)};
+      value = static_cast<T>(number);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      if (!json.is_boolean()) throw Unreadable{place, words::files::no_truth};
+      value = json.get<bool>();
+    } else if constexpr (std::is_integral_v<T>) {
+      decode_integer(json, value, place);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      if (!json.is_number()) throw Unreadable{place, words::files::no_number};
       value = json.get<T>();
     } else {
-      RecordIn record(json);
+      RecordIn record(json, place);
       named_members(record, value);
+      require(value, place);
     }
   }
 
  private:
+  static std::string out_of_range(const Json& json) { return fmt::format(words::files::not_in_range, json.dump()); }
+
+  template <class T>
+  static void decode_integer(const Json& json, T& value, const std::string& place) {
+    if (!json.is_number_integer()) throw Unreadable{place, words::files::no_integer};
+    const bool fits = json.is_number_unsigned() ? std::in_range<T>(json.get<std::uint64_t>())
+                                                : std::in_range<T>(json.get<std::int64_t>());
+    if (!fits) throw Unreadable{place, out_of_range(json)};
+    value = json.get<T>();
+  }
+
+  // Lists grow with what was read: a forged length takes no memory.
+  template <class T>
+  static void decode_list(const Json& json, T& list, const std::string& place) {
+    if (!json.is_array()) throw Unreadable{place, words::files::no_list};
+    const auto at = [&](std::size_t i) { return fmt::format("{}[{}]", place, i); };
+    if constexpr (requires { list.emplace_back(); }) {
+      list.clear();
+      for (std::size_t i = 0; i < json.size(); ++i) decode(json[i], list.emplace_back(), at(i));
+    } else {
+      if (json.size() != list.size())
+        throw Unreadable{place, fmt::format(words::files::wrong_length, json.size(), list.size())};
+      for (std::size_t i = 0; i < list.size(); ++i) decode(json[i], list[i], at(i));
+    }
+  }
+
   const Json& json_;
+  const std::string place_;
 };
 
+// Whether CBOR is nested no deeper than records are: a reader that calls itself would run out of stack. Counts what
+// each open list or map still lacks; anything else that is wrong is left to the reader.
+bool is_shallow(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::size_t deepest = 16;
+  constexpr std::uint64_t open_ended = ~std::uint64_t{0};
+  std::vector<std::uint64_t> lacking;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const unsigned kind = bytes[at] >> 5, given = bytes[at] & 31;
+    ++at;
+    std::uint64_t count = given;
+    if (given >= 24 && given <= 27) {
+      const std::size_t width = std::size_t{1} << (given - 24);
+      if (bytes.size() - at < width) return true;
+      count = 0;
+      for (std::size_t k = 0; k < width; ++k) count = count << 8 | bytes[at++];
+    }
+    const bool ends = kind == 7 && given == 31;
+    if (ends && (lacking.empty() || lacking.back() != open_ended)) return true;
+    if (ends) lacking.pop_back();
+    if ((kind == 2 || kind == 3) && given != 31) {
+      if (count > bytes.size() - at) return true;
+      at += count;
+    }
+    if (kind >= 2 && kind <= 5 && (given == 31 || (kind >= 4 && count > 0))) {
+      const std::uint64_t entries = given == 31               ? open_ended
+                                    : kind == 4               ? count
+                                    : count <= open_ended / 4 ? 2 * count
+                                                              : open_ended - 1;
+      lacking.push_back(entries);
+      if (lacking.size() > deepest) return false;
+      continue;
+    }
+    if (kind == 6) continue;  // a tag: what it marks follows
+    while (!lacking.empty() && lacking.back() != open_ended && --lacking.back() == 0) lacking.pop_back();
+  }
+  return true;
+}
+
 template <class T>
-std::optional<T> record_from(const std::vector<std::uint8_t>& bytes) {
+T record_from(const std::vector<std::uint8_t>& bytes) {
+  if (!is_shallow(bytes)) throw RunError(words::files::too_deep);
   try {
     T value;
-    RecordIn::decode(Json::from_cbor(bytes), value);
+    RecordIn::decode(Json::from_cbor(bytes), value, "");
     return value;
   } catch (const Json::exception&) {
-    return std::nullopt;
+    throw RunError(words::files::no_record);
+  } catch (const Unreadable& why) {
+    throw RunError(why.place.empty() ? why.problem : why.place + " " + why.problem);
   }
 }
 
@@ -189,11 +306,11 @@ std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials) {
 }
 std::vector<std::uint8_t> bytes_of(const KeptSample& sample) { return Json::to_cbor(RecordOut::encode(sample)); }
 
-std::optional<SweepCell> cell_from(const std::vector<std::uint8_t>& bytes) { return record_from<SweepCell>(bytes); }
-std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes) {
+SweepCell cell_from(const std::vector<std::uint8_t>& bytes) { return record_from<SweepCell>(bytes); }
+std::vector<CapacityTrial> trials_from(const std::vector<std::uint8_t>& bytes) {
   return record_from<std::vector<CapacityTrial>>(bytes);
 }
-std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& bytes) { return record_from<KeptSample>(bytes); }
+KeptSample sample_from(const std::vector<std::uint8_t>& bytes) { return record_from<KeptSample>(bytes); }
 
 }  // namespace io
 }  // namespace equipoise

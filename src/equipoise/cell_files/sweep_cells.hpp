@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +24,10 @@ std::vector<std::uint8_t> bytes_of(const SweepCell& cell);
 std::vector<std::uint8_t> bytes_of(const std::vector<CapacityTrial>& trials);  ///< of one cell, some or all
 std::vector<std::uint8_t> bytes_of(const KeptSample& sample);
 
-/// Empty if the bytes are no such record.
-std::optional<SweepCell> cell_from(const std::vector<std::uint8_t>& bytes);
-std::optional<std::vector<CapacityTrial>> trials_from(const std::vector<std::uint8_t>& bytes);
-std::optional<KeptSample> sample_from(const std::vector<std::uint8_t>& bytes);
+/// Throws RunError with the place in the record if the bytes are no such record: types, lengths and ranges are checked.
+SweepCell cell_from(const std::vector<std::uint8_t>& bytes);
+std::vector<CapacityTrial> trials_from(const std::vector<std::uint8_t>& bytes);
+KeptSample sample_from(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace io
 }  // namespace equipoise

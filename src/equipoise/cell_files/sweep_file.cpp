@@ -16,11 +16,10 @@ namespace {
 constexpr io::CellFileKind sweep_kind{"sweep", io::Journal::Kind::cell};
 
 // The last record of a cell counts.
-io::CellFile::Take taken_into(SweepCells& cells) {
+template <class Cells>
+io::CellFile::Take taken_into(Cells& cells) {
   return [&cells](std::size_t index, const std::vector<std::uint8_t>& record) {
-    if (cells.size() <= index) cells.resize(index + 1);
-    std::optional<SweepCell> cell = io::cell_from(record);
-    cells[index] = cell ? std::make_shared<SweepCell>(std::move(*cell)) : nullptr;
+    cells[index] = std::make_shared<SweepCell>(io::cell_from(record));
   };
 }
 

@@ -1,6 +1,8 @@
 // The file of a sweep: cells are kept as they come, results are written whole at the end.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -18,7 +20,7 @@ void write_sweep_file(const std::string& path, const SweepResult& result);
 /// Identity and content of a sweep's results or its unfinished part. Throws InputError for other or damaged files.
 struct StoredSweep {
   std::string identity;
-  SweepCells cells;
+  std::map<std::size_t, std::shared_ptr<SweepCell>> cells;  ///< by index, which may be any number
 };
 StoredSweep read_sweep(const std::string& path);
 

@@ -103,12 +103,11 @@ CellRecord DesignEnsembles::known(std::size_t number) const {
 
 void DesignEnsembles::deliver(std::size_t number, const CellRecord& made) {
   auto kept = io::sample_from(made);
-  if (!kept) throw RunError(words::design::no_ensemble_in_message);
   const std::lock_guard guard(taking_);
   const std::size_t k = number - asked_;
   if (k >= batch_.size() || answers_[k]) return;
-  if (file_) file_->append(number, name_of_sample(batch_[k]), kept->sample);
-  answers_[k] = std::move(kept->sample);
+  if (file_) file_->append(number, name_of_sample(batch_[k]), kept.sample);
+  answers_[k] = std::move(kept.sample);
   some_known_ = true;
   answered_.notify_all();
 }

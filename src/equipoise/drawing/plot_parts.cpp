@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/plural.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/words/plots.hpp"
@@ -31,9 +32,10 @@ const char* colour_of(int code) {
   return colours[static_cast<std::size_t>(code - 1) % colours.size()];
 }
 
+// On one line: what follows a line break would be a command.
 std::string quoted(const std::string& text) {
   std::string result = "'";  // gnuplot does not interpret single-quoted text; quotes inside are doubled
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : display_text(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
 }
 

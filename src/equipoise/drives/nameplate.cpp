@@ -25,8 +25,10 @@ double nameplate_torque(const Nameplate& motor, double speed) {
     return 2.0 * motor.breakdown_ratio * motor.rated_torque * at * top / (at * at + top * top);
   };
   if (!motor.locked_rotor_ratio || s <= top || top >= 1.0) return kloss(s);
-  const double at_rest = *motor.locked_rotor_ratio * motor.rated_torque / kloss(1.0);
-  return kloss(s) * (1.0 + (at_rest - 1.0) * (s - top) / (1.0 - top));
+  // Kloss's torque lies (s - top)^2/(s^2 + top^2) of the breakdown torque below it. So a square keeps the sum below it,
+  // too.
+  const double way = (s - top) / (1.0 - top);
+  return kloss(s) + (*motor.locked_rotor_ratio * motor.rated_torque - kloss(1.0)) * way * way;
 }
 
 CurvePoints nameplate_curve(const Nameplate& motor) {

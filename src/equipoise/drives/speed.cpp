@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "equipoise/base/typed_numbers.hpp"
+
 namespace equipoise::model {
 
 namespace {
@@ -125,10 +127,10 @@ double SpeedProfile::ramp_function(double t) const {
 }
 
 std::optional<double> SpeedProfile::first_time_at(double speed) const {
-  if (speeds.front() == speed) return times.front();
+  if (same_quantity(speeds.front(), speed)) return times.front();
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double from = speeds[i - 1], to = speeds[i];
-    if (speed == to) return times[i];
+    if (same_quantity(speed, to)) return times[i];
     if (hill && i == 1 && from < speed / hill->limit && speed / hill->limit < to / hill->limit)
       return hill->half_time * std::pow(speed / (hill->limit - speed), 1.0 / hill->exponent);
     if ((from < speed && speed < to) || (to < speed && speed < from))

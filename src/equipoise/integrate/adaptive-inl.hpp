@@ -42,7 +42,7 @@ ErrorScale<dimension> error_scale(const model::Parameters& p, double tolerance, 
   ErrorScale<dimension> scale{.tolerance = tolerance};
   for (int i = 0; i < model::dimension(p.balls); ++i) {
     const bool rotor = i < 4, angle = !rotor && i < 4 + p.balls;
-    scale.floor[stride * i] = rotor ? smallest_share * p.all_unbalances() : angle ? 1.0 : smallest_share;
+    scale.floor[stride * i] = rotor ? smallest_share * p.motion_scale() : angle ? 1.0 : smallest_share;
     scale.absolute[stride * i] = scale.angle[stride * i] = angle;
   }
   return scale;

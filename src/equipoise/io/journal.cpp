@@ -11,6 +11,7 @@
 #include "equipoise/io/checksum.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/words/files.hpp"
+#include "equipoise/words/study.hpp"
 
 namespace equipoise::io {
 
@@ -62,8 +63,18 @@ Journal::Journal(const std::string& path, const std::string& output, const std::
   spoilt_ = size > end_;
 }
 
+Journal::Journal(const std::string& path) : path_(path), only_reads_(true) {
+  const int error = file_.open(path, DiskFile::Open::read);
+  const auto there = file_.size();
+  if (error != 0 || !there)
+    throw InputError(path, "", "", fmt::format(words::study::file_unreadable, error_text(error)));
+  read_header("", *there);
+  if (end_ > 0) read_records(*there);
+}
+
 Journal::~Journal() {
-  if (file_.is_open() && records_.empty()) (void)remove_file(path_);
+  const bool damaged = end_ > 0 && spoilt_;
+  if (!only_reads_ && file_.is_open() && records_.empty() && !damaged) (void)remove_file(path_);
 }
 
 // The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened anew.
@@ -127,6 +138,18 @@ void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes
     throw RunError(path_ + ": cannot be read");
 }
 
+void Journal::require_sound() const {
+  RecordHeader header;
+  for (const Record& record : records_) {
+    Checksum sum;
+    const bool read = file_.read_at(record.payload - sizeof header, &header, sizeof header);
+    sum.add(&header, summed);
+    if (!read || header.mark != record_mark || header.bytes != record.bytes ||
+        !add_to(sum, file_, record.payload, record.bytes) || sum.value() != header.checksum)
+      throw RunError(fmt::format(words::files::changed_by_another, path_));
+  }
+}
+
 void Journal::append(Record record, const void* payload, std::size_t bytes) {
   const std::lock_guard lock(appending_);
   RecordHeader header;
@@ -154,6 +177,7 @@ void Journal::append(Record record, const void* payload, std::size_t bytes) {
 
 // A partial write is undone.
 void Journal::write(const std::vector<char>& bytes) {
+  if (file_.size().value_or(end_) < end_) throw RunError(fmt::format(words::files::changed_by_another, path_));
   int error = spoilt_ ? file_.cut(end_) : 0;
   if (error == 0) error = file_.write_at(end_, bytes.data(), bytes.size());
   spoilt_ = false;

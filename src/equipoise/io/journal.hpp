@@ -39,7 +39,10 @@ class Journal {
   /// Opens or creates `path` for results of `output`. `identity`: of the results in a new journal. Throws InputError if
   /// the file cannot be written, is used by another process, or is no journal.
   Journal(const std::string& path, const std::string& output, const std::string& identity);
-  /// Keeps the file, unless it has no records.
+  /// Only reads: the file stays as it is, whatever is in it, and another process may go on writing. Throws InputError
+  /// if it cannot be read or is no journal.
+  explicit Journal(const std::string& path);
+  /// Keeps the file, unless there is nothing in it but its header or the process only reads.
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -52,6 +55,10 @@ class Journal {
   std::uint64_t whole_bytes() const { return end_; }
   /// Reads part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
+
+  /// Throws RunError unless all records are on disk as they were written: another program may have cut or changed the
+  /// file.
+  void require_sound() const;
 
   /// Appends a record, first cutting off any damage. The record survives a kill at once, and is on disk within about a
   /// second of work. Throws RunError if the disk is full, and keeps the earlier records. Thread-safe.
@@ -73,6 +80,7 @@ class Journal {
   DiskFile file_;
   std::uint64_t end_ = 0;  ///< after the last whole record
   bool spoilt_ = false;    ///< invalid bytes follow
+  bool only_reads_ = false;
   std::vector<Record> records_;
   std::mutex appending_;
   std::chrono::steady_clock::time_point synced_;

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/io/sealed_file.hpp"
@@ -34,12 +37,17 @@ void NetcdfFile::check(int status, const std::string& what) const {
 
 NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& name)
     : name_(name.empty() ? path : name), defining_(mode != Mode::read) {
-  if (mode == Mode::read)
-    check(call(nc_open, path.c_str(), NC_NOWRITE, &id_), "cannot be read");
-  else
+  if (mode == Mode::read) {
+    // The library would take "http://..." and "s3:..." for places in the network.
+    std::error_code error;
+    bytes_ = std::filesystem::file_size(path, error);
+    if (error) throw RunError(name_ + ": cannot be read");
+    check(call(nc_open, std::filesystem::absolute(path).c_str(), NC_NOWRITE, &id_), "cannot be read");
+  } else {
     check(call(nc_create, path.c_str(), NC_CLOBBER | (mode == Mode::create_large ? NC_64BIT_DATA : NC_64BIT_OFFSET),
                &id_),
           "cannot be written");
+  }
 }
 
 // nc_abort() frees the descriptor of a file that cannot be closed. For a file with unwritten definitions nc_close()
@@ -61,6 +69,9 @@ std::size_t NetcdfFile::length(const std::string& dimension) const {
   if (status == NC_EBADDIM) return 0;
   check(status, "dimension " + dimension);
   check(call(nc_inq_dimlen, id_, id, &length), "dimension " + dimension);
+  // Whatever has this length takes a byte each at least. A forged one would take all memory.
+  if (!defining_ && bytes_ > 0 && length > bytes_)
+    throw RunError(fmt::format(words::files::longer_than_file, name_, dimension));
   return length;
 }
 
@@ -147,7 +158,7 @@ std::string NetcdfFile::attribute(const std::string& name) const {
   if (call(nc_inq_att, id_, NC_GLOBAL, name.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return {};
   std::string text(length, '\0');
   check(call(nc_get_att_text, id_, NC_GLOBAL, name.c_str(), text.data()), "attribute " + name);
-  return text;
+  return display_lines(text);
 }
 
 void NetcdfFile::end_definitions() {
@@ -185,9 +196,10 @@ std::string NetcdfFile::read_text(const std::string& name, std::size_t index) co
   check(call(nc_inq_vardimid, id_, variable, ids), "variable " + name);
   if (dimensions != 2) throw RunError(name_ + ": variable " + name + " holds no texts");
   check(call(nc_inq_dimlen, id_, ids[1], &width), "variable " + name);
+  if (width > bytes_) throw RunError(fmt::format(words::files::longer_than_file, name_, name));
   std::string text(width, '\0');
   read(variable, {index, 0}, {1, width}, text.data());
-  return text.substr(0, text.find('\0'));
+  return display_text(text.substr(0, text.find('\0')));
 }
 
 void NetcdfFile::close() {

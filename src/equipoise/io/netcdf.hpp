@@ -27,7 +27,8 @@ class NetcdfFile {
 
   /// Length 0: an unlimited dimension; a file has at most one.
   int dimension(const std::string& name, std::size_t length);
-  std::size_t length(const std::string& dimension) const;  ///< 0 if it is absent
+  /// 0 if it is absent. Throws RunError if the file that is read has fewer bytes.
+  std::size_t length(const std::string& dimension) const;
   /// Every variable carries its units and a long_name.
   int variable(const std::string& name, int type, const std::vector<int>& dimensions, const std::string& units,
                const std::string& long_name);
@@ -46,13 +47,15 @@ class NetcdfFile {
   void attribute(int variable, const std::string& name, const std::string& text);
   void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
   void attribute(int variable, const std::string& name, const std::vector<short>& values);
-  std::string attribute(const std::string& name) const;  ///< global text attribute; empty if absent
+  /// Global text attribute, as display_lines() leaves it; empty if absent.
+  std::string attribute(const std::string& name) const;
   void end_definitions();
   void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
              const void* data);
   void write_texts(int variable, const std::vector<std::string>& texts);
   void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
             void* data) const;
+  /// As display_text() leaves it.
   std::string read_text(const std::string& variable, std::size_t index) const;
   /// Writes everything out to the system.
   void close();
@@ -61,6 +64,7 @@ class NetcdfFile {
 
  private:
   std::string name_;
+  std::uintmax_t bytes_ = 0;  ///< of a file that is read
   bool defining_ = true;
   int id_ = -1;
 };

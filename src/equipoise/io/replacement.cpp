@@ -23,7 +23,17 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-std::string own_ending() { return fmt::format(".new-{}", process_number()); }
+// Creates a file beside `path` under a name that nothing has yet: whatever is there belongs to others.
+std::string create_beside(const std::string& path, const std::string& ending, DiskFile& file, int& error) {
+  constexpr int most = 1000;
+  std::string name;
+  for (int k = 1; k <= most; ++k) {
+    name = fmt::format("{}.new-{}-{}{}", path, process_number(), k, ending);
+    error = file.open(name, DiskFile::Open::create);
+    if (error != EEXIST) break;
+  }
+  return name;
+}
 
 // Such as /dev/stdout, which must be written to, not replaced.
 bool names_open_file(const std::string& path) {
@@ -55,9 +65,10 @@ std::string why_not_writable(const std::string& path) {
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
   if (!fs::exists(folder, error)) return fmt::format(words::files::no_such_folder, folder_of(path));
   if (!fs::is_directory(folder, error)) return fmt::format(words::files::is_no_folder, folder_of(path));
-  const std::string trial = target + own_ending();
   DiskFile file;
-  if (const int refused = file.open(trial, DiskFile::Open::update)) return error_text(refused);
+  int refused = 0;
+  const std::string trial = create_beside(target, "", file, refused);
+  if (refused) return error_text(refused);
   (void)remove_file(trial);
   return {};
 }
@@ -71,11 +82,17 @@ int to_disk(const std::string& path) {
 Replacement::Replacement(const std::string& path, const std::string& ending) : path_(resolved(path)) {
   const Existing old = existing(path_);
   beside_ = (!old.there || old.regular) && !names_open_file(path_);
-  file_ = !beside_ ? path_ : path_ + (ending.empty() ? own_ending() : ending);
-  if (!beside_) return;
-  (void)remove_file(file_);  // left by a process that was killed
+  if (!beside_) {
+    file_ = path_;
+    return;
+  }
   DiskFile file;
-  if (const int error = file.open(file_, DiskFile::Open::create)) fail(path_, error);
+  int error = 0;
+  file_ = create_beside(path_, ending, file, error);
+  if (error) {
+    beside_ = false;  // nothing to remove
+    fail(path_, error);
+  }
   if (old.there) (void)file.set_permissions(old.permissions);  // those of the old file, where possible
 }
 

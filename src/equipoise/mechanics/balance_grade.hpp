@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "equipoise/base/typed_numbers.hpp"
+
 namespace equipoise::model {
 
 /// The standard's grades G in mm/s, each about 2.5 times the one before.
@@ -20,7 +22,7 @@ inline double balance_grade(double eccentricity_m, double speed_rad_s) {
 /// The best standard grade that `grade_mm_s` does not exceed; empty above G 4000.
 inline std::optional<double> standard_grade_met(double grade_mm_s) {
   for (const double g : standard_balance_grades)
-    if (grade_mm_s <= g) return g;
+    if (at_most(grade_mm_s, g)) return g;
   return std::nullopt;
 }
 

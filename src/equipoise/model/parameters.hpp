@@ -72,6 +72,8 @@ struct Parameters {
     const double sum = eccentricity + total_mass();
     return tilts() ? sum + std::fabs(tilt.couple()) : sum;
   }
+  /// What a small motion of the rotor is measured by: its unbalances, or the unit of length if it has none.
+  double motion_scale() const { return all_unbalances() > 0.0 ? all_unbalances() : 1.0; }
   bool tilts() const { return tilt.transverse_inertia > 0.0; }
   /// Inertia of a ball along the race over its mass; a rolling ball adds its spin's.
   double inertia_along_race() const { return rolls ? 1.0 + sphere_inertia.value() : 1.0; }

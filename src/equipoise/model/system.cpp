@@ -60,14 +60,14 @@ Eigen::VectorXd System::with_angles_reduced(Eigen::VectorXd y) const {
 
 Eigen::VectorXd state_scale(const Parameters& p) {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension(p.balls));
-  result.head(4).setConstant(p.all_unbalances());
+  result.head(4).setConstant(p.motion_scale());
   return result;
 }
 
 Eigen::VectorXd System::scale() const {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(dimension());
   result.head(model::dimension(p_.balls)) = state_scale(p_);
-  if (layout_.tilt >= 0) result.segment(layout_.tilt, 4).setConstant(p_.all_unbalances());
+  if (layout_.tilt >= 0) result.segment(layout_.tilt, 4).setConstant(p_.motion_scale());
   return result;
 }
 

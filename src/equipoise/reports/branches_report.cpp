@@ -131,8 +131,8 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   std::string text = lines_filled(study_heading(r.study), style);
   const std::string label = parameter_label(r.key);
   const std::string key = label == r.key ? r.key : fmt::format("{} ({})", r.key, label);
-  text += lines_filled(
-      fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
+  text +=
+      lines_filled(fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
   const bool physical = r.study.scales.has_value();
   DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
   for (const Branch& b : r.branches)
@@ -152,8 +152,8 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   if (events.empty()) text += "  none\n";
   std::string notes = fmt::format(words::reports::range_may_go_on, r.values.front(), r.values.back(), r.starts);
   if (r.partial) notes += words::reports::partial_branches;
-  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, plural(r.threads),
-                       r.cpu_target, version_string);
+  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, plural(r.threads), r.cpu_target,
+                       version_string);
   return text + lines_filled(notes, style);
 }
 
@@ -207,7 +207,8 @@ std::string branches_csv(const BranchesResult& r) {
       const auto at = std::find_if(b.points.begin(), b.points.end(), [&](const BranchPoint& p) { return p.at == k; });
       if (at == b.points.end()) continue;
       const Motion& m = at->motion;
-      text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), b.alias, name_of(m.kind), m.stable);
+      text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), csv_text(b.alias), name_of(m.kind),
+                          m.stable);
       for (const MotionNumber& f : motion_numbers) text += "," + csv_number(f.value(m));
       for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
       if (m.motor)

@@ -218,7 +218,8 @@ std::string sweep_text(const SweepResult& r, const TextStyle& style) {
     if (cell) ++done, starts += cell->starts;
   if (done < r.cells.size()) notes += fmt::format(words::reports::partial_sweep, done, r.cells.size());
   notes += fmt::format(words::reports::sweep_made_with, done, plural(done), starts, r.study.sampling.seed);
-  if (r.resumed_cells > 0) notes += fmt::format(words::reports::cells_from_earlier, r.resumed_cells, plural(r.resumed_cells));
+  if (r.resumed_cells > 0)
+    notes += fmt::format(words::reports::cells_from_earlier, r.resumed_cells, plural(r.resumed_cells));
   if (r.seconds > 0.0) notes += "; " + computed_text(r);
   return text + lines_filled(notes + fmt::format("; equipoise {}\n", version_string), style);
 }
@@ -251,8 +252,8 @@ std::string sweep_csv(const SweepResult& r) {
     const std::string at = csv_values(r.axes, index);
     const auto line = [&](const OutcomeShare& o, const std::string& motion) {
       const Share& s = o.share;
-      text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name), o.alias, o.kind,
-                          s.count, s.share, s.low, s.high, motion);
+      text += fmt::format("{}{},{},{},{},{},{},{},{},{}{}\n", at, cell.starts, o.id, csv_text(o.name),
+                          csv_text(o.alias), csv_text(o.kind), s.count, s.share, s.low, s.high, motion);
     };
     for (const SweepOutcome& o : cell.outcomes) {
       std::string motion;

@@ -334,6 +334,7 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
   contents.without_balls = without_balls;
   contents.time = {s.time.seconds + time.seconds, s.time.cpu_seconds + time.cpu_seconds};
   try {
+    s.journal->require_sound();
     io::write_basin_netcdf(s.path, contents);
   } catch (const RunError& e) {
     throw RunError(fmt::format(words::files::starts_are_kept_in_part, e.what(), s.stored, s.path));

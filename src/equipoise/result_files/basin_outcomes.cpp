@@ -49,6 +49,9 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
     file.read(codes, {k}, {1}, &code);
     result.names[code] = {file.read_text("kind_name", k), file.read_text("kind_alias", k)};
   }
+  for (std::size_t i = 0; i < starts; ++i)
+    if (!result.names.contains(result.outcome[i]))
+      throw InputError(path, "", "", fmt::format(words::files::outcome_without_name, i, result.outcome[i]));
   return result;
 }
 

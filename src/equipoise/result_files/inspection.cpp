@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/io/journal.hpp"
 #include "equipoise/io/netcdf.hpp"
@@ -85,8 +86,8 @@ void read_results_file(Inspection& i) {
 }
 
 void read_unfinished(Inspection& i) {
-  const io::Journal journal(i.path, i.path, "");
-  const io::IdentityLines identity(journal.identity());
+  const io::Journal journal(i.path);
+  const io::IdentityLines identity(display_lines(journal.identity()));
   i.kind = "unfinished results";
   i.complete = false;
   i.version = identity.value("version");

@@ -176,26 +176,26 @@ void SliceWriter::finish(const std::vector<OutcomeShare>& codes) {
   place_.commit();
 }
 
-SliceReader::SliceReader(const std::string& path) : file_(whole_map_file(path), NetcdfFile::Mode::read) {
-  try {
-    x_ = read_axis("x");
-    y_ = read_axis("y");
-    const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
-    outcome_ = file_.variable("outcome", NC_SHORT, plane);
-    if (!file_.attribute("refine").starts_with("no")) computed_ = file_.variable("computed", NC_BYTE, plane);
-    one_rotor_ = file_.dimensions("balance_margin") == 0;
-    visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*) {
-      numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
-    });
-  } catch (const RunError&) {
-    throw InputError(path, "", "", fmt::format(words::files::no_map, words::files::map_file));
-  }
+SliceReader::SliceReader(const std::string& path) try : file_(whole_map_file(path), NetcdfFile::Mode::read) {
+  x_ = read_axis("x");
+  y_ = read_axis("y");
+  const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
+  outcome_ = file_.variable("outcome", NC_SHORT, plane);
+  if (!file_.attribute("refine").starts_with("no")) computed_ = file_.variable("computed", NC_BYTE, plane);
+  one_rotor_ = file_.dimensions("balance_margin") == 0;
+  visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*) {
+    numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
+  });
+} catch (const RunError&) {
+  throw InputError(path, "", "", fmt::format(words::files::no_map, words::files::map_file));
 }
 
 SliceAxis SliceReader::read_axis(const std::string& letter) const {
   SliceAxis axis;
   axis.key = file_.attribute(letter + "_key");
-  axis.pixels = static_cast<int>(file_.length(letter));
+  const std::size_t pixels = file_.length(letter);
+  if (pixels == 0 || pixels > most_slice_pixels) throw RunError(letter + " is no axis");
+  axis.pixels = static_cast<int>(pixels);
   const std::string range = file_.attribute(letter + "_range");
   const char* const end = range.data() + range.size();
   const auto low = read_number(range.data(), end, axis.low);
@@ -216,11 +216,13 @@ std::vector<OutcomeShare> SliceReader::codes() const {
   return codes;
 }
 
-std::vector<std::vector<double>> SliceReader::discoveries() const {
-  std::vector<std::vector<double>> states(file_.length("discovery"), std::vector<double>(file_.length("component")));
-  if (states.empty()) return states;
-  const int variable = file_.variable("discovery_state", NC_DOUBLE, {states.size(), states.front().size()});
-  for (std::size_t k = 0; k < states.size(); ++k) file_.read(variable, {k, 0}, {1, states[k].size()}, states[k].data());
+std::vector<std::vector<double>> SliceReader::discoveries(std::size_t components) const {
+  std::vector<std::vector<double>> states;
+  const std::size_t count = file_.length("discovery");
+  if (count == 0) return states;
+  const int variable = file_.variable("discovery_state", NC_DOUBLE, {count, components});
+  states.assign(count, std::vector<double>(components));
+  for (std::size_t k = 0; k < count; ++k) file_.read(variable, {k, 0}, {1, components}, states[k].data());
   return states;
 }
 

@@ -20,7 +20,8 @@ struct SliceFileHeader {
   int block = 0;           ///< BasinSlice::block
   std::string arithmetic;  ///< BasinFileHeader::arithmetic
   bool one_rotor = true;
-  SlicePixel rotor{};  ///< for one rotor: its numbers
+  SlicePixel rotor{};          ///< for one rotor: its numbers
+  std::size_t components = 0;  ///< of a state
 };
 
 /// Everything that determines a pixel except its place, and the same with the places; one key per line, as in a study.
@@ -71,7 +72,8 @@ class SliceReader {
   const SliceAxis& y() const { return y_; }
   /// Attractors only.
   std::vector<OutcomeShare> codes() const;
-  std::vector<std::vector<double>> discoveries() const;
+  /// Throws RunError unless each has so many components.
+  std::vector<std::vector<double>> discoveries(std::size_t components) const;
   void read_rows(int first, int rows, SlicePixel* pixels) const;
 
  private:

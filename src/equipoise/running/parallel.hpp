@@ -1,6 +1,7 @@
 // Parallel work: the only interface to threads for the library's rooms.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -8,8 +9,12 @@ namespace equipoise {
 
 /// Cores available for work; 1 in a build without threads.
 int core_count();
-/// The number asked for; all cores for 0.
-inline int thread_count(int asked) { return asked > 0 ? asked : core_count(); }
+/// The number asked for, but no more than can be of use; all cores for 0. A system that cannot make a thread ends the
+/// process.
+inline int thread_count(int asked) {
+  constexpr int often_enough = 16, per_core = 4;
+  return asked > 0 ? std::min(asked, std::max(often_enough, per_core * core_count())) : core_count();
+}
 
 /// Calls body(i) once for every i in [0, count), on at most `threads` threads in no particular order, and returns when
 /// all are done. An exception in a body ends the work and leaves this call. Calls may be nested.

@@ -1,4 +1,5 @@
 // Threads by oneTBB.
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -48,7 +49,9 @@ class IdleArenas {
 
 int core_count() { return tbb::info::default_concurrency(); }
 
-void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& body) {
+void in_parallel(int asked, std::size_t count, const std::function<void(std::size_t)>& body) {
+  const int threads =
+      static_cast<int>(std::clamp<std::size_t>(count, 1, static_cast<std::size_t>(thread_count(asked))));
   Arena arena = IdleArenas::all().take(threads);  // an exception abandons it
   arena->execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
   IdleArenas::all().give_back(threads, std::move(arena));

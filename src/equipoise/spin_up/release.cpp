@@ -22,7 +22,7 @@ kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
   kernels::ErrorScale<Flow::dimension> scale;
   scale.tolerance = tolerance;
   scale.floor.fill(1.0);
-  for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().all_unbalances();
+  for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().motion_scale();
   scale.angle.fill(true);  // lanes detect divergence
   scale.absolute.fill(true);
   return scale;

@@ -7,6 +7,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/nearest_name.hpp"
+#include "equipoise/base/typed_numbers.hpp"
 #include "equipoise/datasheet/ball_drag.hpp"
 #include "equipoise/datasheet/materials.hpp"
 #include "equipoise/datasheet/oils.hpp"
@@ -192,7 +193,7 @@ class BalancerReader {
     const auto channel = reader_.optional_quantity("channel_diameter");
     std::vector<double> drag_torque;
     for (const double d : diameter_) {
-      if (channel && !(d <= model::widest_ball_in_channel * *channel))
+      if (channel && !at_most(d, model::widest_ball_in_channel * *channel))
         reader_.fail("channel_diameter",
                      fmt::format(words::machine::channel_too_narrow, 1000.0 * d / model::widest_ball_in_channel,
                                  model::widest_ball_in_channel));

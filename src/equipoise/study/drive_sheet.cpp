@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/base/typed_numbers.hpp"
 #include "equipoise/drives/nameplate.hpp"
 #include "equipoise/study/quantity_reader.hpp"
 #include "equipoise/words/machine.hpp"
@@ -87,6 +88,8 @@ void put_nameplate(Document& document) {
   else
     reader.fail("breakdown_ratio", words::machine::breakdown_ratio_missing);
   motor.locked_rotor_ratio = plain("locked_rotor_ratio");
+  if (motor.locked_rotor_ratio && !at_most(*motor.locked_rotor_ratio, motor.breakdown_ratio))
+    reader.fail("locked_rotor_ratio", fmt::format(words::machine::above_breakdown, motor.breakdown_ratio));
   const double top = model::breakdown_slip(motor);
   if (motor.locked_rotor_ratio && top >= 1.0)
     reader.fail("locked_rotor_ratio", words::machine::no_such_locked_rotor_ratio);

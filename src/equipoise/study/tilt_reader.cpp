@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/base/typed_numbers.hpp"
 #include "equipoise/mechanics/tolerance_planes.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/words/study.hpp"
@@ -37,19 +38,22 @@ void check_supports(const TableReader& table, const model::Parameters& p) {
 
 // Where stiffness and damping of each bearing are stated, they are those of the supports.
 void check_bearings(TableReader& table, const Study& study) {
-  const std::vector<double>*const lists[] = {&study.bearings_stiffness, &study.bearings_damping};
+  const std::vector<double>* const lists[] = {&study.bearings_stiffness, &study.bearings_damping};
   constexpr const char* keys[] = {"bearings_stiffness", "bearings_damping"};
   const std::size_t count = study.bearings.size();
   for (const std::size_t k : {0, 1}) {
     if (lists[k]->empty() && lists[1 - k]->empty()) continue;
-    if (count > model::most_bearings) table.fail("bearings_at", fmt::format(words::study::most_bearings, model::most_bearings));
+    if (count > model::most_bearings)
+      table.fail("bearings_at", fmt::format(words::study::most_bearings, model::most_bearings));
     if (lists[k]->size() != count && lists[k]->size() != 2 * count)
       table.fail(keys[k], fmt::format(words::study::one_or_two_a_bearing, count, 2 * count));
   }
   if (study.bearings_stiffness.empty()) return;
   const std::vector<model::Bearing> each = study.each_bearing();
-  if (!model::make_stiffness(each, study.parameters)) table.fail(keys[0], fmt::format(words::study::not_the_supports, "stiffness"));
-  if (!model::make_damping(each, study.parameters)) table.fail(keys[1], fmt::format(words::study::not_the_supports, "damping"));
+  if (!model::make_stiffness(each, study.parameters))
+    table.fail(keys[0], fmt::format(words::study::not_the_supports, "stiffness"));
+  if (!model::make_damping(each, study.parameters))
+    table.fail(keys[1], fmt::format(words::study::not_the_supports, "damping"));
 }
 
 }  // namespace
@@ -64,7 +68,8 @@ void read_tilt(const Document& document, Study& study) {
   TableReader table(document, "rotor.tilt");
   read_keys(table, "rotor.tilt", all_variants, study);
   table.finish();
-  if (p.tilt.polar_inertia > 2.0 * p.tilt.transverse_inertia) table.fail("polar_inertia", words::study::no_such_body);
+  if (!at_most(p.tilt.polar_inertia, 2.0 * p.tilt.transverse_inertia))
+    table.fail("polar_inertia", words::study::no_such_body);
   check_supports(table, p);
   check_bearings(table, study);
   if (!rotor.has("inertia")) p.inertia = model::axial_inertia(p.tilt);

@@ -256,11 +256,10 @@ class CapacityRun final : public SurveyRun {
 
   void deliver(std::size_t cell, const CellRecord& made) override {
     const auto trials = io::trials_from(made);
-    if (!trials) throw RunError(words::sweeps::no_trials);
     const std::lock_guard guard(taking_);
-    result_.trials += trials->size();
+    result_.trials += trials.size();
     if (file_) file_->append(cell, made);
-    known_[cell].insert(known_[cell].end(), trials->begin(), trials->end());
+    known_[cell].insert(known_[cell].end(), trials.begin(), trials.end());
     find(cell);
   }
 
@@ -359,8 +358,7 @@ Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std:
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {
   return {[&](std::size_t cell, const BlockWorkers& workers) {
             std::vector<CapacityTrial> known;
-            if (const CellRecord kept = workers.known(cell); !kept.empty())
-              known = io::trials_from(kept).value_or(std::vector<CapacityTrial>{});
+            if (const CellRecord kept = workers.known(cell); !kept.empty()) known = io::trials_from(kept);
             return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
           },
           sweep_survey(plan).helper_for};

@@ -40,13 +40,20 @@ SweepResult asked_for(const std::string& identity, const std::string& path) {
   return result;
 }
 
+void require_cell(const SweepResult& sweep, std::size_t cell, const std::string& path) {
+  if (cell >= sweep.cells.size())
+    throw InputError(path, "", "", fmt::format(words::sweeps::cell_beyond, cell, sweep.cells.size()));
+}
+
 }  // namespace
 
 SweepResult stored_sweep(const std::string& path) {
-  StoredSweep stored = read_sweep(path);
+  const StoredSweep stored = read_sweep(path);
   SweepResult result = asked_for(stored.identity, path);
-  stored.cells.resize(result.cells.size());
-  result.cells = std::move(stored.cells);
+  for (const auto& [k, cell] : stored.cells) {
+    require_cell(result, k, path);
+    result.cells[k] = cell;
+  }
   for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
   label_attractors(result.axes, result.cells);
   return result;
@@ -61,10 +68,11 @@ SweepResult merge_sweeps(const std::vector<std::string>& files, const std::strin
     const StoredSweep part = read_sweep(path);
     if (const std::string how = io::difference(part.identity, identity); !how.empty())
       throw InputError(path, "", "", fmt::format(words::sweeps::another_sweep, files.front(), how));
-    for (std::size_t k = 0; k < part.cells.size() && k < result.cells.size(); ++k) {
-      if (!part.cells[k] || result.cells[k]) continue;
-      into->append(k, io::bytes_of(*part.cells[k]));
-      result.cells[k] = part.cells[k];
+    for (const auto& [k, cell] : part.cells) {
+      require_cell(result, k, path);
+      if (result.cells[k]) continue;
+      into->append(k, io::bytes_of(*cell));
+      result.cells[k] = cell;
     }
   }
   label_attractors(result.axes, result.cells);

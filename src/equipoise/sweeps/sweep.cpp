@@ -62,12 +62,11 @@ class SweepRun final : public SurveyRun {
   }
 
   void deliver(std::size_t index, const CellRecord& made) override {
-    auto cell = io::cell_from(made);
-    if (!cell) throw RunError(words::sweeps::no_cell);
+    auto cell = std::make_shared<SweepCell>(io::cell_from(made));
     const std::lock_guard guard(taking_);
     if (result_.cells[index]) return;
     if (file_) file_->append(index, made);
-    result_.cells[index] = std::make_shared<SweepCell>(std::move(*cell));
+    result_.cells[index] = std::move(cell);
     ++done_;
     if (options_.cell) options_.cell(index, *result_.cells[index]);
     report();

@@ -93,7 +93,6 @@ inline constexpr char at_end_of_range[] = "{} is at the {} end of its range: {}{
 inline constexpr char no_balance_attracts[] = "no balanced state attracts";
 
 // Within the program.
-inline constexpr char no_ensemble_in_message[] = "a message between processes holds no ensemble";
 inline constexpr char search_is_over[] = "the search is over";
 
 }  // namespace equipoise::words::design

@@ -29,6 +29,24 @@ inline constexpr char results_or_unfinished_part[] =
 inline constexpr char damaged_at_end[] =
     "{} bytes at its end are cut off or damaged; all before them is sound and will be used";
 inline constexpr char variable_of_other_shape[] = "{}: variable {} has the wrong type or shape";
+inline constexpr char longer_than_file[] = "{}: {} is longer than the file";
+// Why a record is none, behind its place.
+inline constexpr char damaged_within[] = "is damaged ({})";
+inline constexpr char record_of_cell[] = "is damaged: record {}: {}";
+inline constexpr char no_record[] = "is no record";
+inline constexpr char too_deep[] = "is nested too deeply";
+inline constexpr char absent[] = "is missing";
+inline constexpr char no_members[] = "has no members";
+inline constexpr char no_entries[] = "has no entries";
+inline constexpr char no_list[] = "is no list";
+inline constexpr char no_text[] = "is no text";
+inline constexpr char no_truth[] = "is neither true nor false";
+inline constexpr char no_number[] = "is no number";
+inline constexpr char no_integer[] = "is no integer";
+inline constexpr char not_in_range[] = "is out of range: {}";
+inline constexpr char wrong_length[] = "has {} entries instead of {}";
+inline constexpr char changed_by_another[] = "{}: another program has changed this file; nothing more is kept in it";
+inline constexpr char outcome_without_name[] = "is damaged: start {} has outcome {}, which the file does not name";
 // The finished file.
 inline constexpr char does_not_follow[] = "does not continue {}; remove it first";
 inline constexpr char start_is_missing[] = "{}: start {} is not there";

@@ -134,6 +134,7 @@ inline constexpr char torque_contradicts_power[] =
     "contradicts speed.torque.power, which is {:.4g} N m at the rated speed";
 inline constexpr char breakdown_ratio_missing[] =
     "missing; must be the breakdown torque over the rated torque, such as 2.5";
+inline constexpr char above_breakdown[] = "contradicts speed.torque.breakdown_ratio; must be at most {}";
 inline constexpr char no_such_locked_rotor_ratio[] =
     "is not possible: at this rated speed and breakdown ratio the torque falls from standstill on; leave it out";
 

@@ -22,9 +22,8 @@ inline constexpr char shard_range[] = "must be less than the number of shards";
 inline constexpr char no_sweep_named[] = "does not say which sweep it is of";
 inline constexpr char no_files[] = "must be at least one file of a sweep";
 // The first file, the difference.
+inline constexpr char cell_beyond[] = "is damaged: it holds a cell {} of a sweep of {} cells";
 inline constexpr char another_sweep[] = "is of another sweep than {}: {}";
-inline constexpr char no_cell[] = "a message between processes holds no cell";
-inline constexpr char no_trials[] = "a message between processes holds no trials";
 
 // What a capacity is of, and in which range. The first: a comment in a study.
 inline constexpr char all_together[] = "# all unbalances in proportion\n";
@@ -105,6 +104,8 @@ inline constexpr char same_map[] = "must be a new file, or one of the same map";
 // The difference.
 inline constexpr char other_pixels[] =
     "holds pixels of something else: {}; must be a map of the same study over the same quantities";
+inline constexpr char pixel_without_name[] = "the map is damaged: a pixel has outcome {}, which it does not name";
+inline constexpr char other_size[] = "is damaged: {} x {} pixels instead of {} x {}";
 inline constexpr char part_of_another[] = "does not belong to {}; must be removed first";
 // What failed.
 inline constexpr char kept_so_far[] = "{}; what was computed before is kept, and the same command goes on from it";
