@@ -65,7 +65,8 @@ TEST(NoBalls, TheCheckSpeaksOfNone) {
     EXPECT_TRUE(holds(said, "\nMatters most: not judged: there are no balls.\n")) << said;
     EXPECT_FALSE(holds(said, "its balls")) << said;
   }
-  EXPECT_TRUE(holds(check_study(bare, "s", {"balancer.balls=2", "balancer.mass=0.1", "balancer.drag=0.1"}).text(), "its balls"));
+  EXPECT_TRUE(holds(check_study(bare, "s", {"balancer.balls=2", "balancer.mass=0.1", "balancer.drag=0.1"}).text(),
+                    "its balls"));
 }
 
 TEST(NoBalls, SimulateGivesTheRotor) {
@@ -75,6 +76,26 @@ TEST(NoBalls, SimulateGivesTheRotor) {
   EXPECT_TRUE(one.phi.empty());
   // By the textbook.
   EXPECT_NEAR(one.radial.back(), 0.01 * 5.76 / std::hypot(1.0 - 5.76, 1.2), 1e-9);
+}
+
+// Without unbalance the error had no scale, and no step was small enough.
+TEST(NoBalls, FreeDecayAndRestNeedNoUnbalance) {
+  const std::string balanced = with(bare, "eccentricity = 0.01", "eccentricity = 0.0");
+  std::vector<double> times;
+  for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
+  const std::string driven = with(balanced, "profile = \"ramp\"\nfinal = 2.4\nduration = 50.0\n",
+                                  "profile = \"torque\"\ntorque = { stall = 0.5, no_load_speed = 2.4 }\n");
+  for (const std::string& text : {balanced, with(driven, "damping = 0.5", "damping = 0.5\ninertia = 1.0")}) {
+    const Trajectory rest = simulate(parse_study(text, "s"), times);
+    ASSERT_EQ(rest.radial.size(), times.size()) << text;
+    EXPECT_EQ(rest.radial.back(), 0.0) << text;
+    const Trajectory decay = simulate(parse_study(text + "[initial]\nx = 0.1\n", "s"), times);
+    ASSERT_EQ(decay.radial.size(), times.size()) << text;
+    const double c = 0.5, w = std::sqrt(1.0 - c * c / 4.0), t = times.back();
+    // The textbook's free vibration; the error allowed is 1e-12 a step.
+    const double x = 0.1 * std::exp(-c * t / 2.0) * (std::cos(w * t) + c / (2.0 * w) * std::sin(w * t));
+    EXPECT_NEAR(decay.radial.back(), std::fabs(x), 1e-11) << text;
+  }
 }
 
 TEST(NoBalls, BasinTellsOfOneRun) {

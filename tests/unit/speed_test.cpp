@@ -237,6 +237,9 @@ TEST(HillFunction, IsHalfAtItsHalfTimeAndSteepestWhereItSays) {
   EXPECT_NEAR(p.first_time_at(1.8).value(), 200.0, 1e-10);
   EXPECT_NEAR(p.first_time_at(p.ramp_function(77.0)).value(), 77.0, 1e-10);
   EXPECT_EQ(p.first_time_at(3.7), std::nullopt);
+  const double last = p.speeds.back();
+  EXPECT_EQ(p.first_time_at(last * (1.0 + 1e-14)), p.first_time_at(last));  // in other units
+  EXPECT_EQ(p.first_time_at(last * (1.0 + 1e-6)), std::nullopt);
   double most = 0.0;
   for (double t = 0.0; t < 800.0; t += 0.1) most = std::max(most, p.hill->slope(t));
   EXPECT_NEAR(p.hill->steepest(), most, 1e-8);

@@ -157,9 +157,10 @@ TEST(Units, OneTextMayMeasureEitherOfTwo) {
   const std::vector<Dimension> either{Dimension::gain, Dimension::damping};
   EXPECT_EQ(measure("1 N m s", either).dimension, Dimension::gain);
   EXPECT_EQ(measure("1 N s/m", either).dimension, Dimension::damping);
-  EXPECT_EQ(measure("1 kg", either).problem,
-            "\"kg\" is a unit of something else; must be a torque for a speed of rotation, such as \"0.01 N m s\", or a "
-            "damping coefficient, such as \"200 N s/m\"");
+  EXPECT_EQ(
+      measure("1 kg", either).problem,
+      "\"kg\" is a unit of something else; must be a torque for a speed of rotation, such as \"0.01 N m s\", or a "
+      "damping coefficient, such as \"200 N s/m\"");
 }
 
 TEST(Units, SayWhatIsWrong) {
@@ -176,10 +177,11 @@ TEST(Units, SayWhatIsWrong) {
   EXPECT_EQ(problem("12 kg\n"), "is not a number with a unit; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("1e999 kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
   EXPECT_EQ(problem("nan kg"), "the number is out of range; must be a mass, such as \"12 kg\"");
-  EXPECT_EQ(measure("3 s", {Dimension::speed}).problem,
-            "\"s\" is a unit of something else; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
-            "Hz (turns "
-            "a second)");
+  EXPECT_EQ(
+      measure("3 s", {Dimension::speed}).problem,
+      "\"s\" is a unit of something else; must be a speed of rotation, such as \"3000 rpm\"; in rpm, 1/min, rad/s or "
+      "Hz (turns "
+      "a second)");
 }
 
 // None is in proportion: a reciprocal, an offset, a logarithm, a pure number.
@@ -226,6 +228,9 @@ TEST(BalanceGrade, IsEccentricityTimesSpeed) {
   EXPECT_EQ(model::standard_grade_met(16.0), 16.0);
   EXPECT_EQ(model::standard_grade_met(0.0), 0.4);
   EXPECT_FALSE(model::standard_grade_met(4001.0).has_value());
+  // The same quantity in other units differs by roundings.
+  EXPECT_EQ(model::standard_grade_met(6.3 * (1.0 + 1e-14)), 6.3);
+  EXPECT_EQ(model::standard_grade_met(6.3 * (1.0 + 1e-6)), 16.0);
 }
 
 }  // namespace units_test
