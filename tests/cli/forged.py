@@ -1,4 +1,4 @@
-"""Files of results that somebody changed and sealed again: a checksum is no proof of where a file comes from."""
+"""Files of results that somebody changed and sealed again: a checksum does not prove where a file comes from."""
 import struct
 
 MARK = 0x314C414553505145

@@ -8,7 +8,7 @@ import re
 import shutil
 import struct
 
-from forged import dimension, forge, replaced
+from forged import checksum, dimension, forge, replaced
 from program import EASY, Case, content, main, run
 
 # A name as long as that of the motion it replaces, whose second line gnuplot would run.
@@ -35,7 +35,7 @@ class Forged(Case):
         done = run("sweep", *EASY, "--over", "speed.final=2.4,2.5", "--starts", "20", "-o", sweep, "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         forge(sweep, forged, replaced(NAME, COMMAND))
-        # Then the cells' records are sound, and their names those of a hostile hand.
+        # The records are sound. Only the names in them are hostile.
         self.harmless(run("merge", forged, "-o", self.path("out.nc"), "--plot", self.path("out.svg"), cwd=self.folder))
         self.harmless(run("inspect", forged, cwd=self.folder))
         forge(sweep, forged, lambda data: re.sub(rb"\x62by[\x00-\x02]", b"\x62by\x17", data))
@@ -49,7 +49,6 @@ class Forged(Case):
         self.assertEqual(run("map", *EASY, *plot, "-o", whole).returncode, 0)
         for letter in "xy":
             for length in (1, 15, 17):
-                shutil.copy(whole, forged)
                 forge(whole, forged, dimension(letter, length))
                 done = run("map", *EASY, *plot, "-o", forged)
                 self.assertNotEqual(done.returncode, 0)
@@ -71,15 +70,14 @@ class Forged(Case):
         self.harmless(run("inspect", forged))
 
     def test_what_only_reads_keeps_a_damaged_file(self):
-        part = self.path("s.nc.part")
-        run("basin", *EASY, "--starts", "20", "-o", self.path("s.nc"), "--quiet")
-        whole = content(self.path("s.nc"))
-        header = struct.pack("<QQQ", 0x314C4E524A505145, 0, 0)
+        # A journal whose header is sound (src/equipoise/io/journal.cpp) and whose first record is not.
+        part, identity = self.path("s.nc.part"), b"study\n[file]\nversion = 0\n"
         with open(part, "wb") as file:
-            file.write(header + whole)
+            file.write(struct.pack("<QQQ", 0x314C4E524A505145, len(identity), checksum(identity)) + identity + bytes(5000))
         for command in (("inspect", part), ("merge", part, "-o", self.path("o.nc"))):
             before = content(part)
             run(*command)
+            self.assertTrue(os.path.exists(part), command)
             self.assertEqual(content(part), before, command)
 
     def test_nothing_in_the_network_is_opened(self):

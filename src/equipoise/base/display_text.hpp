@@ -7,8 +7,8 @@
 
 namespace equipoise {
 
-/// Valid UTF-8 on one line: other bytes become U+FFFD; control characters, and those that change the direction of
-/// writing, \u001B and the like.
+/// Valid UTF-8 on one line. Other bytes become U+FFFD. Control characters, and those that change the direction of
+/// writing, become escapes such as \u001B.
 std::string display_text(std::string_view text);
 /// The same line by line: line ends stay.
 std::string display_lines(std::string_view text);

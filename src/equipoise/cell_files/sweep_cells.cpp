@@ -150,7 +150,7 @@ std::string inside(const std::string& place, const char* member) {
 // Every enumeration that records hold, by its last value.
 constexpr IntervalBy last_of(IntervalBy) { return static_cast<IntervalBy>(interval_names.size() - 1); }
 
-// What a record must be besides what its types say.
+// What a record must be in addition to what its types say.
 void require(const SweepOutcome& o, const std::string& place) {
   if (!o.unbalance.empty() && o.unbalance.size() != unbalance_quantiles.size())
     throw Unreadable{inside(place, "left_unbalance"),
@@ -244,47 +244,34 @@ class RecordIn {
   const std::string place_;
 };
 
-// Whether CBOR is nested no deeper than records are: a reader that calls itself would run out of stack. Counts what
-// each open list or map still lacks; anything else that is wrong is left to the reader.
-bool is_shallow(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::size_t deepest = 16;
-  constexpr std::uint64_t open_ended = ~std::uint64_t{0};
-  std::vector<std::uint64_t> lacking;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const unsigned kind = bytes[at] >> 5, given = bytes[at] & 31;
-    ++at;
-    std::uint64_t count = given;
-    if (given >= 24 && given <= 27) {
-      const std::size_t width = std::size_t{1} << (given - 24);
-      if (bytes.size() - at < width) return true;
-      count = 0;
-      for (std::size_t k = 0; k < width; ++k) count = count << 8 | bytes[at++];
-    }
-    const bool ends = kind == 7 && given == 31;
-    if (ends && (lacking.empty() || lacking.back() != open_ended)) return true;
-    if (ends) lacking.pop_back();
-    if ((kind == 2 || kind == 3) && given != 31) {
-      if (count > bytes.size() - at) return true;
-      at += count;
-    }
-    if (kind >= 2 && kind <= 5 && (given == 31 || (kind >= 4 && count > 0))) {
-      const std::uint64_t entries = given == 31               ? open_ended
-                                    : kind == 4               ? count
-                                    : count <= open_ended / 4 ? 2 * count
-                                                              : open_ended - 1;
-      lacking.push_back(entries);
-      if (lacking.size() > deepest) return false;
-      continue;
-    }
-    if (kind == 6) continue;  // a tag: what it marks follows
-    while (!lacking.empty() && lacking.back() != open_ended && --lacking.back() == 0) lacking.pop_back();
-  }
-  return true;
-}
+// Reads CBOR only as deep as records are nested: a reader that followed every level would run out of stack.
+class Shallow : public nlohmann::json_sax<Json> {
+ public:
+  bool exceeded() const { return depth_ > deepest; }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return ++depth_ <= deepest; }
+  bool start_array(std::size_t) override { return ++depth_ <= deepest; }
+  bool end_object() override { return --depth_ >= 0; }
+  bool end_array() override { return --depth_ >= 0; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  static constexpr int deepest = 16;
+  int depth_ = 0;
+};
 
 template <class T>
 T record_from(const std::vector<std::uint8_t>& bytes) {
-  if (!is_shallow(bytes)) throw RunError(words::files::too_deep);
+  Shallow shallow;
+  (void)Json::sax_parse(bytes, &shallow, Json::input_format_t::cbor);
+  if (shallow.exceeded()) throw RunError(words::files::too_deep);
   try {
     T value;
     RecordIn::decode(Json::from_cbor(bytes), value, "");

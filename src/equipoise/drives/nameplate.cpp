@@ -25,8 +25,8 @@ double nameplate_torque(const Nameplate& motor, double speed) {
     return 2.0 * motor.breakdown_ratio * motor.rated_torque * at * top / (at * at + top * top);
   };
   if (!motor.locked_rotor_ratio || s <= top || top >= 1.0) return kloss(s);
-  // Kloss's torque lies (s - top)^2/(s^2 + top^2) of the breakdown torque below it. So a square keeps the sum below it,
-  // too.
+  // Kloss's torque lies (s - top)^2/(s^2 + top^2) of the breakdown torque below it. If what is added grows as (s -
+  // top)^2, the sum stays below it as well.
   const double way = (s - top) / (1.0 - top);
   return kloss(s) + (*motor.locked_rotor_ratio * motor.rated_torque - kloss(1.0)) * way * way;
 }

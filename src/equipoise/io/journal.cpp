@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include "equipoise/io/checksum.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/words/files.hpp"
-#include "equipoise/words/study.hpp"
 
 namespace equipoise::io {
 
@@ -45,6 +45,18 @@ bool add_to(Checksum& sum, const DiskFile& file, std::uint64_t offset, std::uint
   return true;
 }
 
+// The header of the whole record that begins at `begin`, in the first `end` bytes of the file; none if it is damaged.
+std::optional<RecordHeader> sound_record(const DiskFile& file, std::uint64_t begin, std::uint64_t end) {
+  RecordHeader header;
+  if (end < begin || end - begin < sizeof header || !file.read_at(begin, &header, sizeof header)) return {};
+  const std::uint64_t payload = begin + sizeof header;
+  if (header.mark != record_mark || header.bytes > end - payload) return {};
+  Checksum sum;
+  sum.add(&header, summed);
+  if (!add_to(sum, file, payload, header.bytes) || sum.value() != header.checksum) return {};
+  return header;
+}
+
 }  // namespace
 
 Journal::Journal(const std::string& path, const std::string& output, const std::string& identity)
@@ -66,8 +78,7 @@ Journal::Journal(const std::string& path, const std::string& output, const std::
 Journal::Journal(const std::string& path) : path_(path), only_reads_(true) {
   const int error = file_.open(path, DiskFile::Open::read);
   const auto there = file_.size();
-  if (error != 0 || !there)
-    throw InputError(path, "", "", fmt::format(words::study::file_unreadable, error_text(error)));
+  if (error != 0 || !there) throw InputError(path, "", "", fmt::format("cannot be read: {}", error_text(error)));
   read_header("", *there);
   if (end_ > 0) read_records(*there);
 }
@@ -120,16 +131,11 @@ void Journal::write_header() {
 }
 
 void Journal::read_records(std::uint64_t size) {
-  RecordHeader header;
-  while (size > end_ && size - end_ >= sizeof header && file_.read_at(end_, &header, sizeof header)) {
-    const std::uint64_t payload = end_ + sizeof header;
-    if (header.mark != record_mark || header.bytes > size - payload) return;
-    Checksum sum;
-    sum.add(&header, summed);
-    if (!add_to(sum, file_, payload, header.bytes) || sum.value() != header.checksum) return;
-    records_.push_back({static_cast<Kind>(header.kind), header.first, header.count, header.seconds, header.cpu_seconds,
-                        payload, header.bytes});
-    end_ = payload + header.bytes;
+  while (const auto header = sound_record(file_, end_, size)) {
+    const std::uint64_t payload = end_ + sizeof *header;
+    records_.push_back({static_cast<Kind>(header->kind), header->first, header->count, header->seconds,
+                        header->cpu_seconds, payload, header->bytes});
+    end_ = payload + header->bytes;
   }
 }
 
@@ -139,14 +145,9 @@ void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes
 }
 
 void Journal::require_sound() const {
-  RecordHeader header;
   for (const Record& record : records_) {
-    Checksum sum;
-    const bool read = file_.read_at(record.payload - sizeof header, &header, sizeof header);
-    sum.add(&header, summed);
-    if (!read || header.mark != record_mark || header.bytes != record.bytes ||
-        !add_to(sum, file_, record.payload, record.bytes) || sum.value() != header.checksum)
-      throw RunError(fmt::format(words::files::changed_by_another, path_));
+    const auto header = sound_record(file_, record.payload - sizeof(RecordHeader), record.end());
+    if (!header || header->bytes != record.bytes) throw RunError(fmt::format(words::files::changed_by_another, path_));
   }
 }
 

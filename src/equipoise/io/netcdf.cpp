@@ -70,7 +70,7 @@ std::size_t NetcdfFile::length(const std::string& dimension) const {
   check(status, "dimension " + dimension);
   check(call(nc_inq_dimlen, id_, id, &length), "dimension " + dimension);
   // Whatever has this length takes a byte each at least. A forged one would take all memory.
-  if (!defining_ && bytes_ > 0 && length > bytes_)
+  if (bytes_ > 0 && length > bytes_)
     throw RunError(fmt::format(words::files::longer_than_file, name_, dimension));
   return length;
 }

@@ -23,7 +23,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-// Creates a file beside `path` under a name that nothing has yet: whatever is there belongs to others.
+// Creates a file next to `path` under a new name: existing files belong to others.
 std::string create_beside(const std::string& path, const std::string& ending, DiskFile& file, int& error) {
   constexpr int most = 1000;
   std::string name;

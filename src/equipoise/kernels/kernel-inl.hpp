@@ -135,12 +135,16 @@ bool run_job(const BatchJob& job) {
   return model::with_ball_count<most_advanced>(balls, [&](auto room) { return advance_balls<room, kind>(job); });
 }
 
-#if HWY_TARGET == HWY_SCALAR && HWY_TARGETS != HWY_SCALAR  // compiled in portable_kernels.cpp
-extern template bool run_job<BatchKind::plain>(const BatchJob& job);
-extern template bool run_job<BatchKind::turning>(const BatchJob& job);
-extern template bool run_job<BatchKind::smooth>(const BatchJob& job);
-extern template bool run_job<BatchKind::hybrid>(const BatchJob& job);
-extern template bool run_job<BatchKind::tilting>(const BatchJob& job);
+// Portable code of all kinds is compiled in portable_kernels.cpp, and only declared elsewhere.
+#if HWY_TARGET == HWY_SCALAR && HWY_TARGETS != HWY_SCALAR
+#ifndef EQUIPOISE_PORTABLE_KERNELS
+#define EQUIPOISE_PORTABLE_KERNELS extern
+#endif
+EQUIPOISE_PORTABLE_KERNELS template bool run_job<BatchKind::plain>(const BatchJob& job);
+EQUIPOISE_PORTABLE_KERNELS template bool run_job<BatchKind::turning>(const BatchJob& job);
+EQUIPOISE_PORTABLE_KERNELS template bool run_job<BatchKind::smooth>(const BatchJob& job);
+EQUIPOISE_PORTABLE_KERNELS template bool run_job<BatchKind::hybrid>(const BatchJob& job);
+EQUIPOISE_PORTABLE_KERNELS template bool run_job<BatchKind::tilting>(const BatchJob& job);
 #endif
 
 }  // namespace HWY_NAMESPACE

@@ -72,7 +72,7 @@ class SliceReader {
   const SliceAxis& y() const { return y_; }
   /// Attractors only.
   std::vector<OutcomeShare> codes() const;
-  /// Throws RunError unless each has so many components.
+  /// Throws RunError unless each has this number of components.
   std::vector<std::vector<double>> discoveries(std::size_t components) const;
   void read_rows(int first, int rows, SlicePixel* pixels) const;
 

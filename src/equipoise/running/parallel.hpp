@@ -9,8 +9,8 @@ namespace equipoise {
 
 /// Cores available for work; 1 in a build without threads.
 int core_count();
-/// The number asked for, but no more than can be of use; all cores for 0. A system that cannot make a thread ends the
-/// process.
+/// The number requested, but at most 16 or four per core, since more are of no use; all cores for 0. oneTBB ends the
+/// process if the system cannot make a thread.
 inline int thread_count(int asked) {
   constexpr int often_enough = 16, per_core = 4;
   return asked > 0 ? std::min(asked, std::max(often_enough, per_core * core_count())) : core_count();

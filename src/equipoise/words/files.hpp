@@ -33,7 +33,7 @@ inline constexpr char longer_than_file[] = "{}: {} is longer than the file";
 // Why a record is none, behind its place.
 inline constexpr char damaged_within[] = "is damaged ({})";
 inline constexpr char record_of_cell[] = "is damaged: record {}: {}";
-inline constexpr char no_record[] = "is no record";
+inline constexpr char no_record[] = "is not a record";
 inline constexpr char too_deep[] = "is nested too deeply";
 inline constexpr char absent[] = "is missing";
 inline constexpr char no_members[] = "has no members";
