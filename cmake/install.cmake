@@ -2,69 +2,21 @@
 # Components of an installation: program, library (a shared one), development.
 include(CMakePackageConfigHelpers)
 
-# The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and what they include. They are installed,
-# and what they declare is what the shared library shows. Templates and kernels stay inside.
-set(equipoise_public_headers
-    equipoise.hpp paper.hpp
-    base/error.hpp base/stop_flag.hpp
-    running/run_options.hpp
-    drives/full_state.hpp drives/motor.hpp drives/speed.hpp drives/spin_up_shape.hpp drives/torque_curve.hpp
-    model/ball_mode.hpp model/bearings.hpp model/parameters.hpp model/scales.hpp model/state_layout.hpp model/system.hpp
-    types/attractor.hpp types/ball_events.hpp types/fate.hpp types/motion.hpp types/outcomes.hpp
-      types/periodic_orbit.hpp types/status.hpp types/transient_table.hpp types/warm_start_levels.hpp
-    mechanics/balance_grade.hpp mechanics/balanced_state.hpp mechanics/energy.hpp mechanics/whirl.hpp
-    statistics/comparison.hpp statistics/quantile.hpp statistics/share.hpp statistics/sobol_indices.hpp
-    sampling/jittered_grid.hpp sampling/sampling.hpp
-    units/units.hpp
-    toml/overrides.hpp toml/study_value.hpp
-    study/ball_details.hpp study/keys.hpp study/study.hpp study/table_reader.hpp study/uncertain.hpp
-    echo/physical_echo.hpp
-    kernels/cpu_target.hpp
-    periodic_orbits/orbit.hpp
-    attractors/catalogue.hpp attractors/motion.hpp
-    proof/certificate.hpp proof/member_certificate.hpp
-    columns/column.hpp columns/slice_figures.hpp columns/standard_levels.hpp columns/transient_figures.hpp columns/watched_shaft.hpp
-    results/attractors_result.hpp results/basin_result.hpp results/basin_slice.hpp results/branch.hpp
-      results/branches_result.hpp results/capacity_result.hpp results/certify_result.hpp results/comparison_result.hpp
-      results/design_result.hpp results/explanation.hpp results/inspection.hpp results/machine_page.hpp
-      results/motion_table.hpp results/outcome_share.hpp results/sensitivity_result.hpp results/start_arrays.hpp
-      results/sweep_result.hpp results/trajectory.hpp results/transient_result.hpp
-      results/without_balls.hpp
-    result_files/basin_file.hpp result_files/basin_outcomes.hpp result_files/branches_file.hpp
-      result_files/inspection.hpp result_files/slice_file.hpp result_files/start_columns.hpp
-      result_files/trajectory_file.hpp
-    cell_files/sweep_file.hpp
-    ensembles/basin.hpp ensembles/write_basin.hpp
-    analyses/attractors.hpp analyses/basin_cost.hpp analyses/certify.hpp analyses/comparison.hpp analyses/mapper.hpp
-      analyses/observation.hpp analyses/sensitivity.hpp
-    continuation/continuation.hpp continuation/parameter_line.hpp
-    basin_slices/basin_slice.hpp basin_slices/slice_axis.hpp basin_slices/slice_figures.hpp
-    planes/bifurcation_chart.hpp planes/chart_file.hpp planes/stability_file.hpp planes/stability_plane.hpp
-      stability/over_plane.hpp curves/bifurcation_chart.hpp charts/chart_julia.hpp charts/chart_plot.hpp charts/chart_report.hpp
-      charts/stability_plot.hpp charts/stability_report.hpp
-    sweeps/capacity.hpp sweeps/merge.hpp sweeps/survey.hpp sweeps/sweep.hpp sweeps/sweep_axis.hpp
-      sweeps/sweep_cell.hpp sweeps/sweep_plan.hpp sweeps/varied_unbalance.hpp
-    design/design.hpp design/figures.hpp design/problem.hpp
-    trajectory/output_times.hpp trajectory/simulate.hpp trajectory/study_equations.hpp
-    shown/machine_page.hpp shown/motion_path.hpp
-    drawing/document.hpp drawing/plot_parts.hpp
-    text/table_text.hpp
-    words/results.hpp
-    decision/verdict.hpp
-    changes/try_changes.hpp
-    changes/usual_changes.hpp
-    reports/attractors_report.hpp reports/basin_report.hpp reports/branches_report.hpp reports/capacity_report.hpp
-      reports/certificate_json.hpp reports/certify_report.hpp reports/comparison_report.hpp reports/design_report.hpp
-      design_words/design_words.hpp reports/explain_report.hpp reports/inspection_report.hpp reports/map_report.hpp reports/sweep_report.hpp
-    plots/map_plot.hpp plots/sweep_plot.hpp
-    explain/explain.hpp explain/new_studies.hpp explain/study_check.hpp
-    answers/answer.hpp
-    html/capacity_html.hpp html/design_html.hpp html/given_keys.hpp html/given_machine.hpp
-      html/machine_html.hpp html/map_html.hpp html/sweep_html.hpp
-    publications/measures.hpp publications/publication.hpp publications/publication_verdicts.hpp
-    literature/conclusions.hpp literature/published_tables.hpp literature/reproduction.hpp
-    reproduction/open_questions.hpp reproduction/paper_figures.hpp reproduction/reproduce.hpp
-      reproduction/reproduction.hpp)
+# The public interface: equipoise/equipoise.hpp and equipoise/paper.hpp, and all that they include. It is installed, and
+# what it declares is what the shared library shows. Templates and kernels stay inside.
+set(equipoise_public_headers "")
+set(to_read equipoise.hpp paper.hpp)
+while(to_read)
+  list(POP_FRONT to_read header)
+  list(APPEND equipoise_public_headers ${header})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/src/equipoise/${header} included REGEX "^#include \"equipoise/")
+  list(TRANSFORM included REPLACE "^#include \"equipoise/([^\"]+)\".*$" "\\1")
+  list(APPEND to_read ${included})
+  list(REMOVE_DUPLICATES to_read)
+  list(REMOVE_ITEM to_read ${equipoise_public_headers} base/version.hpp)  # The version's header is made by the build.
+endwhile()
+list(TRANSFORM equipoise_public_headers PREPEND ${PROJECT_SOURCE_DIR}/src/equipoise/ OUTPUT_VARIABLE public_header_files)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${public_header_files})
 
 if(EQUIPOISE_SHARED)
   include(cmake/shared.cmake)
