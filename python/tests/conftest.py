@@ -14,6 +14,10 @@ root = pathlib.Path(__file__).resolve().parents[2]
 studies = root / "studies"
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "slow: takes seconds; ctest runs it by itself, in python.package.slow")
+
+
 @pytest.fixture(scope="session")
 def study() -> eq.Study:
     """The paper's rotor at Omega = 2.4, 400 starts."""

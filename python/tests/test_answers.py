@@ -85,6 +85,7 @@ def test_certificates(study, program, tmp_path):
         eq.certify(study.replace({"rotor.gravity": 0.002}))
 
 
+@pytest.mark.slow
 def test_maps(program, tmp_path):
     xarray = pytest.importorskip("xarray")
     study = eq.Study.from_file(PAPER)

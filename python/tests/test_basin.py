@@ -11,18 +11,23 @@ import equipoise as eq
 from conftest import studies
 
 TWELVE = [
-    ("paper/table-2-omega-2.0.toml", {}),
     ("paper/table-2-omega-2.4.toml", {}),
-    ("paper/table-2-omega-5.0.toml", {}),
-    ("paper/table-1-beta-0.01-omega-3.0.toml", {}),
-    ("paper/table-3-t0-25.toml", {}),
     ("paper/table-5-t0-100.toml", {}),
     ("paper-rotor-with-motor.toml", {}),
     ("paper/table-2-omega-2.4.toml", {"rotor.gravity": 0.002}),
     ("paper/table-2-omega-2.4.toml", {"balancer.contact_angle": 0.3, "balancer.restitution": 0.5}),
     ("paper/table-2-omega-2.4.toml", {"balancer.balls": 3, "balancer.mass": 0.03}),
     ("examples/optical-drive.toml", {}),
-    ("examples/washing-machine.toml", {}),
+    *(
+        pytest.param(f"{path}.toml", {}, marks=pytest.mark.slow)
+        for path in (
+            "paper/table-2-omega-2.0",
+            "paper/table-2-omega-5.0",
+            "paper/table-1-beta-0.01-omega-3.0",
+            "paper/table-3-t0-25",
+            "examples/washing-machine",
+        )
+    ),
 ]
 
 
@@ -55,6 +60,7 @@ def test_shares_errors_counts_and_labels_tell_the_same(answer):
     assert set(answer.labels) <= set(answer.names)
 
 
+@pytest.mark.slow
 def test_a_brute_force_reference_in_numpy_finds_the_same_starts_balanced(study):
     """Newton's equations of rotor and balls, written down anew, by Runge-Kutta's classical method with fixed steps."""
     balls, eccentricity, damping, mass, drag, omega = 2, 0.01, 0.5, 0.05, 0.05, 2.4

@@ -73,6 +73,7 @@ def test_other_threads_run_meanwhile(study):
     assert counted[0] > 20  # with the lock held it would be one
 
 
+@pytest.mark.slow
 def test_the_target_is_chosen_by_argument(easy):
     study = easy
     slow = eq.basin(study, starts=50, cpu="scalar")
@@ -157,6 +158,7 @@ def test_a_time_that_is_none_is_refused(study, within):
         eq.basin(study, starts=100, within=within)
 
 
+@pytest.mark.slow
 def test_a_budgeted_ensemble_goes_on_to_the_bits_of_one_that_was_never_stopped(study, tmp_path):
     path, within = tmp_path / "parts.nc", 0.5
     while eq.basin(study, starts=60_000, output=path, within=within).partial:
@@ -200,6 +202,7 @@ INNER_LOOPS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("call", INNER_LOOPS)
 def test_ctrl_c_ends_what_a_call_is_following(call):
     before, after, text, holds = INNER_LOOPS[call]
@@ -254,6 +257,7 @@ def test_calls_leave_nothing_behind(study):
     assert resident() - before < 1 << 20
 
 
+@pytest.mark.slow
 def test_a_thousand_ensembles_leave_nothing_behind():
     """The same of ensembles, searches and threads included; EQUIPOISE_ENSEMBLES says how many, 60 in the quick run."""
     fan = eq.Study(

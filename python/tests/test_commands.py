@@ -87,6 +87,7 @@ def test_a_design_within_a_time_is_partial(designed):
     assert found.partial and found.data["trajectories"] < 200000
 
 
+@pytest.mark.slow
 def test_a_machine_is_judged_as_by_the_program(program):
     answer = eq.basin(eq.Study.from_file(MACHINE), 60, changes=True)
     assert timeless(answer._core.json()) == timeless(told(program, "basin", MACHINE, "--starts", 60, "--quiet"))

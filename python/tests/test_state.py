@@ -82,6 +82,7 @@ def test_states_of_a_run_come_to_what_the_run_comes_to(study, mapper):
     assert set(mapper.labels(run.states)) == {mapper([1.0, 4.0]).id}
 
 
+@pytest.mark.slow
 def test_a_motions_state_is_on_the_motion(study, mapper):
     found = eq.attractors(study, 2000)
     for attractor in found:
@@ -116,6 +117,7 @@ def test_of_a_driven_rotor_the_speed_is_part_of_the_state():
         eq.basin(study, initial=balanced)
 
 
+@pytest.mark.slow
 def test_the_rotors_angle_goes_with_a_state_where_it_matters():
     study = eq.Study.from_file(studies / "paper-rotor-with-motor.toml").replace({"rotor.gravity": 0.02})
     state = eq.State(phi=[[1.0, 4.0]] * 2, x_dot=0.0, y_dot=0.0, psi=[0.0, 2.0])

@@ -61,7 +61,7 @@ def by_scipy(rotor, speed, until):
         (PLAIN, RAMP, 150.0),
         (HEAVY, RAMP, 200.0),
         (DRIVEN, torque(0.12, -0.04), 300.0),  # passes its resonance
-        (DRIVEN, torque(0.0012, -0.0003), 4000.0),  # stalls in it
+        pytest.param(DRIVEN, torque(0.0012, -0.0003), 4000.0, marks=pytest.mark.slow),  # stalls in it
     ],
 )
 def test_figures_are_those_of_an_independent_integration(rotor, speed, until):

@@ -46,6 +46,7 @@ class Basin(Case):
         self.assertEqual(found["study"]["sampling"], {"starts": 3000, "seed": 1, "method": "random"})
         self.assertEqual(found["study"]["speed"]["speed"], 2.4)
 
+    @slow
     def test_seed_changes_the_sample_and_nothing_else(self):
         one, again, two = (answer("basin", ROW, "--starts", "2000", "--seed", s)
                            for s in ("1", "1", "2"))
@@ -69,6 +70,7 @@ class Basin(Case):
         self.assertNotIn("phi", plain["study"]["initial"])  # nobody starts there
         self.assertEqual(drawn["outcomes"], plain["outcomes"])
 
+    @slow
     def test_the_head_says_until_when_balls_are_held(self):
         ramp = [*EASY[1:], "--set", "speed={profile='ramp', final=2.4, duration=8.0}", "--quiet"]
         words = "\nballs held until t = 8, the end of the ramp\n"
@@ -123,6 +125,7 @@ class Basin(Case):
         a, b = with_xarray(XARRAY, whole, parts)
         self.assertEqual(a, b)
 
+    @slow
     def test_balance_grades_of_what_dry_friction_leaves_are_in_the_file(self):
         path = self.path("r.nc")
         done = run("basin", DRIVE, "--starts", "16", "--json", "--quiet", "-o", path)

@@ -167,6 +167,7 @@ class Reports(Case):
             with open(text, encoding="utf-8") as file:
                 self.assertIn("](paper-pictures/figure-transients.png)", file.read())
 
+    @slow
     def test_open_questions_as_pictures_and_netcdf(self):
         done, found = answers(self.folder, "future", "--starts", "64", "--pixels", "2")
         self.assertEqual(done.returncode, 0)

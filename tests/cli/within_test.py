@@ -38,6 +38,7 @@ def limited(seconds, *arguments):
 
 
 class Within(unittest.TestCase):
+    @slow
     def test_every_command_ends_in_time_and_says_that_it_is_partial(self):
         for name, arguments in LONG.items():
             with self.subTest(name):
@@ -112,6 +113,7 @@ class GoingOn(Case):
                        "--size", "24x24")
         self.assertFalse(os.path.exists(self.parts + ".part"))
 
+    @slow
     def test_the_search_of_a_cell(self):
         self.same_file(0.3, "sweep", ROW, "--over", "rotor.eccentricity=0.01,0.012", "--starts", "2000", "--threads", "1")
 
