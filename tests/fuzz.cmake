@@ -27,3 +27,13 @@ else()
   add_test(NAME study_fuzz COMMAND study_fuzz --inputs 20000 --seed 1 --dictionary ${dictionary} ${seeds})
 endif()
 set_tests_properties(study_fuzz PROPERTIES LABELS fuzz TIMEOUT ${longest_test})
+
+# Files of results, changed behind their checksums. The driver is its own: it knows how each kind is built.
+if(NOT EQUIPOISE_BUILD_FUZZER)
+  add_executable(file_fuzz fuzz/file_fuzz.cpp fuzz/file_changes.cpp)
+  add_dependencies(equipoise_tests file_fuzz)
+  target_compile_options(file_fuzz PRIVATE -Wall -Wextra)
+  target_link_libraries(file_fuzz PRIVATE equipoise nlohmann_json::nlohmann_json fmt::fmt Eigen3::Eigen)
+  add_test(NAME file_fuzz COMMAND file_fuzz 5000 1)
+  set_tests_properties(file_fuzz PROPERTIES LABELS fuzz TIMEOUT ${longest_test})
+endif()

@@ -1,4 +1,5 @@
 // One file in the end: page, style, workers and engine, so that it opens from a disk as well as from any host.
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -26,6 +27,21 @@ function notices(): string {
   return `<!--\n${text.join("\n")}-->`;
 }
 
+/** What the page may do: run these scripts, in its workers too, and compile the engine; fetch nothing from anywhere. */
+function policy(scripts: readonly string[]): string {
+  const hashes = scripts.map((text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`).join(" ");
+  const rules = [
+    "default-src 'none'",
+    `script-src ${hashes} 'wasm-unsafe-eval'`,
+    "worker-src blob: data:",
+    "style-src 'unsafe-inline'",
+    "img-src data: blob:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ];
+  return `<meta http-equiv="Content-Security-Policy" content="${rules.join("; ")}" />`;
+}
+
 /** Scripts and style sheets written into the page that asks for them. */
 function singleFile(): Plugin {
   return {
@@ -35,6 +51,7 @@ function singleFile(): Plugin {
       const page = bundle["index.html"];
       if (page?.type !== "asset") return;
       let html = String(page.source);
+      const scripts: string[] = [];
       for (const [name, part] of Object.entries(bundle)) {
         if (name === "index.html") continue;
         const text = part.type === "chunk" ? part.code : String(part.source);
@@ -42,12 +59,14 @@ function singleFile(): Plugin {
         const style = new RegExp(`<link[^>]*href="[./]*${name}"[^>]*>`);
         if (script.test(html)) {
           // At the end of the body, and with nothing in it that would end a script.
-          const inline = `<script type="module">${text.replaceAll("</script", "<\\/script")}</script>`;
+          scripts.push(text.replaceAll("</script", "<\\/script"));
+          const inline = `<script type="module">${scripts.at(-1)}</script>`;
           html = html.replace(script, "").replace("</body>", () => `${inline}\n  </body>`);
         } else if (style.test(html)) html = html.replace(style, () => `<style>${text}</style>`);
         else this.error(`${name} is asked for by nobody`);
         delete bundle[name];
       }
+      html = html.replace('<meta charset="utf-8" />', (charset) => `${charset}\n    ${policy(scripts)}`);
       page.source = html.replace("</html>", () => `</html>\n${notices()}`);
     },
   };

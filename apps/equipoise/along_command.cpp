@@ -28,7 +28,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   options.warm_start_states = a.states;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const BranchesResult result = follow_attractors(study, line, options);
   progress.finish();
   put(a.json ? branches_json(result) : branches_text(result, text_style()));

@@ -73,7 +73,7 @@ int run_attractors(const AttractorsArguments& a) {
     options.warm_start_states.push_back(parse_state(text, study.parameters.balls));
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const AttractorsResult result = attractors(study, options);
   progress.finish();
   put(a.json ? attractors_json(result) : attractors_text(result, text_style()));

@@ -116,7 +116,7 @@ int run_basin(const BasinArguments& a) {
   options.output = a.output;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   if (a.start_index) return print_replay(study, options, *a.start_index, progress);
   SensitivityOptions depends;
   if (a.sensitivity) {

@@ -87,7 +87,7 @@ int run_capacity(const CapacityArguments& a) {
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(capacity_survey(*plan, options), options.threads, options.stop);
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
   put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },

@@ -51,9 +51,9 @@ std::string read_certificates(const std::string& path) {
 }
 
 int check_file(const std::string& path, bool as_json) {
-  const CertificateFile checked = checked_certificates(read_certificates(path), display_text(path));
+  const CertificateFile checked = checked_certificates(read_certificates(path), display_text(path), &stop_flag());
   put(as_json ? check_json(checked) : check_text(checked, text_style()));
-  return checked.proved() ? done : check_failed;
+  return stop_flag() ? ended_early({}, nullptr, "") : checked.proved() ? done : check_failed;
 }
 
 void write_certificates(const std::string& path, const CertifyResult& result) {
@@ -68,6 +68,7 @@ int run_certify(const CertifyArguments& a) {
   if (a.check.empty() == a.study.empty()) throw InputError("certify", "", "", words::study_or_certificate);
   if (!a.check.empty()) {
     if (!a.overrides.empty() || !a.output.empty()) throw InputError("--check", "", a.check, words::checked_as_it_is);
+    begin_time(a.within);
     return check_file(a.check, a.json);
   }
   begin_time(a.within);
@@ -75,7 +76,7 @@ int run_certify(const CertifyArguments& a) {
   RunOptions options;
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const CertifyResult result = certify(at_medians(read_study(a.study, a.overrides)), options);
   progress.finish();
   put(a.json ? certify_json(result) : certify_text(result, text_style()));

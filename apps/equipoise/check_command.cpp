@@ -1,13 +1,16 @@
 // equipoise check: what was understood of a study, what was assumed, and which estimate matters most.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/explain/study_check.hpp"
+#include "equipoise/sweeps/sweep_plan.hpp"
 #include "options.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 #include "help.hpp"
 
 namespace equipoise::app {
@@ -17,11 +20,17 @@ namespace {
 struct CheckArguments {
   std::string study;
   std::vector<std::string> overrides;
+  std::optional<std::string> within;
 };
 
 int run_check(const CheckArguments& a) {
-  put(lines_filled(check_study(read_study_text(a.study), display_text(a.study), a.overrides).text(), text_style()));
-  return done;
+  begin_time(a.within);
+  const StudySource source{read_study_text(a.study), display_text(a.study), a.overrides};
+  const StudyCheck check = check_study(source.toml, source.name, source.overrides, &stop_flag());
+  const SweepSetting sweep = source.with().sweep;
+  if (!sweep.over.empty()) (void)sweep_axes(sweep.over, sweep.zip, own_sweep(source.name));
+  put(lines_filled(check.text(), text_style()));
+  return stop_flag() ? ended_early({}, nullptr, "") : done;
 }
 
 }  // namespace
@@ -31,6 +40,7 @@ Command add_check(CLI::App& app) {
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
   add_wide(app);
   add_overrides(app, a->overrides);
+  add_within(app, a->within);
   return [a] { return run_check(*a); };
 }
 

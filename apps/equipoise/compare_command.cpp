@@ -56,7 +56,7 @@ int run_compare(const CompareArguments& a) {
   Side first = side(a.first, a, false), second = side(a.second, a, true);
   options.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   RunOptions of_first = options;
   if (!second.stored) of_first.stop_asked = half_of_the_time();
   const auto begin = std::chrono::steady_clock::now();

@@ -62,7 +62,7 @@ int run_design(const DesignArguments& a) {
   if (!team.leads()) return team.follow(design_survey(*problem, options), options.threads, options.stop);
   options.search_time_over = half_of_the_time();
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
   put_forms(

@@ -29,7 +29,7 @@ struct ExplainArguments {
 int run_explain(const ExplainArguments& a) {
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = parse_study(text, name, a.overrides);
-  Explanation e = explain(at_medians(study), parse_ball_details(text, name, a.overrides));
+  Explanation e = explain(at_medians(study), parse_ball_details(text, name, a.overrides), &stop_flag());
   if (a.cost) {
     RunOptions options;
     options.stop = &stop_flag();
@@ -38,7 +38,7 @@ int run_explain(const ExplainArguments& a) {
     throw InputError("--within", "", display_text(*a.within), words::cost_only);
   }
   put(a.json ? explain_json(e) : explain_text(e, text_style()));
-  return done;
+  return stop_flag() ? interrupted : done;
 }
 
 }  // namespace

@@ -151,8 +151,10 @@ int say_error(const std::exception_ptr& thrown) {
 int main(int argc, char** argv) {
   using namespace equipoise;
   app::claim_streams();
-  std::signal(SIGINT, app::ask_to_stop);
-  std::signal(SIGTERM, app::ask_to_stop);
+  struct sigaction asked {};  // without SA_RESTART: opening or writing to a pipe that nobody reads ends
+  asked.sa_handler = app::ask_to_stop;
+  sigaction(SIGINT, &asked, nullptr);
+  sigaction(SIGTERM, &asked, nullptr);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is reported like a full disk
   return app::close_output(app::run_guarded(argc, argv));
 }

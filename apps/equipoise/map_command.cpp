@@ -70,7 +70,7 @@ int run_map(const MapArguments& a) {
   settings.threads = threads_option(a.threads);
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  settings.progress = progress.listener();
+  progress.listen(settings);
   const BasinSlice map = naming_axes(axes, "map", [&] { return basin_slice(study, settings); });
   progress.finish();
   if (map.read_whole) say(words::map_read, a.output);

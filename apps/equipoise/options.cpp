@@ -85,6 +85,8 @@ void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, help::set)->type_name("KEY=VALUE")->take_all();
 }
 
+std::string own_sweep(const std::string& study) { return fmt::format("{}: [sweep] over", study); }
+
 namespace {
 TextStyle& asked_style() {
   static TextStyle style;

@@ -77,6 +77,9 @@ void write_file(const std::string& path, const std::string& text);
 /// --set KEY=VALUE, repeated.
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
 
+/// Where a study says what to sweep over, for messages.
+std::string own_sweep(const std::string& study);
+
 /// --no-changes, of commands that give a verdict.
 void add_no_changes(CLI::App& app, bool& no_changes);
 

@@ -54,7 +54,7 @@ int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compu
   settings.threads = threads_option(a.threads);
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
-  settings.progress = progress.listener();
+  progress.listen(settings);
   const auto result = naming_axes(axes, "stability", [&] { return compute(study, settings); });
   progress.finish();
   const std::string title = display_text(std::filesystem::path(result.study.name).filename().string());

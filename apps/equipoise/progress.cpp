@@ -24,8 +24,8 @@ std::chrono::duration<double> lines_apart() {
   constexpr char variable[] = "EQUIPOISE_PROGRESS";
   constexpr double usual = 10.0;
   const char* text = std::getenv(variable);
-  return std::chrono::duration<double>(text && *text ? option_number(variable, text, 0.1, 86400.0, words::lines_apart_range)
-                                                     : usual);
+  return std::chrono::duration<double>(
+      text && *text ? option_number(variable, text, 0.1, 86400.0, words::lines_apart_range) : usual);
 }
 
 ProgressLine::ProgressLine(bool quiet)
@@ -40,9 +40,13 @@ ProgressLine::ProgressLine(bool quiet)
 
 ProgressLine::~ProgressLine() { finish(); }
 
-std::function<void(const Progress&)> ProgressLine::listener() {
-  if (style_ == Style::none && !time_is_limited()) return {};
-  return [this](const Progress& progress) { update(progress); };
+void ProgressLine::listen(RunOptions& options) {
+  options.notice = [this](const std::string& sentence) {
+    finish();
+    say(sentence);
+  };
+  if (style_ == Style::none && !time_is_limited()) return;
+  options.progress = [this](const Progress& progress) { update(progress); };
 }
 
 void ProgressLine::update(const Progress& progress) {

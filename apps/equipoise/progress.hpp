@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -32,8 +31,8 @@ class ProgressLine {
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
 
-  /// A progress callback for calls of the library on this thread; it must not outlive this object.
-  std::function<void(const Progress&)> listener();
+  /// Receives progress and notices of calls of the library on this thread, which must not outlive this object.
+  void listen(RunOptions& options);
   /// Clears the bar, so that further output starts on a clean line.
   void finish();
   /// From the last report; empty without any.

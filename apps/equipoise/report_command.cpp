@@ -22,7 +22,8 @@ namespace equipoise::app {
 
 WrittenPage write_machine_page(const StudySource& source, const Study& study, const BasinOptions& options, bool changes,
                                const std::string& path) {
-  WrittenPage page{machine_page(study, given_machine(source.toml, source.name, source.overrides), options), {}};
+  WrittenPage page{
+      machine_page(study, given_machine(source.toml, source.name, source.overrides, options.stop), options), {}};
   if (changes) page.tried = changes_asked_for(page.content.basin, options);
   write_file(path, machine_html(page.content, page.tried));
   return page;
@@ -49,7 +50,7 @@ int run_report(const ReportArguments& a) {
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = parse_study(text, name, overrides);
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   const WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.output);
   const BasinResult& result = page.content.basin;
   progress.finish();

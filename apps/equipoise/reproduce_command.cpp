@@ -112,7 +112,7 @@ int run_publications(const ReproduceArguments& a, const std::vector<std::string>
   RunOptions options;
   options.threads = threads_option(a.threads);
   options.stop = &stop_flag();
-  options.progress = progress.listener();
+  progress.listen(options);
   JudgedPublications r = judge_publications(names, options);
   progress.finish();
   r.command = command_line(a);
@@ -141,7 +141,7 @@ int run_reproduce(ReproduceArguments& a) {
   check_paths(a);
   const std::string folder = picture_folder(a.output, a.report);
   ProgressLine progress(a.quiet);
-  options.progress = progress.listener();
+  progress.listen(options);
   Reproduction r = reproduce(options);
   progress.finish();
   r.command = command_line(a);

@@ -85,7 +85,7 @@ SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   const Study study = source.with();
   const bool own = a.over.empty() && !study.sweep.over.empty();
   if (a.over.empty() && !own) throw InputError("--over", "", "", words::nothing_varied);
-  const std::string where = own ? fmt::format("{}: [sweep] over", study.name) : "--over";
+  const std::string where = own ? own_sweep(study.name) : "--over";
   const std::vector<SweepAxis> axes = sweep_axes(own ? study.sweep.over : a.over, own ? study.sweep.zip : a.zip, where);
   return SweepPlan(source, axes, request, where);
 }
@@ -97,7 +97,7 @@ void check_outputs(const SweepArguments& a, const SweepOptions& options) {
 
 SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options,
                     ProgressLine& progress) {
-  options.progress = progress.listener();
+  progress.listen(options);
   using Clock = std::chrono::steady_clock;
   Clock::time_point told;  // not yet
   if (!a.quiet && !error_is_terminal())
@@ -133,8 +133,7 @@ int run_sweep(const SweepArguments& a) {
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(sweep_survey(*plan), options.threads, options.stop);
   if (const std::size_t blocks = plan->blocks(); options.shard >= blocks)
-    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, plural(blocks),
-                          SweepPlan::block_length,
+    put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, plural(blocks), SweepPlan::block_length,
                           blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
   ProgressLine progress(a.quiet);
   const SweepResult result = compute(team, *plan, a, options, progress);

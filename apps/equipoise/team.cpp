@@ -20,6 +20,7 @@
 #include "equipoise/base/error.hpp"
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/types/fate_bytes.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "job.hpp"

@@ -16,6 +16,10 @@ void Call::set(RunOptions& options) {
   options.cpu_target = cpu_;
   options.stop = &over_;
   options.stop_asked = [this] { return stop_asked(); };
+  options.notice = [](const std::string& sentence) {
+    const py::gil_scoped_acquire locked;
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 2) != 0) throw py::error_already_set();
+  };
   if (!progress_.is_none()) options.progress = [this](const Progress& p) { report(p); };
 }
 

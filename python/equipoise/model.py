@@ -12,7 +12,7 @@ from ._arguments import angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import NO_ATTRACTOR
 from .errors import Interrupted
-from .state import Frame, State, StateLike, checked_frame, no_frame, of_study, starts_of, state_on
+from .state import Frame, State, StateLike, checked_frame, floats, no_frame, of_study, starts_of, state_on
 from .study import Study
 
 Array = npt.NDArray[np.float64]
@@ -116,7 +116,7 @@ class Model:
         return state._with(**dict(zip(self.names[whole:], np.moveaxis(rows[..., whole:], -1, 0))))
 
     def _speed(self, t: npt.ArrayLike, rows: Array, piece: Optional[int]) -> Array:
-        return self._equations.motion(t, rows, piece)[..., -1]
+        return self._equations.motion(floats("t", t), rows, piece)[..., -1]
 
     def _rows(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int], frame: Optional[Frame]
@@ -128,8 +128,8 @@ class Model:
         if frame is None:
             raise no_frame("state")
         if checked_frame(frame) == "inertial":
-            return np.asarray(state, dtype=float)
-        rows = np.array(state, dtype=float)
+            return floats("state", state)
+        rows = floats("state", state)
         whole = 4 + 2 * self.study.balls
         speed = self._speed(t, rows, piece)  # prescribed, or in the array: no velocity counts
         seen = State.from_array(rows[..., :whole], frame=frame, study=self.study, psi_dot=speed)
@@ -164,31 +164,31 @@ class Model:
         -------
         ndarray (..., dimension)
         """
-        return self._equations.rhs(t, self._rows(t, state, piece, frame), piece)
+        return self._equations.rhs(floats("t", t), self._rows(t, state, piece, frame), piece)
 
     def jacobian(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> Array:
         """The exact derivative of the rates by the components that ``names`` tells (dual numbers): (..., dimension, dimension)."""
-        return self._equations.jacobian(t, self._rows(t, state, piece, frame), piece)
+        return self._equations.jacobian(floats("t", t), self._rows(t, state, piece, frame), piece)
 
     def energy(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> Array:
         """Mechanical energy in M R^2 omega_c^2: ndarray (...)."""
-        return self._equations.energy(t, self._rows(t, state, piece, frame), piece)
+        return self._equations.energy(floats("t", t), self._rows(t, state, piece, frame), piece)
 
     def powers(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> Array:
         """What changes the energy: drive, supports, balls (dE/dt = drive - supports - balls): ndarray (..., 3)."""
-        return self._equations.powers(t, self._rows(t, state, piece, frame), piece)
+        return self._equations.powers(floats("t", t), self._rows(t, state, piece, frame), piece)
 
     def motion(
         self, t: npt.ArrayLike, state: StateLike, piece: Optional[int] = None, *, frame: Optional[Frame] = None
     ) -> State:
         """The state as a trajectory tells it, with x_dot, y_dot, psi and psi_dot."""
-        rows = self._equations.motion(t, self._rows(t, state, piece, frame), piece)
+        rows = self._equations.motion(floats("t", t), self._rows(t, state, piece, frame), piece)
         seen = State.from_array(rows[..., :-2], frame="rotating", study=self.study, psi_dot=rows[..., -1])
         return seen._with(psi=rows[..., -2])
 

@@ -27,7 +27,8 @@ def checked_frame(frame: Any) -> Frame:
     return frame  # type: ignore[no-any-return]
 
 
-def _floats(name: str, values: npt.ArrayLike) -> Array:
+def floats(name: str, values: npt.ArrayLike) -> Array:
+    """A new array of numbers; of other kinds nothing is left out in silence."""
     array = angles(name, values) if name.startswith("phi") or name == "psi" else numbers(name, values)
     if array.dtype.kind not in "fiu":
         refuse(name, values, "an array of numbers", f"dtype {array.dtype}")
@@ -82,13 +83,13 @@ class State:
         if tuple(given) not in _VELOCITIES.values():
             raise TypeError("a State takes x_dot and y_dot (rates of x and y), or u and v (velocity in the room): one pair")
         self.frame: Frame = "rotating" if "x_dot" in given else "inertial"
-        self.phi = _floats("phi", phi)
+        self.phi = floats("phi", phi)
         if self.phi.ndim == 0:
             refuse("phi", phi, "an array of ball angles, one per ball")
         shape, self.balls = self.phi.shape[:-1], self.phi.shape[-1]
 
         def field(name: str, values: npt.ArrayLike, more: tuple[int, ...] = ()) -> Array:
-            array = _floats(name, values)
+            array = floats(name, values)
             try:
                 return np.broadcast_to(array, shape + more)
             except ValueError:
@@ -120,7 +121,7 @@ class State:
             Speed of the rotor, without which velocities cannot be turned into the other frame's.
         """
         names = _VELOCITIES[checked_frame(frame)]
-        rows = _floats("array", array)
+        rows = floats("array", array)
         width = rows.shape[-1] if rows.ndim else 0
         balls = (width - 4) // 2 if study is None else checked_study(study).balls
         if width != 4 + 2 * balls or balls < 1:

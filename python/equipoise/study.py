@@ -6,6 +6,7 @@ import json
 import math
 import numbers
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from typing import Any, Optional
@@ -51,7 +52,7 @@ def toml_value(key: str, value: Any) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")  # which TOML does not take as it is
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{name} = {toml_value(f'{key}.{name}', entry)}" for name, entry in value.items()) + " }"
+        return "{ " + ", ".join(f"{_name(name)} = {toml_value(f'{key}.{name}', entry)}" for name, entry in value.items()) + " }"
     if isinstance(value, list):
         return "[" + ", ".join(toml_value(key, entry) for entry in value) + "]"
     if isinstance(value, float) and not math.isfinite(value):
@@ -61,6 +62,22 @@ def toml_value(key: str, value: Any) -> str:
     wrong = "is too large a number" if isinstance(value, int) else f"is a value of type {type(value).__name__}"
     allowed = "must be a number, text, a truth value, a list or a table"
     raise StudyError(f"{key} = {value!r}: {wrong}; {allowed}", key, repr(value), wrong, allowed)
+
+
+_DOTTED = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*")
+
+
+def _name(name: Any) -> str:
+    """A table's key; in quotes, if TOML would read it as something else."""
+    return str(name) if _DOTTED.fullmatch(str(name)) else toml_value(str(name), str(name))
+
+
+def _dotted(key: Any) -> str:
+    """A key as overrides have it, which know no quotes."""
+    if isinstance(key, str) and _DOTTED.fullmatch(key):
+        return key
+    allowed = "must be the dotted name of a key, such as 'rotor.eccentricity'"
+    raise StudyError(f"{key!r}: is no key; {allowed}", str(key), "", "is no key", allowed)
 
 
 def option_value(value: Any) -> str:
@@ -146,7 +163,7 @@ class Study:
             If the result is no study.
         """
         together = {**_tables(changes, "changes"), **keys}
-        overrides = [f"{key}={toml_value(str(key), value)}" for key, value in together.items()]
+        overrides = [f"{_dotted(key)}={toml_value(str(key), value)}" for key, value in together.items()]
         try:
             return self._of(self._core.with_overrides(overrides))
         except StudyError as error:

@@ -152,3 +152,24 @@ def test_a_study_with_bearings_has_displacement_and_force_at_each(tmp_path):
     with xarray.open_dataset(tmp_path / "run.nc") as kept:
         np.testing.assert_array_equal(kept.bearing_radial, run.bearing_radial)
     assert "bearing_radial" not in eq.simulate(eq.Study.from_file(studies / "long-rotor.toml"), t=1.0).to_xarray()
+
+
+@pytest.mark.parametrize("wrong", [
+    lambda y: y + 1j,
+    lambda y: np.ma.array(y, mask=[True] + [False] * (len(y) - 1)),
+    lambda y: y.astype("datetime64[s]"),
+    lambda y: [None, *y[1:]],
+    lambda y: y > 0.0,
+    lambda y: y.astype(str),
+])
+@pytest.mark.parametrize("frame", ["inertial", "rotating"])
+def test_rates_are_of_numbers_alone(wrong, frame):
+    """NumPy would drop an imaginary part or a mask, and read a date as a number."""
+    model = eq.Model(eq.Study.from_file(studies / "paper/table-2-omega-2.4.toml"))
+    state = model.array(0.0, model.initial_state)
+    for compute in (model.rhs, model.jacobian, model.energy):
+        with pytest.raises(eq.StudyError, match="state"):
+            compute(0.0, wrong(state), frame=frame)
+        with pytest.raises(eq.StudyError, match="t"):
+            compute(wrong(np.zeros(1)), state, frame=frame)
+    np.testing.assert_array_equal(model.rhs(0, state.tolist(), frame=frame), model.rhs(0.0, state, frame=frame))

@@ -126,3 +126,14 @@ def test_the_papers_studies_are_the_files():
         assert eq.paper_study(name, law).to_toml() == eq.Study.from_file(studies / "paper" / f"{name}.toml").to_toml()
     with pytest.raises(eq.StudyError, match="paper_studies"):
         eq.paper_study("table-9")
+
+
+@pytest.mark.parametrize("key", [
+    "rotor.eccentricity=0.5 # ", "rotor.eccentricity\n", "a b", "", ".", "rotor.", "rotor..mass", "rotor.'mass'", 3, "#",
+])
+def test_what_is_replaced_is_named_by_a_key_alone(key):
+    study = eq.Study.from_file(studies / "paper/table-2-omega-2.4.toml")
+    with pytest.raises(eq.StudyError):
+        study.replace({key: 1})
+    with pytest.raises(eq.StudyError):
+        study.replace(rotor={"eccentricity = 0.01, damping": 0.5})

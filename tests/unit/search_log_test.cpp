@@ -92,6 +92,57 @@ TEST(Bytes, AreRefusedIfCutOffOrSpoilt) {
   EXPECT_TRUE(again<std::vector<std::vector<double>>>(huge).empty());
 }
 
+// A note comes from a file, whose checksum does not say who wrote it.
+TEST(Bytes, AreRefusedIfTheyHoldNoTruthOrNoneOfTheEnumerated) {
+  std::vector<char> truth = bytes_of(true), fate = bytes_of(Fate{});
+  EXPECT_EQ(again<bool>(truth), truth);
+  EXPECT_EQ(again<Fate>(fate), fate);
+  truth[0] = 2;
+  EXPECT_TRUE(again<bool>(truth).empty());
+  for (const char outcome : {-1, 5, 127}) {
+    fate[0] = outcome;
+    EXPECT_TRUE(again<Fate>(fate).empty()) << int{outcome};
+  }
+}
+
+TEST(Bytes, OfAMotionMustFitItsSystem) {
+  const Study study = parse_study(constant_speed, "notes.toml");
+  Eigen::VectorXd state = Eigen::VectorXd::Zero(8);
+  state << 0.0, 0.0, 0.0, 0.0, 0.1, 0.2, -1.6, -1.6;
+  const auto motion = motion_from(study.system(), state);
+  ASSERT_TRUE(motion);
+  const auto fits = [&](void (*change)(Motion&)) {
+    Motion changed = *motion;
+    change(changed);
+    return fits_system(study.system(), changed);
+  };
+  EXPECT_TRUE(fits([](Motion&) {}));
+  EXPECT_FALSE(fits([](Motion& m) { m.state.conservativeResize(7); }));
+  EXPECT_FALSE(fits([](Motion& m) { m.orbit.nodes.back().resize(0); }));
+  EXPECT_FALSE(fits([](Motion& m) { m.orbit.nodes.clear(); }));
+  EXPECT_FALSE(fits([](Motion& m) { m.spectrum.setZero(1000); }));
+  EXPECT_FALSE(fits([](Motion& m) { m.cluster[0] = 1000; }));
+  EXPECT_FALSE(fits([](Motion& m) { m.drift_group[1] = -1; }));
+  EXPECT_FALSE(fits([](Motion& m) { m.mode.order[0] = 16; }));
+  EXPECT_FALSE(fits([](Motion& m) { m.events.push_back({1.0, BallEventKind::strike, 7, 1}); }));
+  EXPECT_FALSE(fits([](Motion& m) { m.motor.emplace(); }));
+}
+
+TEST(SearchLog, AreComputedIfWhatIsKnownDoesNotFit) {
+  SearchLog known;
+  Kept kept;
+  SearchLog notes(into(kept));
+  const auto ask = [](SearchLog& log, std::size_t size) {
+    return NotePage(&log, "this")
+        .answer(
+            "many", nullptr, [&] { return std::vector<double>(size, 1.0); },
+            [&](const std::vector<double>& list) { return list.size() == size; });
+  };
+  EXPECT_EQ(ask(notes, 2).size(), 2u);
+  for (const auto& [where, answer] : kept) known.know(where.first, where.second, answer);
+  EXPECT_EQ(ask(known, 3).size(), 3u);
+}
+
 TEST(SearchLog, AreAnswersToTheSameQuestionsInTheSameOrder) {
   Kept kept;
   int worked = 0;

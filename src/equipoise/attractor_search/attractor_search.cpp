@@ -288,9 +288,11 @@ class Discoverer {
       if (s_.is_stopped()) return;
       Candidate& c = candidates_[k];
       const Candidate* before = followed_before(c);
-      c.motion = before ? before->motion : s_.notes.answer_at(first + k, "motion", s_.settings.stop, [&] {
-        return motion_from(system_of(c), c.state, patience(), s_.settings.stop);
-      });
+      c.motion = before ? before->motion
+                        : s_.notes.answer_at(
+                              first + k, "motion", s_.settings.stop,
+                              [&] { return motion_from(system_of(c), c.state, patience(), s_.settings.stop); },
+                              [&](std::optional<Motion>& m) { return !m || fits_system(system_of(c), *m); });
       s_.stages.add(1);
     });
     if (s_.is_stopped()) return false;

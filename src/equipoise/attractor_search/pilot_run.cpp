@@ -114,13 +114,20 @@ bool PilotRun::follow(std::size_t count, const ClassificationRule& rule, double 
     for (std::size_t i = 0; i < count; ++i)
       if (fates[i].attractor == 0) visit(&states_[i * size]);
   };
-  const Followed followed = notes.answer("pilot", stop, [&] {
-    Followed now{decide(count, rule, horizon, threads, stop, stages), {}, {}, {}};
-    now.fates.assign(fates_.begin(), fates_.begin() + static_cast<std::ptrdiff_t>(count));
-    now.records.assign(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(count));
-    each_unnamed(now.fates, [&](const double* state) { now.states.insert(now.states.end(), state, state + size); });
-    return now;
-  });
+  const Followed followed = notes.answer(
+      "pilot", stop,
+      [&] {
+        Followed now{decide(count, rule, horizon, threads, stop, stages), {}, {}, {}};
+        now.fates.assign(fates_.begin(), fates_.begin() + static_cast<std::ptrdiff_t>(count));
+        now.records.assign(records_.begin(), records_.begin() + static_cast<std::ptrdiff_t>(count));
+        each_unnamed(now.fates, [&](const double* state) { now.states.insert(now.states.end(), state, state + size); });
+        return now;
+      },
+      [&](const Followed& known) {
+        std::size_t unnamed = 0;
+        for (const Fate& fate : known.fates) unnamed += fate.attractor == 0;
+        return known.fates.size() == count && known.records.size() == count && known.states.size() == unnamed * size;
+      });
   followed_ = count;
   states_ = begin_;
   std::copy(followed.fates.begin(), followed.fates.end(), fates_.begin());

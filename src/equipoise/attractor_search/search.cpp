@@ -52,20 +52,25 @@ Search::Search(const Study& s, const SpinUp& source, const AttractorSearchSettin
 }
 
 std::optional<Motion> Search::motion_of_middle(const Eigen::VectorXd& state) {
-  return noted("middle's motion", [&] { return motion_from(system, state, motion_patience, settings.stop); });
+  return noted(
+      "middle's motion", [&] { return motion_from(system, state, motion_patience, settings.stop); },
+      [&](std::optional<Motion>& m) { return !m || fits_system(system, *m); });
 }
 
 std::vector<PilotRecord> Search::windows_of(const std::vector<const Motion*>& motions,
                                             const std::vector<const OwnRotor*>& own) {
-  return noted("windows of motions", [&] {
-    return own_windows(system, motions, own, result.rule, pilot_windows, trials.tolerance, settings.stop);
-  });
+  return noted(
+      "windows of motions",
+      [&] { return own_windows(system, motions, own, result.rule, pilot_windows, trials.tolerance, settings.stop); },
+      [&](const std::vector<PilotRecord>& records) { return records.size() == motions.size(); });
 }
 
 std::vector<Fate> Search::fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
                                    const ClassificationRule& rule, double longest) {
-  return noted("fates by windows",
-               [&] { return fates_by_windows(system, states, own, rule, longest, trials.tolerance, settings.stop); });
+  return noted(
+      "fates by windows",
+      [&] { return fates_by_windows(system, states, own, rule, longest, trials.tolerance, settings.stop); },
+      [&](const std::vector<Fate>& fates) { return fates.size() * system.dimension() == states.size(); });
 }
 
 std::vector<Fate> Search::fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule,

@@ -61,9 +61,9 @@ struct Search {
 
   bool is_stopped() const { return is_set(settings.stop); }
   int balls() const { return study.parameters.balls; }
-  template <class Work>
-  auto noted(const char* question, const Work& work) {
-    return notes.answer(question, settings.stop, work);
+  template <class Work, class Fits>
+  auto noted(const char* question, const Work& work, const Fits& fits) {
+    return notes.answer(question, settings.stop, work, fits);
   }
   std::optional<Motion> motion_of_middle(const Eigen::VectorXd& state);
   /// Windows of these motions (own_windows()), and fates of these states by windows (fates_by_windows()).

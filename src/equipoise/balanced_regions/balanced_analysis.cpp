@@ -33,12 +33,13 @@ struct Balance {
 };
 
 // `reached`: the share of gravity and anisotropy up to which the motion exists.
-std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi, double* reached = nullptr) {
+std::optional<Motion> balanced_motion(const Balance& at, const Angles& phi, const StopFlag* stop,
+                                      double* reached = nullptr) {
   if (at.system.autonomous()) {
     const auto refined = refine_equilibrium(at.system, model::balanced_state(at.system, at.speed, phi.data()));
     return refined ? std::optional(describe_equilibrium(at.system, *refined)) : std::nullopt;
   }
-  const auto orbit = balanced_orbit(at.system, phi.data(), reached);
+  const auto orbit = balanced_orbit(at.system, phi.data(), reached, stop);
   if (!orbit) return std::nullopt;
   Motion motion = describe_orbit(at.system, *orbit);
   motion.balanced = true;  // it was continued from a balanced state
@@ -65,7 +66,7 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
     result.note =
         fmt::format(words::proof::all_drawn_unstable, survey.drawn, at.speed, survey.least_growth, survey.most_growth);
   if (!rests || survey.drawn == 0 || is_set(stop)) return;
-  if (auto motion = balanced_motion(at, survey.typical)) result.motions.push_back(*std::move(motion));
+  if (auto motion = balanced_motion(at, survey.typical, stop)) result.motions.push_back(*std::move(motion));
 }
 
 // What keeps the balanced state from resting, and how much of that the motion that it becomes survives.
@@ -96,7 +97,7 @@ void analyse_isolated(const Balance& at, const StopFlag* stop, const std::vector
     if (is_set(stop)) return;
     if (!model::has_room(p, phi.data())) continue;
     double reached = 0.0;
-    auto motion = balanced_motion(at, phi, &reached);
+    auto motion = balanced_motion(at, phi, stop, &reached);
     farthest = std::max(farthest, reached);
     if (!motion) continue;
     const double rate = rate_of(at, phi, *motion);

@@ -40,6 +40,10 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
+inline constexpr bool is_array = false;
+template <class T, std::size_t n>
+inline constexpr bool is_array<std::array<T, n>> = true;
+template <class T>
 inline constexpr bool is_trimmed = false;
 template <class T>
 inline constexpr bool is_trimmed<Trimmed<T>> = true;
@@ -75,6 +79,8 @@ class BytesOut {
     if constexpr (bytes_detail::is_list<T>) {
       size(value.size());
       for (const auto& item : value) put(item);
+    } else if constexpr (bytes_detail::is_array<T>) {
+      for (const auto& item : value) put(item);
     } else if constexpr (bytes_detail::is_optional<T>) {
       put(value.has_value());
       if (value) put(*value);
@@ -98,6 +104,8 @@ class BytesOut {
   std::vector<char> bytes_;
 };
 
+/// Bytes may come from a file: lengths, truth values and enumerations are checked, the latter where last_of() names the
+/// last value. What a value must be beyond that, its reader checks.
 class BytesIn {
  public:
   explicit BytesIn(const std::vector<char>& bytes) : bytes_(bytes) {}
@@ -128,6 +136,8 @@ class BytesIn {
     if constexpr (bytes_detail::is_list<T>) {
       value.resize(size());
       for (auto& item : value) get(item);
+    } else if constexpr (bytes_detail::is_array<T>) {
+      for (auto& item : value) get(item);
     } else if constexpr (bytes_detail::is_optional<T>) {
       bool there = false;
       get(there);
@@ -147,6 +157,16 @@ class BytesIn {
       raw(value.data(), sizeof(*value.data()) * static_cast<std::size_t>(value.size()));
     } else if constexpr (requires { members(*this, value); }) {
       members(*this, value);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      std::uint8_t byte = 0;
+      raw(&byte, sizeof byte);
+      good_ = good_ && byte <= 1;
+      value = byte == 1;
+    } else if constexpr (requires { last_of(value); }) {
+      std::underlying_type_t<T> number{};
+      raw(&number, sizeof number);
+      good_ = good_ && std::in_range<std::uint32_t>(number) && number <= std::underlying_type_t<T>(last_of(value));
+      value = good_ ? static_cast<T>(number) : T{};
     } else {
       static_assert(std::is_trivially_copyable_v<T>);
       raw(&value, sizeof value);

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "equipoise/base/display_text.hpp"
+
 namespace equipoise {
 
 namespace {
@@ -16,7 +18,7 @@ std::string one_line(const std::string& where, const std::string& key, const std
   line += ": " + problem;
   for (char& c : line)
     if (c == '\n' || c == '\r') c = ' ';
-  return line;
+  return display_text(line);  // parts of it may come from a file
 }
 
 struct Parts {

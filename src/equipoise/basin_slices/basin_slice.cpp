@@ -154,6 +154,7 @@ class Mapper {
     if (!settings_.output.empty()) {
       auto file = std::make_unique<SliceStore>(settings_.output, header_);
       file_ = file.get();
+      give_notice(settings_, file_->loss());
       store_ = std::move(file);
       for (const OutcomeShare& code : file_->codes()) names_.know(code);
     } else {
@@ -173,6 +174,7 @@ class Mapper {
     plan_.emplace(map_.x.pixels, map_.y.pixels, map_.block);
     if (file_)
       file_->for_each_known([&](std::uint32_t position, short code) {
+        if (code > 0 && !names_.listed(code)) return names_.avoid(code);  // computed again
         plan_->know(position, code);
         names_.see(code, position);
       });

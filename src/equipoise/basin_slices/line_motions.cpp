@@ -11,6 +11,11 @@
 
 namespace equipoise {
 
+template <class Bytes, Like<KnownFeatures> T>
+void members(Bytes& b, T& k) {
+  b(k.features, k.attractor, k.chaotic, k.chaos, k.trend);
+}
+
 template <class Bytes, Like<MetMotions> T>
 void members(Bytes& b, T& m) {
   b(m.known, m.motions, m.follows_open);
@@ -63,12 +68,28 @@ bool LineMotions::look_along(const std::vector<std::uint32_t>& positions, const 
   progress.begin(words::sweeps::line_motions, open.size());
   in_parallel(map_.threads, open.size(), [&](std::size_t k) {
     if (is_set(options.stop)) return;
-    groups_[open[k]] =
-        page_.answer_at(first_note_ + open[k], "motions", options.stop, [&] { return look(open[k], start); });
+    groups_[open[k]] = page_.answer_at(
+        first_note_ + open[k], "motions", options.stop, [&] { return look(open[k], start); },
+        [&](std::vector<MetMotions>& met) { return fits(open[k], start, met); });
     progress.add(1);
   });
   if (is_set(options.stop)) return false;
   page_.finish();
+  return true;
+}
+
+// What was read, which may be anything.
+bool LineMotions::fits(std::size_t group, const StartAt& start, std::vector<MetMotions>& met) const {
+  const std::size_t first = group * lines_together, count = std::min(lines_together, lines_ - first);
+  if (met.size() != count) return false;
+  for (std::size_t line = 0; line < count; ++line) {
+    const model::System system = start(pixel(first + line, 0)).own.study.system();
+    const int motions = static_cast<int>(met[line].motions.size());
+    for (Motion& motion : met[line].motions)
+      if (!fits_system(system, motion)) return false;
+    for (const KnownFeatures& k : met[line].known)
+      if (k.attractor < -motions || k.attractor > -1 || k.chaos != -1 || k.trend != -1) return false;
+  }
   return true;
 }
 

@@ -33,6 +33,7 @@ class LineMotions {
  private:
   std::size_t line_of(std::uint32_t position) const;
   std::uint32_t pixel(std::size_t line, std::size_t along) const;
+  bool fits(std::size_t group, const StartAt& start, std::vector<MetMotions>& met) const;
   std::vector<MetMotions> look(std::size_t group, const StartAt& start) const;
 
   const BasinSlice& map_;

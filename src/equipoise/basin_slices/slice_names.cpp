@@ -35,6 +35,7 @@ short SliceNames::code(const MotionName& m) {
   if (known != codes_.end()) return static_cast<short>(known->id);
   const auto usual = std::find(usual_names.begin(), usual_names.end(), m.name);
   short code = static_cast<short>(first_free_id + (usual - usual_names.begin()));
+  if (usual == usual_names.end()) code = std::max(code, static_cast<short>(highest_ + 1));
   if (usual == usual_names.end())
     for (const OutcomeShare& c : codes_) code = std::max<short>(code, static_cast<short>(c.id + 1));
   codes_.push_back({code, m.name, m.alias, {}});

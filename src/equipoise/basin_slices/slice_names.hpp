@@ -1,6 +1,7 @@
 // Codes of a slice's pixels, and the names behind them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -20,6 +21,8 @@ class SliceNames {
   short code(const MotionName& motion);
   /// A code given by an earlier run.
   void know(const OutcomeShare& code);
+  /// A code whose name is lost: no other motion gets it.
+  void avoid(short code) { highest_ = std::max(highest_, code); }
   /// In the order in which they were met.
   const std::vector<OutcomeShare>& codes() const { return codes_; }
 
@@ -28,10 +31,12 @@ class SliceNames {
   /// What was seen of pixels, by the codes given so far. A complete slice renumbers them in pixel order.
   std::map<short, OutcomeShare> seen(bool whole) const;
 
- private:
+  /// Whether the code has a name.
   bool listed(short code) const;
 
+ private:
   std::vector<OutcomeShare> codes_;
+  short highest_ = 0;                     // of the codes to avoid
   std::map<short, std::uint32_t> first_;  // positions
   short last_ = not_computed_code;        // last code seen; before the first, not_computed_code
   std::uint32_t last_first_ = 0;

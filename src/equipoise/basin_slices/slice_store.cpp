@@ -75,12 +75,10 @@ void SliceStore::take(const io::Journal::Record& record) {
   if (record.kind == Kind::note) return;
   if (record.kind == Kind::outcome_name) return take_name(record);
   if (record.kind == Kind::pixels) return take_pixels(record);
-  if (record.kind != Kind::discovery || record.first > discoveries_.size() ||
-      record.bytes != header_.components * sizeof(double))
-    refuse_part();
-  if (record.first < discoveries_.size()) return;  // in the results since then
-  std::vector<double>& state = discoveries_.emplace_back(header_.components);
+  if (record.kind != Kind::discovery || record.bytes != header_.components * sizeof(double)) refuse_part();
+  std::vector<double> state(header_.components);
   journal_.read(record, 0, record.bytes, state.data());
+  if (std::find(discoveries_.begin(), discoveries_.end(), state) == discoveries_.end()) discoveries_.push_back(state);
 }
 
 // Code, name and alias, one per line.

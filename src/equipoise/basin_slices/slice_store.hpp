@@ -26,6 +26,8 @@ class SliceStore : public PixelStore {
 
   /// Whether `path` holds the whole slice.
   bool complete() const { return file_ && file_->complete(); }
+  /// What damage has taken from `path`.part, in words; empty if nothing.
+  std::string loss() const { return journal_.loss(); }
   /// Whether something is not in `path` yet.
   bool unfinished() const { return !pieces_.empty(); }
   /// Computed pixels, in any order; some may appear twice.

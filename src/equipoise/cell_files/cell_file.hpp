@@ -33,6 +33,8 @@ class CellFile {
 
   /// On disk within about a second of work. If the disk cannot take it, throws RunError and keeps all earlier records.
   void append(std::size_t cell, const std::vector<std::uint8_t>& record);
+  /// What damage has taken from the unfinished part, in words; empty if nothing.
+  std::string loss() const { return journal_->loss(); }
   /// The search log of earlier runs that did not finish.
   SearchLog& notes() { return *notes_; }
   /// What stays of the unfinished part beside the results.

@@ -23,6 +23,8 @@ class DesignFile {
 
   /// The kept answer to question `number`, if it is the answer to this question.
   std::optional<DesignSample> sample(std::uint64_t number, const std::string& name) const;
+  /// What damage has taken from the unfinished part, in words; empty if nothing.
+  std::string loss() const { return file_.loss(); }
   /// On disk within about a second of work. If the disk cannot take it, throws RunError and keeps all earlier records.
   void append(std::uint64_t number, const std::string& name, const DesignSample& sample);
   /// Writes the results, if anything is new or there is no file. Throws RunError, with everything kept as it was.

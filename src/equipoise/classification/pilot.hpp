@@ -6,7 +6,7 @@
 
 #include "equipoise/base/bytes.hpp"
 #include "equipoise/classification/classification_rule.hpp"
-#include "equipoise/types/fate.hpp"
+#include "equipoise/types/fate_bytes.hpp"
 
 namespace equipoise {
 

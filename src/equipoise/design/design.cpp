@@ -59,6 +59,7 @@ class DesignRun {
     const double cpu_begin = cpu_seconds();
     if (!options_.output.empty())
       file_ = std::make_unique<DesignFile>(options_.output, result_.identity, most_ensembles());
+    if (file_) give_notice(options_, file_->loss());
     ensembles_ =
         std::make_unique<DesignEnsembles>(problem_, options_, file_.get(), options_.helpers, options_.search_time_over);
     find();

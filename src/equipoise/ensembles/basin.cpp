@@ -36,6 +36,7 @@
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
 #include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/words/files.hpp"
 #include "equipoise/words/runs.hpp"
 
 namespace equipoise {
@@ -131,7 +132,10 @@ class BasinRun {
     for (auto& chunk : pilot_) commit(*chunk);
     pilot_.clear();
     if (finished_ || unread_ || runner_->stopped()) return;
-    compute(tally_->total(), limit_, [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
+    // Damage may have left gaps in the file.
+    while (!finished_ && !lost_)
+      compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_,
+              [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
   }
 
   RunTime time_so_far() const {
@@ -197,6 +201,7 @@ class BasinRun {
     const std::string own = result_.own_starts ? checksum_of(result_.study, options_.initial) : "";
     file_ = std::make_unique<BasinFile>(options_.output,
                                         basin_file_header(result_.study, options_.store_angles, gathers_, own));
+    give_notice(options_, file_->loss());
   }
 
   void count_all() {
@@ -250,17 +255,37 @@ class BasinRun {
         if (options_.keep_starts) result_.discoveries.push_back(state);
       }
     const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
-    if (file_)
-      for_each_stored(*file_, 0, stored, gathers_, [&](const Fate& fate, const TransientRow* row) {
-        if (!finished_) take(fate, row);
-      });
-    result_.resumed_from = tally_->total();
+    take_stored();
     if (stored > 0 && !finished_ && !runner_->stopped())
       check_stored(*file_, options_.output, stored, result_.cpu_target, [&](Chunk& chunk) {
         if (!decide(chunk)) return false;
         runner_->settle(chunk);
         return true;
       });
+  }
+
+  // What the file holds behind the starts counted so far.
+  void take_stored() {
+    const std::uint64_t begin = tally_->total(), end = file_ ? std::min(file_->stored(), limit_) : 0;
+    if (begin >= end) return;
+    for_each_stored(*file_, begin, end, gathers_, [&](const Fate& fate, const TransientRow* row) {
+      if (finished_ || unread_) return;
+      if (fate.attractor > 0 && !filed_.contains(fate.attractor)) meet_again(tally_->total(), fate);
+      if (!unread_) take(fate, row);
+    });
+    result_.resumed_from += tally_->total() - begin;
+  }
+
+  // The file names a motion by a state on it. If damage has taken that, a start that came to it meets it again.
+  void meet_again(std::uint64_t index, const Fate& fate) {
+    Chunk chunk;
+    chunk.first = index;
+    chunk.count = 1;
+    unread_ = !decide(chunk);
+    if (unread_) return;
+    for (const UnlistedStart& start : chunk.unlisted) name_fate(chunk.fates.front(), start);
+    if (!filed_.contains(fate.attractor))
+      throw InputError(options_.output, "", "", fmt::format(words::files::outcome_without_name, index, fate.attractor));
   }
 
   void take(const Fate& fate, const TransientRow* row) {
@@ -334,6 +359,7 @@ class BasinRun {
       append_starts(
           *file_, result_.study, *sampler_, chunk, {begin, taken}, result_.own_starts,
           [&](std::uint64_t index) { return start(index); }, time_so_far());
+    take_stored();
     report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
   }
 

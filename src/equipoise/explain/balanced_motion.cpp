@@ -39,7 +39,7 @@ double farthest(const model::System& system, const PeriodicOrbit& orbit) {
 
 }  // namespace
 
-void linearise(Explanation& e) {
+void linearise(Explanation& e, const StopFlag* stop) {
   const auto skip = [&](const std::string& why) { e.no_motion = why; };
   if (!e.speed) return skip(e.speed_words);
   if (*e.speed == 0.0) return skip(words::explain::no_turning);
@@ -53,7 +53,8 @@ void linearise(Explanation& e) {
   motion.angles = *angles;
   for (int i = 0; i < twin.parameters.balls; ++i) motion.angles[static_cast<std::size_t>(i)] += twin.turn;
   const model::System system = rotor.system();
-  const auto linear = balanced_rates(system, motion.angles, family);
+  const auto linear = balanced_rates(system, motion.angles, family, stop);
+  if (is_set(stop)) return skip(words::explain::stopped);
   if (!linear) {
     const bool gravity = rotor.parameters.gravity != 0.0, uneven = !rotor.parameters.isotropic();
     return skip(std::string(words::explain::no_balanced_motion_with) + (gravity ? "gravity" : "") +
@@ -66,15 +67,15 @@ void linearise(Explanation& e) {
   motion.slowest_rate = motion.eigenvalues.front().real();
   motion.stable = motion.slowest_rate < -least_rate;
   constexpr double part = 1e-3;  // of the drag: a difference far above rounding, far below what bends the curve
-  const auto more = balanced_rates(rotor.with_drag(1.0 + part), motion.angles, family);
-  const auto less = balanced_rates(rotor.with_drag(1.0 - part), motion.angles, family);
+  const auto more = balanced_rates(rotor.with_drag(1.0 + part), motion.angles, family, stop);
+  const auto less = balanced_rates(rotor.with_drag(1.0 - part), motion.angles, family, stop);
   if (more && less && motion.slowest_rate != 0.0)
     motion.drag_sensitivity =
         (more->rates.front().real() - less->rates.front().real()) / (2.0 * part * motion.slowest_rate);
   if (rotor.parameters.rolls) {
     LinearRotor sliding = rotor;
     sliding.parameters.rolls = false;
-    if (const auto slid = balanced_rates(sliding.system(), motion.angles, family))
+    if (const auto slid = balanced_rates(sliding.system(), motion.angles, family, stop))
       motion.slowest_if_sliding = slid->rates.front().real();
   }
   e.motion = motion;

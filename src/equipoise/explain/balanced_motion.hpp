@@ -1,6 +1,7 @@
 // The motion near balance, linearised: how fast balls settle there.
 #pragma once
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/results/explanation.hpp"
 #include "equipoise/stability/balanced_rates.hpp"
 
@@ -9,6 +10,6 @@ namespace equipoise {
 /// Fills `e.motion`, or `e.no_motion` with why not. Where the equations depend on the rotor's angle, by the multipliers
 /// of the motion that a balanced state becomes. Gravity is left out of a continuum, and where a ball's weight exceeds
 /// its centrifugal force.
-void linearise(Explanation& e);
+void linearise(Explanation& e, const StopFlag* stop);
 
 }  // namespace equipoise

@@ -65,7 +65,7 @@ void explain_plane(Explanation& e) {
 
 void check_pages(const Study& study) { reject_if_lacking(study, model::ResultKind::pages); }
 
-Explanation explain(const Study& study, const BallDetails& balls) {
+Explanation explain(const Study& study, const BallDetails& balls, const StopFlag* stop) {
   Explanation e;
   const model::Parameters& p = study.parameters;
   e.study = study;
@@ -75,7 +75,7 @@ Explanation explain(const Study& study, const BallDetails& balls) {
   e.ball_width = ball_widths(study, balls);
   p.tilts() ? explain_tilt(e) : explain_plane(e);
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
-  if (p.balls > 0) linearise(e);
+  if (p.balls > 0) linearise(e, stop);
   // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();
   if (e.speed && study.scales && balls.oil_viscosity && balls.oil_density) {

@@ -1,6 +1,7 @@
 // What a study's numbers say before anything is simulated.
 #pragma once
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/results/explanation.hpp"
 #include "equipoise/study/ball_details.hpp"
 #include "equipoise/study/study.hpp"
@@ -8,8 +9,8 @@
 namespace equipoise {
 
 /// Takes any study that read_study() accepts. `balls`: for the Reynolds number and for whether the balls have room. Of
-/// a rotor that tilts there are no rules of thumb, and no run-up.
-Explanation explain(const Study& study, const BallDetails& balls = {});
+/// a rotor that tilts there are no rules of thumb, and no run-up. Once `stop` is set, rates near balance are left out.
+Explanation explain(const Study& study, const BallDetails& balls = {}, const StopFlag* stop = nullptr);
 
 /// Throws InputError for a study of which pages know nothing.
 void check_pages(const Study& study);

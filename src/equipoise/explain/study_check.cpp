@@ -99,8 +99,9 @@ std::string unbalance_line(const Explanation& e) {
   if (s.scales) {
     line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
     if (const auto grade = e.speed ? own_balance_grade(s, *e.speed) : std::nullopt)
-      line += fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
-                          grade_text(*grade), speed_of(s, *e.speed));
+      line +=
+          fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
+                      grade_text(*grade), speed_of(s, *e.speed));
   }
   return line;
 }
@@ -209,7 +210,7 @@ constexpr std::array<Estimate, 5> estimates{{
 // What a change is judged by, each a number that is better if larger.
 struct Measures {
   bool can_balance = false, stable = false;
-  bool unstable = false;  // known to be; of some studies neither is known
+  bool unstable = false;          // known to be; of some studies neither is known
   std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
   std::optional<double> settles;  // rate of the approach to balance
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
@@ -227,8 +228,8 @@ std::optional<double> margin_of(const Explanation& e) {
   return least.value_or(1.0);
 }
 
-Measures measures_of(const Study& study, const BallDetails& balls) {
-  const Explanation e = explain(study, balls);
+Measures measures_of(const Study& study, const BallDetails& balls, const StopFlag* stop) {
+  const Explanation e = explain(study, balls, stop);
   Measures m;
   m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
   m.margin = margin_of(e);
@@ -276,23 +277,24 @@ Effect effect_of(const Study& study, const Measures& before, const Measures& aft
   return worst;
 }
 
-std::string most_line(const Study& study, const BallDetails& balls) {
+std::string most_line(const Study& study, const BallDetails& balls, const StopFlag* stop) {
   if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
   constexpr double part = 0.2;
-  const Measures before = measures_of(study, balls);
+  const Measures before = measures_of(study, balls, stop);
   Effect worst;
   std::string which;
   for (const Estimate& estimate : estimates)
     for (const double sign : {-1.0, 1.0}) {
       Study changed = study;
       estimate.scale(changed.parameters, 1.0 + sign * part);
-      Effect effect = effect_of(study, before, measures_of(changed, balls));
+      Effect effect = effect_of(study, before, measures_of(changed, balls, stop));
       if (effect.size <= worst.size) continue;
       worst = std::move(effect);
       const bool stokes = balls.oil_viscosity && estimate.name == drag_name;
       which = fmt::format(words::study_check::fifth_changes, estimate.name,
                           stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
     }
+  if (is_set(stop)) return words::study_check::stopped;
   if (before.unstable && worst.size < decides) return words::study_check::stays_unstable;
   if (which.empty())
     return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
@@ -377,18 +379,18 @@ std::string StudyCheck::text() const {
   return fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
-StudyCheck check_study(const std::string& toml_text, const std::string& name,
-                       const std::vector<std::string>& overrides) {
+StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,
+                       const StopFlag* stop) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
   const BallDetails balls = parse_ball_details(toml_text, name, overrides);
   const study::Document document = study::parse_document(toml_text, name, overrides);
-  const Explanation e = explain(medians, balls);
+  const Explanation e = explain(medians, balls, stop);
   StudyCheck check;
   check.machine = machine_line(e);
   check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
   check.balls = balls_line(e);
   check.assumed = Assumptions(document.root, study, balls).list();
-  check.most = most_line(medians, balls);
+  check.most = most_line(medians, balls, stop);
   return check;
 }
 

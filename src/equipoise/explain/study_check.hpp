@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/base/stop_flag.hpp"
+
 namespace equipoise {
 
 struct StudyCheck {
@@ -19,8 +21,9 @@ struct StudyCheck {
 /// Among what is assumed of a study with uncertain values: what follows without simulation takes them so.
 extern const char* const medians_assumed;
 
-/// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians.
+/// Of a text that parse_study() takes; throws what it throws. Uncertain values are taken at their medians. Once `stop`
+/// is set, what takes integration is left out.
 StudyCheck check_study(const std::string& toml_text, const std::string& name,
-                       const std::vector<std::string>& overrides = {});
+                       const std::vector<std::string>& overrides = {}, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -11,12 +11,12 @@
 namespace equipoise {
 
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
-                           const std::vector<std::string>& overrides) {
+                           const std::vector<std::string>& overrides, const StopFlag* stop) {
   check_pages(parse_study(toml_text, name, overrides));
-  StudyCheck checked = check_study(toml_text, name, overrides);
+  StudyCheck checked = check_study(toml_text, name, overrides, stop);
   std::erase(checked.assumed, medians_assumed);  // a page's starts draw them
   return {given_tables(toml_text, name, overrides),
-          explain(parse_study(toml_text, name, overrides), parse_ball_details(toml_text, name, overrides)),
+          explain(parse_study(toml_text, name, overrides), parse_ball_details(toml_text, name, overrides), stop),
           std::move(checked.assumed), std::move(checked.most)};
 }
 

@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/results/machine_page.hpp"
 #include "equipoise/study/study.hpp"
 
 namespace equipoise {
 
-/// From a study's text that parse_study() accepts, with overrides applied.
+/// From a study's text that parse_study() accepts, with overrides applied. Once `stop` is set, what takes integration
+/// is left out.
 GivenMachine given_machine(const std::string& toml_text, const std::string& name,
-                           const std::vector<std::string>& overrides = {});
+                           const std::vector<std::string>& overrides = {}, const StopFlag* stop = nullptr);
 
 /// From a study without text.
 GivenMachine given_machine(const Study& study);

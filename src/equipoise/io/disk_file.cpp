@@ -15,13 +15,13 @@ namespace {
 
 int failed(bool yes) { return yes ? errno : 0; }
 
-// Calls put(bytes from there, how many) until all is written.
+// Calls put(bytes from there, how many) until all is written. `again`: also after a signal.
 template <class Put>
-int write_through(const void* data, std::size_t size, Put put) {
+int write_through(const void* data, std::size_t size, bool again, Put put) {
   const char* at = static_cast<const char*>(data);
   while (size > 0) {
     const ssize_t written = put(at, size);
-    if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EINTR && again) continue;
     if (written < 0) return errno;
     at += written;
     size -= static_cast<std::size_t>(written);
@@ -78,7 +78,7 @@ bool DiskFile::read_at(std::uint64_t offset, void* data, std::size_t size) const
 }
 
 int DiskFile::write_at(std::uint64_t offset, const void* data, std::size_t size) const {
-  return write_through(data, size, [&](const char* at, std::size_t left) {
+  return write_through(data, size, true, [&](const char* at, std::size_t left) {
     const ssize_t written = pwrite(file_, at, left, static_cast<off_t>(offset));
     if (written > 0) offset += static_cast<std::uint64_t>(written);
     return written;
@@ -86,7 +86,7 @@ int DiskFile::write_at(std::uint64_t offset, const void* data, std::size_t size)
 }
 
 int DiskFile::write(const std::string& text) const {
-  return write_through(text.data(), text.size(),
+  return write_through(text.data(), text.size(), false,
                        [&](const char* at, std::size_t left) { return ::write(file_, at, left); });
 }
 

@@ -38,7 +38,7 @@ class DiskFile {
   /// False at the end of the file, or on an error.
   bool read_at(std::uint64_t offset, void* data, std::size_t size) const;
   int write_at(std::uint64_t offset, const void* data, std::size_t size) const;
-  /// Where reading and writing go on: for pipes and terminals too.
+  /// Where reading and writing go on: for pipes and terminals too. Nobody may read a pipe, so a signal ends it.
   int write(const std::string& text) const;
   int cut(std::uint64_t size) const;
   /// Until it returns, a power failure may lose what was written. `all`: also times, permissions and the like.

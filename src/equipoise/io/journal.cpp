@@ -1,10 +1,11 @@
-// The journal's file: header, records, damage cut off.
+// The journal's file: header, records, damage passed over.
 #include "equipoise/io/journal.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -45,16 +46,18 @@ bool add_to(Checksum& sum, const DiskFile& file, std::uint64_t offset, std::uint
   return true;
 }
 
-// The header of the whole record that begins at `begin`, in the first `end` bytes of the file; none if it is damaged.
-std::optional<RecordHeader> sound_record(const DiskFile& file, std::uint64_t begin, std::uint64_t end) {
+// The header at `begin`, of a record that fits into the first `end` bytes of the file.
+std::optional<RecordHeader> fitting_header(const DiskFile& file, std::uint64_t begin, std::uint64_t end) {
   RecordHeader header;
   if (end < begin || end - begin < sizeof header || !file.read_at(begin, &header, sizeof header)) return {};
-  const std::uint64_t payload = begin + sizeof header;
-  if (header.mark != record_mark || header.bytes > end - payload) return {};
+  if (header.mark != record_mark || header.bytes > end - begin - sizeof header) return {};
+  return header;
+}
+
+bool is_sound(const DiskFile& file, std::uint64_t begin, const RecordHeader& header) {
   Checksum sum;
   sum.add(&header, summed);
-  if (!add_to(sum, file, payload, header.bytes) || sum.value() != header.checksum) return {};
-  return header;
+  return add_to(sum, file, begin + sizeof header, header.bytes) && sum.value() == header.checksum;
 }
 
 }  // namespace
@@ -130,14 +133,42 @@ void Journal::write_header() {
   (void)to_disk(std::filesystem::path(path_).parent_path().string());
 }
 
+// Where the mark of a record is next, at `from` or behind it; `size` if nowhere.
+std::uint64_t Journal::next_mark(std::uint64_t from, std::uint64_t size) const {
+  std::string mark(sizeof record_mark, '\0');
+  std::memcpy(mark.data(), &record_mark, mark.size());
+  std::string block(mark.size(), '\0');  // mostly it is there
+  while (from <= size && size - from >= mark.size()) {
+    block.resize(std::min<std::uint64_t>(block.size(), size - from));
+    if (!file_.read_at(from, block.data(), block.size())) break;
+    if (const std::size_t at = block.find(mark); at != std::string::npos) return from + at;
+    from += block.size() - (mark.size() - 1);
+    block.resize(1 << 20);
+  }
+  return size;
+}
+
 void Journal::read_records(std::uint64_t size) {
-  while (const auto header = sound_record(file_, end_, size)) {
-    const std::uint64_t payload = end_ + sizeof *header;
+  // A file made of marks must not be summed up again from each.
+  constexpr std::uint64_t most_readings = 16;
+  std::uint64_t in_vain = 0;
+  for (std::uint64_t at = end_; (at = next_mark(at, size)) < size && in_vain <= most_readings * size;) {
+    const auto header = fitting_header(file_, at, size);
+    if (!header || !is_sound(file_, at, *header)) {
+      in_vain += header ? header->bytes : 0;
+      ++at;
+      continue;
+    }
+    lost_ += at - end_;
+    const std::uint64_t payload = at + sizeof *header;
     records_.push_back({static_cast<Kind>(header->kind), header->first, header->count, header->seconds,
                         header->cpu_seconds, payload, header->bytes});
-    end_ = payload + header->bytes;
+    at = end_ = payload + header->bytes;
   }
+  lost_ += size - end_;
 }
+
+std::string Journal::loss() const { return lost_ == 0 ? "" : fmt::format(words::files::damaged_bytes, path_, lost_); }
 
 void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
   if (offset > record.bytes || bytes > record.bytes - offset || !file_.read_at(record.payload + offset, data, bytes))
@@ -146,8 +177,10 @@ void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes
 
 void Journal::require_sound() const {
   for (const Record& record : records_) {
-    const auto header = sound_record(file_, record.payload - sizeof(RecordHeader), record.end());
-    if (!header || header->bytes != record.bytes) throw RunError(fmt::format(words::files::changed_by_another, path_));
+    const std::uint64_t begin = record.payload - sizeof(RecordHeader);
+    const auto header = fitting_header(file_, begin, record.end());
+    if (!header || header->bytes != record.bytes || !is_sound(file_, begin, *header))
+      throw RunError(fmt::format(words::files::changed_by_another, path_));
   }
 }
 
@@ -213,6 +246,7 @@ void Journal::keep_only(Kind kind) {
   if (kept.empty()) return remove();
   records_.clear();
   end_ = sizeof(FileHeader) + identity_.size();
+  lost_ = 0;
   spoilt_ = true;  // the first record overwrites everything after the header
   try {
     for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());

@@ -13,7 +13,7 @@
 namespace equipoise::io {
 
 /// A header with the identity of the results, then records with checksums. One write appends a record. A record that
-/// was cut off or damaged fails its checksum, and the journal ends before it. An open Journal is locked.
+/// was cut off or damaged fails its checksum; reading goes on at the next sound one. An open Journal is locked.
 class Journal {
  public:
   /// What a record holds. The values are those in the file.
@@ -51,8 +51,10 @@ class Journal {
   const std::string& identity() const { return identity_; }
   /// The undamaged records.
   const std::vector<Record>& records() const { return records_; }
-  /// Length of the undamaged part; 0: even the header is damaged.
-  std::uint64_t whole_bytes() const { return end_; }
+  /// Bytes behind the header that belong to no sound record.
+  std::uint64_t lost_bytes() const { return lost_; }
+  /// What is damaged, in words; empty if nothing is.
+  std::string loss() const;
   /// Reads part of a record's payload.
   void read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const;
 
@@ -73,13 +75,15 @@ class Journal {
   void read_header(const std::string& identity, std::uint64_t size);
   void write_header();
   void read_records(std::uint64_t size);
+  std::uint64_t next_mark(std::uint64_t from, std::uint64_t size) const;
   void write(const std::vector<char>& bytes);
   void sync();
 
   std::string path_, identity_;
   DiskFile file_;
-  std::uint64_t end_ = 0;  ///< after the last whole record
-  bool spoilt_ = false;    ///< invalid bytes follow
+  std::uint64_t end_ = 0;   ///< after the last whole record
+  std::uint64_t lost_ = 0;  ///< bytes between the records and behind them
+  bool spoilt_ = false;     ///< invalid bytes follow
   bool only_reads_ = false;
   std::vector<Record> records_;
   std::mutex appending_;

@@ -12,6 +12,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/io/netcdf_header.hpp"
 #include "equipoise/io/replacement.hpp"
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/words/files.hpp"
@@ -42,6 +43,8 @@ NetcdfFile::NetcdfFile(const std::string& path, Mode mode, const std::string& na
     std::error_code error;
     bytes_ = std::filesystem::file_size(path, error);
     if (error) throw RunError(name_ + ": cannot be read");
+    if (const std::string fault = netcdf_fault(path); !fault.empty())
+      throw RunError(fmt::format(words::files::unreadable_netcdf, name_, fault));
     check(call(nc_open, std::filesystem::absolute(path).c_str(), NC_NOWRITE, &id_), "cannot be read");
   } else {
     check(call(nc_create, path.c_str(), NC_CLOBBER | (mode == Mode::create_large ? NC_64BIT_DATA : NC_64BIT_OFFSET),
@@ -70,8 +73,7 @@ std::size_t NetcdfFile::length(const std::string& dimension) const {
   check(status, "dimension " + dimension);
   check(call(nc_inq_dimlen, id_, id, &length), "dimension " + dimension);
   // Whatever has this length takes a byte each at least. A forged one would take all memory.
-  if (bytes_ > 0 && length > bytes_)
-    throw RunError(fmt::format(words::files::longer_than_file, name_, dimension));
+  if (bytes_ > 0 && length > bytes_) throw RunError(fmt::format(words::files::longer_than_file, name_, dimension));
   return length;
 }
 

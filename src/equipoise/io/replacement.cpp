@@ -48,22 +48,29 @@ bool names_open_file(const std::string& path) {
 
 std::string error_text(int error) { return std::generic_category().message(error); }
 
+// Also of links to files that are not there yet, which the library's canonical paths do not follow.
 std::string resolved(const std::string& path) {
+  constexpr int most_links = 40;  // as Linux follows
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (names_open_file(path) || (fs::exists(status) && !fs::is_regular_file(status))) return path;
-  const fs::path whole = fs::weakly_canonical(path, error);
+  fs::path end = path;
+  for (int k = 0; k < most_links && fs::is_symlink(fs::symlink_status(end, error)); ++k)
+    end = end.parent_path() / fs::read_symlink(end, error);
+  const fs::path whole = fs::weakly_canonical(end, error);
   return error || whole.empty() ? path : whole.string();
 }
 
 std::string why_not_writable(const std::string& path) {
   const std::string target = resolved(path), folder = folder_of(target);
   std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(target, error))) return error_text(ELOOP);
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) return words::files::is_a_folder;
   if (const int refused = fs::exists(status) ? may_write(target) : 0) return error_text(refused);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
-  if (!fs::exists(folder, error)) return fmt::format(words::files::no_such_folder, folder_of(path));
+  if (!fs::exists(folder, error))
+    return fmt::format(words::files::no_such_folder, fs::is_symlink(path, error) ? folder : folder_of(path));
   if (!fs::is_directory(folder, error)) return fmt::format(words::files::is_no_folder, folder_of(path));
   DiskFile file;
   int refused = 0;

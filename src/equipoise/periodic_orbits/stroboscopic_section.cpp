@@ -36,13 +36,13 @@ std::vector<VectorXd> hung_anew(const model::System& from, const model::System& 
 // The orbit of one section at a share, close to an orbit at another share. At a prescribed speed the section stays even
 // if nothing depends on the rotor's angle any more.
 std::optional<PeriodicOrbit> orbit_at(const model::System& system, const PeriodicOrbit& near, double near_share,
-                                      double share) {
+                                      double share, const StopFlag* stop) {
   // A branch moves less than this, in System::scale(), over one step; a larger move may lead to another branch.
   constexpr double farthest = 0.25;
   const model::System weak = weakened(system, share);
   const std::vector<VectorXd> nodes = hung_anew(weakened(system, near_share), weak, near.nodes);
-  const auto found = system.prescribed() ? refine_imposed_orbit(weak, nodes, system.section_period(), farthest)
-                                         : refine_orbit(weak, nodes, near.period, farthest);
+  const auto found = system.prescribed() ? refine_imposed_orbit(weak, nodes, system.section_period(), farthest, stop)
+                                         : refine_orbit(weak, nodes, near.period, farthest, stop);
   if (!found) return std::nullopt;
   const auto still = [](int turns) { return turns == 0; };
   const bool captured = std::all_of(found->winding.begin(), found->winding.begin() + system.balls(), still);
@@ -52,14 +52,15 @@ std::optional<PeriodicOrbit> orbit_at(const model::System& system, const Periodi
 // Continues an orbit of one section from share `from` to share `to`, in steps that are halved when they fail.
 // `reached`: the share that it came to.
 std::optional<PeriodicOrbit> continued(const model::System& system, PeriodicOrbit orbit, double from, double to,
-                                       double* reached = nullptr) {
+                                       double* reached = nullptr, const StopFlag* stop = nullptr) {
   constexpr double first_step = 0.25, smallest_step = 1.0 / 512;
   const double direction = to > from ? 1.0 : -1.0;
   double at = from, step = first_step;
   while (at != to) {
     if (reached) *reached = at;
     const double next = std::fabs(to - at) <= step * (1.0 + 1e-9) ? to : at + direction * step;
-    const auto found = orbit_at(system, orbit, at, next);
+    const auto found = orbit_at(system, orbit, at, next, stop);
+    if (is_set(stop)) return std::nullopt;
     if (!found) {
       step *= 0.5;
       if (step < smallest_step) return std::nullopt;
@@ -95,7 +96,8 @@ std::optional<VectorXd> at_next_section(const model::System& system, const Vecto
   return advance_state(system, state, ahead / std::fabs(speed), psi, tolerance);
 }
 
-std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached) {
+std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached,
+                                            const StopFlag* stop) {
   if (reached) *reached = 0.0;
   const auto speed = model::balanced_speed(system);
   if (!speed || *speed == 0.0) return std::nullopt;
@@ -104,11 +106,11 @@ std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const d
   start.period = system.section_angle() / std::fabs(*speed);
   const double from = least_share(system);
   if (from > 0.0) {
-    const auto weak = orbit_at(system, start, 0.0, from);
+    const auto weak = orbit_at(system, start, 0.0, from, stop);
     if (!weak) return std::nullopt;
     start = *weak;
   }
-  return continued(system, start, from, 1.0, reached);
+  return continued(system, start, from, 1.0, reached, stop);
 }
 
 bool leads_to_balance(const model::System& system, const PeriodicOrbit& orbit) {

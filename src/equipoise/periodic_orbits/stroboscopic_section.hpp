@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "equipoise/model/system.hpp"
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/periodic_orbits/orbit.hpp"
 
 namespace equipoise {
@@ -21,7 +22,8 @@ std::optional<Eigen::VectorXd> at_next_section(const model::System& system, cons
 /// The orbit that a balanced state at ball angles `phi` becomes as gravity and anisotropy are switched on gradually.
 /// Empty if there is none: it may meet another orbit and vanish. `reached`: the share of both up to which it was
 /// continued.
-std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached = nullptr);
+std::optional<PeriodicOrbit> balanced_orbit(const model::System& system, const double* phi, double* reached = nullptr,
+                                            const StopFlag* stop = nullptr);
 
 /// Whether the orbit becomes a balanced state (its centre comes to rest on the axis) as gravity and anisotropy are
 /// switched off gradually.

@@ -86,7 +86,8 @@ CertificateResult prove(Certificate& c, long budget, const StopFlag* stop) {
 // Whether `boxes` [begin, end) are the leaves of halving `box` down, those outside the level set left out.
 template <ProofKind kind>
 bool covered(const LevelProof<kind>& proof, const Box& box, std::vector<Box>::iterator begin,
-             std::vector<Box>::iterator end, int depth) {
+             std::vector<Box>::iterator end, int depth, const StopFlag* stop) {
+  if (is_set(stop)) return false;
   if (proof.outside(box)) return begin == end;
   if (begin == end) return false;
   if (end - begin == 1 && begin->low == box.low && begin->high == box.high) return true;
@@ -97,7 +98,7 @@ bool covered(const LevelProof<kind>& proof, const Box& box, std::vector<Box>::it
       if (!(b.low[k] >= low_half.low[k] && b.high[k] <= low_half.high[k])) return false;
     return true;
   });
-  return covered(proof, first, begin, middle, depth + 1) && covered(proof, second, middle, end, depth + 1);
+  return covered(proof, first, begin, middle, depth + 1, stop) && covered(proof, second, middle, end, depth + 1, stop);
 }
 
 template <ProofKind kind>
@@ -105,7 +106,8 @@ CertificateResult check(const Certificate& c, const StopFlag* stop) {
   const LevelProof<kind> proof(c);
   if (!proof.fault().empty()) return {false, proof.fault()};
   std::vector<Box> boxes = c.boxes;
-  if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0)) return {false, words::proof::boxes_do_not_cover};
+  if (!covered(proof, root<kind>(), boxes.begin(), boxes.end(), 0, stop))
+    return is_set(stop) ? not_finished : CertificateResult{false, words::proof::boxes_do_not_cover};
   for (const Box& box : c.boxes) {
     if (is_set(stop)) return not_finished;
     if (!proof.holds(box)) return {false, fmt::format(words::proof::box_does_not_prove, box.low[0], box.low[1])};

@@ -12,6 +12,7 @@
 
 #include "equipoise/base/error.hpp"
 #include "equipoise/base/version.hpp"
+#include "equipoise/words/proof.hpp"
 #include "equipoise/words/reports.hpp"
 
 namespace equipoise {
@@ -350,10 +351,11 @@ std::vector<MemberCertificate> members_from_json(const std::string& text, const 
   return entries(file_from(text, where), "members", where, member_from);
 }
 
-CertificateFile checked_certificates(const std::string& text, const std::string& where) {
+CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop) {
   CertificateFile file{where, certificates_from_json(text, where), {}, members_from_json(text, where), {}};
-  for (const Certificate& certificate : file.certificates) file.checks.push_back(check_certificate(certificate));
-  for (const MemberCertificate& member : file.members) file.member_checks.push_back(check_member(member));
+  for (const Certificate& certificate : file.certificates) file.checks.push_back(check_certificate(certificate, stop));
+  for (const MemberCertificate& member : file.members)
+    file.member_checks.push_back(is_set(stop) ? CertificateResult{false, words::proof::stopped} : check_member(member));
   return file;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/proof/certificate.hpp"
 #include "equipoise/proof/member_certificate.hpp"
 #include "equipoise/results/certify_result.hpp"
@@ -23,6 +24,7 @@ std::vector<Certificate> certificates_from_json(const std::string& text, const s
 std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where);
 
 /// Reads such a text and checks each certificate from its own data. Throws what certificates_from_json() throws.
-CertificateFile checked_certificates(const std::string& text, const std::string& where);
+/// Once `stop` is set, what has not been checked counts as not proved.
+CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -27,6 +28,10 @@
 
 namespace equipoise {
 
+namespace {
+constexpr std::uint64_t most_starts = 1'000'000'000'000;
+}  // namespace
+
 struct BasinFile::State {
   // Starts first .. first + count - 1, found in a record of the journal.
   struct Piece {
@@ -40,6 +45,7 @@ struct BasinFile::State {
   std::size_t start_bytes = 0;  // of all columns
   std::uint64_t stored = 0, finished = 0;
   std::vector<Piece> pieces;
+  std::map<std::uint64_t, io::Journal::Record> later;  // by first start: those behind a gap
   std::vector<std::vector<double>> discoveries;
   std::vector<std::string> cpu_targets;
   RunTime time;
@@ -55,6 +61,7 @@ struct BasinFile::State {
   void read_results();
   void read_journal();
   void take(const io::Journal::Record& record);
+  void use_records();
   void note_target(const std::string& target);
   void append(io::Journal::Record record, const void* payload, std::size_t bytes);
   void read(std::size_t column, std::uint64_t first, std::size_t count, void* values) const;
@@ -116,6 +123,7 @@ void BasinFile::State::read_results() {
 void BasinFile::State::read_journal() {
   require_same(journal->identity(), path + ".part");
   for (const io::Journal::Record& record : journal->records()) take(record);
+  use_records();
 }
 
 // A run killed between writing its results and removing its journal leaves both. Records in the results are skipped.
@@ -128,19 +136,31 @@ void BasinFile::State::take(const io::Journal::Record& record) {
     return note_target(target);
   }
   const bool states = record.kind == Kind::discovery;
-  const std::uint64_t known = states ? discoveries.size() : stored;
   const std::size_t each = states ? state_size() * sizeof(double) : start_bytes;
-  const bool fits = (states || record.kind == Kind::starts) && record.count <= record.bytes &&
-                    record.bytes == record.count * each && record.first <= known && (!states || record.count == 1);
+  const bool fits = (states || record.kind == Kind::starts) && record.count > 0 && record.count <= record.bytes &&
+                    record.bytes == record.count * each && record.first <= most_starts &&
+                    (!states || record.count == 1);
   if (!fits) throw InputError(path + ".part", "", "", fmt::format(words::files::does_not_follow, path));
-  if (record.first + record.count <= known) return;
   time = {std::max(time.seconds, record.seconds), std::max(time.cpu_seconds, record.cpu_seconds)};
   if (states) {
-    journal->read(record, 0, record.bytes, discoveries.emplace_back(state_size()).data());
+    std::vector<double> state(state_size());
+    journal->read(record, 0, record.bytes, state.data());
+    if (std::find(discoveries.begin(), discoveries.end(), state) == discoveries.end()) discoveries.push_back(state);
     return;
   }
-  pieces.push_back({known, record.first + record.count - known, record});
-  stored = record.first + record.count;
+  io::Journal::Record& there = later[record.first];
+  if (record.count > there.count) there = record;
+}
+
+void BasinFile::State::use_records() {
+  while (!later.empty() && later.begin()->first <= stored) {
+    const io::Journal::Record record = later.begin()->second;
+    later.erase(later.begin());
+    const std::uint64_t end = record.first + record.count;
+    if (end <= stored) continue;
+    pieces.push_back({stored, end - stored, record});
+    stored = end;
+  }
 }
 
 void BasinFile::State::note_target(const std::string& target) {
@@ -188,11 +208,30 @@ BasinFile::BasinFile(const std::string& path, const BasinFileHeader& header) : s
 
 SearchLog& BasinFile::notes() { return *state_->notes; }
 
-void BasinFile::forget_notes() { state_->journal->remove(); }
+void BasinFile::forget_notes() {
+  if (state_->later.empty()) state_->journal->remove();
+}
 
 BasinFile::~BasinFile() = default;
 
 std::uint64_t BasinFile::stored() const { return state_->stored; }
+
+std::uint64_t BasinFile::stored_next() const {
+  constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+  return state_->later.empty() ? none : state_->later.begin()->first;
+}
+
+std::string BasinFile::loss() const {
+  const std::string bytes = state_->journal->loss();
+  std::uint64_t lost = 0, known = state_->stored;
+  for (const auto& [first, record] : state_->later) {
+    lost += first - std::min(first, known);
+    known = std::max(known, first + record.count);
+  }
+  if (lost == 0) return bytes;
+  return fmt::format(words::files::lost_starts, bytes.empty() ? state_->path + ".part:" : bytes + ";", lost,
+                     state_->stored);
+}
 
 std::uint64_t BasinFile::unfinished() const { return state_->stored - state_->finished; }
 
@@ -262,6 +301,7 @@ void BasinFile::append(const StartBatch& batch, const RunTime& so_far) {
            payload.data(), payload.size());
   s.pieces.push_back({s.stored, batch.count, s.journal->records().back()});
   s.stored += batch.count;
+  s.use_records();
 }
 
 const std::vector<std::string>& BasinFile::cpu_targets() const { return state_->cpu_targets; }
@@ -339,7 +379,7 @@ void BasinFile::finish(const std::string& resolved_study, const std::vector<Outc
   } catch (const RunError& e) {
     throw RunError(fmt::format(words::files::starts_are_kept_in_part, e.what(), s.stored, s.path));
   }
-  io::leave_notes(*s.journal, complete);
+  if (s.later.empty()) io::leave_notes(*s.journal, complete);
 }
 
 }  // namespace equipoise

@@ -71,6 +71,11 @@ class BasinFile {
 
   /// Starts already stored (0 .. stored() - 1).
   std::uint64_t stored() const;
+  /// The next start that is stored behind a gap, left by damage; the largest number if there is none. Once the gap is
+  /// filled, stored() passes over it.
+  std::uint64_t stored_next() const;
+  /// What damage has taken from `path`.part, in words; empty if nothing.
+  std::string loss() const;
   /// Of these, those that `path` does not hold yet.
   std::uint64_t unfinished() const;
   /// The CPU targets that they were computed on.

@@ -110,8 +110,7 @@ void read_unfinished(Inspection& i) {
   if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
   if (notes > 0) i.facts.emplace_back(words::files::search_steps, fmt::format("{}", notes));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
-  if (const std::uint64_t end = journal.whole_bytes(); end > 0 && i.bytes > end)
-    i.damage = fmt::format(words::files::damaged_at_end, i.bytes - end);
+  if (journal.lost_bytes() > 0) i.damage = fmt::format(words::files::damaged_within_sound, journal.lost_bytes());
 }
 
 bool is_netcdf(const std::string& path) {

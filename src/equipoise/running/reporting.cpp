@@ -30,7 +30,7 @@ void Reporting::heed_stop() {
 
 void Reporting::answer(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
-  guarded([&] { asked_.progress(*told_); });
+  guarded(*told_);
   heed_stop();  // the callback may have set it
   lock.lock();
   told_ = nullptr;
@@ -67,10 +67,10 @@ void Reporting::run(const std::function<void()>& work) {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-void Reporting::tell(const Progress& progress) {
+void Reporting::call(const std::function<void()>& callback) {
   const std::lock_guard one_at_a_time(telling_);
   std::unique_lock lock(mutex_);
-  told_ = &progress;
+  told_ = &callback;
   changed_.notify_one();
   answered_.wait(lock, [&] { return !told_; });
 }

@@ -22,7 +22,7 @@ class Reporting {
 
   // For the work, from any of its threads.
   const StopFlag* stop() const { return &stop_; }
-  void tell(const Progress& progress);  ///< returns when the callback has
+  void call(const std::function<void()>& callback);  ///< on the thread that asked; returns when it has
 
  private:
   void work_along(const std::function<void()>& work);
@@ -35,7 +35,7 @@ class Reporting {
   StopFlag stop_{false};
   std::mutex telling_, mutex_;
   std::condition_variable changed_, answered_;
-  const Progress* told_ = nullptr;
+  const std::function<void()>* told_ = nullptr;
   bool done_ = false;
   std::exception_ptr failure_, refusal_;  // of the work; of a callback
 };
@@ -44,12 +44,13 @@ class Reporting {
 /// gets a copy whose callbacks may be called from any thread, one at a time.
 template <class Options, class Work>
 auto reported(const Options& options, const Work& work) {
-  if (!options.progress && !options.stop_asked) return work(options);
+  if (!options.progress && !options.stop_asked && !options.notice) return work(options);
   Reporting reporting(options);
   Options inner = options;
   inner.stop = reporting.stop();
   inner.stop_asked = nullptr;
-  if (options.progress) inner.progress = [&](const Progress& p) { reporting.tell(p); };
+  if (options.progress) inner.progress = [&](const Progress& p) { reporting.call([&] { options.progress(p); }); };
+  if (options.notice) inner.notice = [&](const std::string& s) { reporting.call([&] { options.notice(s); }); };
   std::optional<decltype(work(inner))> result;
   reporting.run([&] { result.emplace(work(inner)); });
   return std::move(*result);

@@ -12,8 +12,8 @@ void Reporting::run(const std::function<void()>& work) {
   work();
 }
 
-void Reporting::tell(const Progress& progress) {
-  asked_.progress(progress);
+void Reporting::call(const std::function<void()>& callback) {
+  callback();
   heed_stop();
 }
 

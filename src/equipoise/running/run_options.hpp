@@ -25,9 +25,14 @@ struct RunOptions {
   int threads = 0;                   ///< 0: all cores. No result depends on it
   const StopFlag* stop = nullptr;    ///< once true, work ends soon and returns what is done, marked partial
   std::function<bool()> stop_asked;  ///< the same by polling, some twenty times a second
-  std::function<void(const Progress&)> progress;  ///< called in order
+  std::function<void(const Progress&)> progress;   ///< called in order
+  std::function<void(const std::string&)> notice;  ///< a sentence for the user, such as what a damaged file has lost
   /// One of cpu_targets(). It applies to the whole process: simultaneous calls must not name different ones.
   std::string cpu_target;
 };
+
+inline void give_notice(const RunOptions& options, const std::string& sentence) {
+  if (options.notice && !sentence.empty()) options.notice(sentence);
+}
 
 }  // namespace equipoise

@@ -50,6 +50,14 @@ class SearchLog {
   std::mutex keeping_;
 };
 
+/// For answers that may have any value.
+struct AnyAnswer {
+  template <class Answer>
+  bool operator()(const Answer&) const {
+    return true;
+  }
+};
+
 /// The answers of one piece of work. Destroying the page before finish() abandons the work.
 class NotePage {
  public:
@@ -63,15 +71,17 @@ class NotePage {
   void finish() { waiting_.clear(); }
 
   /// The known answer to `question`, else the result of `work`. That is noted unless `stop` is set by then.
-  template <class Work>
-  auto answer(const char* question, const StopFlag* stop, const Work& work) {
-    return answer_at(reserve(1), question, stop, work);
+  /// A known answer counts only if fits(answer): it comes from a file.
+  template <class Work, class Fits = AnyAnswer>
+  auto answer(const char* question, const StopFlag* stop, const Work& work, const Fits& fits = {}) {
+    return answer_at(reserve(1), question, stop, work, fits);
   }
 
   /// The first of `count` numbers for answers computed in parallel.
   std::uint64_t reserve(std::size_t count) { return std::exchange(next_, next_ + count); }
-  template <class Work>
-  auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work) {
+  template <class Work, class Fits = AnyAnswer>
+  auto answer_at(std::uint64_t number, const char* question, const StopFlag* stop, const Work& work,
+                 const Fits& fits = {}) {
     using Answer = decltype(work());
     if (!notes_) return work();
     const std::uint64_t asked = number_of(question);
@@ -80,7 +90,7 @@ class NotePage {
       std::uint64_t told = 0;
       BytesIn in(*known);
       in(told, result);
-      if (in.whole() && told == asked) return result;
+      if (in.whole() && told == asked && fits(result)) return result;
     }
     Answer result = work();
     if (is_set(stop)) return result;  // it may have been cut short
@@ -102,9 +112,9 @@ class NotePage {
 };
 
 /// `page` may be null: nothing is noted.
-template <class Work>
-auto noted(NotePage* page, const char* question, const StopFlag* stop, const Work& work) {
-  return page ? page->answer(question, stop, work) : work();
+template <class Work, class Fits = AnyAnswer>
+auto noted(NotePage* page, const char* question, const StopFlag* stop, const Work& work, const Fits& fits = {}) {
+  return page ? page->answer(question, stop, work, fits) : work();
 }
 
 }  // namespace equipoise

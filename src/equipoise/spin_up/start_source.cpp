@@ -5,6 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "equipoise/base/error.hpp"
 #include "equipoise/integrate/event_trajectory-inl.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
 #include "equipoise/mechanics/energy.hpp"
@@ -16,6 +19,17 @@
 #include "equipoise/words/runs.hpp"
 
 namespace equipoise {
+
+namespace {
+
+// With the key that says how long it takes.
+[[noreturn]] void clamped_failed(const Study& study) {
+  const bool ramp = study.speed.profile == Profile::ramp && !study.release.time && !study.release.speed;
+  throw RunError(fmt::format(words::runs::clamped_not_integrated_of, ramp ? "speed.duration" : "release.time",
+                             ramp ? study.speed.duration : study.release_time()));
+}
+
+}  // namespace
 
 StartSource::StartSource(const Study& study, const StopFlag* stop)
     : StartSource(study, model::segments(study.speed_profile(), study.release_time()), stop) {}
@@ -34,7 +48,7 @@ StartSource::StartSource(const Study& study, std::vector<model::Segment> segment
   // All starts share the spin-up, so a tight tolerance costs nothing.
   const auto status = integrate_clamped(study.parameters, segments_, origin(), default_simulate_tolerance, basis_, {},
                                         {}, std::numeric_limits<double>::infinity(), stop);
-  if (status != IntegrationStatus::done) throw RunError(words::runs::clamped_not_integrated);
+  if (status != IntegrationStatus::done) clamped_failed(study);
 }
 
 std::array<double, 4> StartSource::origin() const {
@@ -120,8 +134,7 @@ void StartSource::place_tilting(const InitialState& start, double* state, Transi
     if (sums) watch.step(from, to, state_at);
     return false;
   };
-  if (machine.advance(drive.release_time, observe, stop_) != IntegrationStatus::done)
-    throw RunError(words::runs::clamped_not_integrated);
+  if (machine.advance(drive.release_time, observe, stop_) != IntegrationStatus::done) clamped_failed(study_);
   if (sums) *sums = watch.sums();
   machine.enter();
   model::copy_state(model::machine_layout(p), machine.state(), systems_.front().layout(), state);

@@ -49,7 +49,7 @@ void take_rates(const std::vector<std::complex<double>>& rates, BalancePoint& po
 
 }  // namespace
 
-BalancePoint balance_at(const Study& study) {
+BalancePoint balance_at(const Study& study, const StopFlag* stop) {
   using States = model::BalancedStates;
   BalancePoint point;
   point.kind = BalanceKind::none;
@@ -81,14 +81,14 @@ BalancePoint balance_at(const Study& study) {
   for (std::size_t k = 0; k < different; ++k) {
     BallAngles phi = members[k];
     for (int i = 0; i < twin.parameters.balls; ++i) phi[static_cast<std::size_t>(i)] += twin.turn;
-    const auto found = balanced_rates(linear, phi, family);
+    const auto found = balanced_rates(linear, phi, family, stop);
     if (!found || (std::isfinite(point.growth) && found->rates.front().real() >= point.growth)) continue;
     take_rates(found->rates, point);
   }
   return point;
 }
 
-std::optional<ContinuumPart> continuum_at(const Study& study) {
+std::optional<ContinuumPart> continuum_at(const Study& study, const StopFlag* stop) {
   const model::System system = study.system();
   const auto speed = speed_in_balance(study, system);
   if (!speed || *speed == 0.0) return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<ContinuumPart> continuum_at(const Study& study) {
   with_room.contact_angle = study.parameters.contact_angle;  // members whose balls overlap are none
   const model::System drawn(with_room, linear.drive());
   if (!ContinuumOfEquilibria::is_of(drawn)) return std::nullopt;
-  const ContinuumPart part = ContinuumOfEquilibria(drawn).survey();
+  const ContinuumPart part = ContinuumOfEquilibria(drawn).survey(stop);
   return part.drawn > 0 ? std::optional(part) : std::nullopt;
 }
 

@@ -22,7 +22,8 @@ namespace equipoise {
 
 namespace {
 
-std::optional<BalancedRates> rates_on_section(const model::System& system, const BallAngles& phi, int freedom) {
+std::optional<BalancedRates> rates_on_section(const model::System& system, const BallAngles& phi, int freedom,
+                                              const StopFlag* stop) {
   // Errors of an integration over a turn; beside a multiple 1 their square root.
   constexpr double error = 1e-11, zero = 1e-5;
   const double turn = system.section_period();
@@ -31,11 +32,11 @@ std::optional<BalancedRates> rates_on_section(const model::System& system, const
   Eigen::VectorXcd multipliers;
   if (rests) {
     const auto flight =
-        follow_derivative(system, model::balanced_state(system, system.speed(), phi.data()), turn, 1e-12);
+        follow_derivative(system, model::balanced_state(system, system.speed(), phi.data()), turn, 1e-12, 0.0, stop);
     if (!flight) return std::nullopt;
     multipliers = dense::eigenvalues(flight->tangents);
   } else {
-    found.orbit = balanced_orbit(system, phi.data());
+    found.orbit = balanced_orbit(system, phi.data(), nullptr, stop);
     if (!found.orbit) return std::nullopt;
     multipliers = found.orbit->multipliers;
   }
@@ -134,9 +135,10 @@ LinearRotor linear_rotor(const Study& study, double speed, bool family) {
   return rotor;
 }
 
-std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family) {
+std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family,
+                                            const StopFlag* stop) {
   const int freedom = family ? model::balanced_freedom(system) : 0;
-  if (!system.autonomous()) return rates_on_section(system, phi, freedom);
+  if (!system.autonomous()) return rates_on_section(system, phi, freedom, stop);
   const std::optional<double> speed = model::balanced_speed(system);
   if (!speed) return std::nullopt;
   const Eigen::VectorXd state = model::balanced_state(system, *speed, phi.data());

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/base/stop_flag.hpp"
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/planes/stability_plane.hpp"
 #include "equipoise/study/study.hpp"
@@ -50,7 +51,8 @@ struct BalancedRates {
   std::optional<PeriodicOrbit> orbit;       ///< what the balanced state became, where nothing rests
 };
 /// At the balanced state with these ball angles; of a motor with nothing that depends on the rotor's angle, too. Empty
-/// if gravity or unequal supports leave no balanced motion.
-std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family);
+/// if gravity or unequal supports leave no balanced motion, or if `stop` is set.
+std::optional<BalancedRates> balanced_rates(const model::System& system, const BallAngles& phi, bool family,
+                                            const StopFlag* stop = nullptr);
 
 }  // namespace equipoise

@@ -48,8 +48,7 @@ class WayToBoundary {
       });
       if (is_set(settings.stop)) return std::nullopt;
       for (std::size_t k = first; k < first + count; ++k)
-        if (changed[k - first])
-          return between(value(k - 1), value(k), merging * (end - begin), none, settings.stop);
+        if (changed[k - first]) return between(value(k - 1), value(k), merging * (end - begin), none, settings.stop);
       if (settings.progress && own_.point.by_multipliers)
         settings.progress({first + count - 1, looks_, words::stability::looks, {}});
     }
@@ -100,7 +99,8 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilitySe
                                   StabilityPlane& plane) {
   const auto x = studies.own_x(), y = studies.own_y();
   if (!x || !y) return std::nullopt;
-  OwnPoint own{*x, *y, balance_at(studies.at(*x, *y)), continuum_at(studies.at(*x, *y)), {}};
+  OwnPoint own{
+      *x, *y, balance_at(studies.at(*x, *y), settings.stop), continuum_at(studies.at(*x, *y), settings.stop), {}};
   const auto inside = [](const SliceAxis& axis, double value) { return axis.low <= value && value <= axis.high; };
   if (!inside(plane.x, *x) || !inside(plane.y, *y)) return own;
   for (const bool along_x : {true, false}) {
@@ -148,7 +148,7 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
       if (is_set(settings.stop)) return;
       const auto columns = static_cast<std::size_t>(plane.x.pixels);
       studies.put(plane.x.centre(static_cast<int>(k % columns)), plane.y.centre(static_cast<int>(k / columns)), study);
-      plane.points[k] = balance_at(study);
+      plane.points[k] = balance_at(study, settings.stop);
     }
     const std::lock_guard lock(telling);
     told += last - first;

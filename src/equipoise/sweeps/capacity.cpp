@@ -229,6 +229,7 @@ class CapacityRun final : public SurveyRun {
     check();
     if (!options_.output.empty()) {
       file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
+      give_notice(options_, file_->loss());
       for (const auto& trials : known_) result_.resumed_trials += trials.size();
     }
     std::vector<std::size_t> missing;

@@ -43,6 +43,7 @@ class SweepRun final : public SurveyRun {
     const auto begin = std::chrono::steady_clock::now();
     const double cpu_begin = cpu_seconds();
     if (!options_.output.empty()) file_ = io::open_sweep_file(options_.output, result_.identity, result_.cells);
+    if (file_) give_notice(options_, file_->loss());
     const std::vector<std::size_t> blocks = blocks_to_do();
     report();
     const std::exception_ptr failure =

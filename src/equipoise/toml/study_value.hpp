@@ -39,6 +39,7 @@ class StudyValue {
   StudyValue(const std::vector<double>& entries);
   StudyValue(Other other);
   StudyValue(std::initializer_list<Member> members);  ///< a table; of equal keys the last one counts
+  static StudyValue of_members(Table members);        ///< a table, whose keys must differ
 
   const bool* boolean() const { return std::get_if<bool>(&value_); }
   const std::int64_t* integer() const { return std::get_if<std::int64_t>(&value_); }
@@ -84,6 +85,11 @@ inline StudyValue::StudyValue(double value) : value_(value) {}
 inline StudyValue::StudyValue(const char* text) : value_(std::string(text)) {}
 inline StudyValue::StudyValue(std::string text) : value_(std::move(text)) {}
 inline StudyValue::StudyValue(Other other) : value_(std::move(other)) {}
+inline StudyValue StudyValue::of_members(Table members) {
+  StudyValue result;
+  result.value_ = std::move(members);
+  return result;
+}
 
 template <std::integral T>
 StudyValue StudyValue::whole(T value) {

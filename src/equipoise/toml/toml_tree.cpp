@@ -25,9 +25,9 @@ StudyValue tree_of(const toml::node& node);
 
 StudyValue bare_tree_of(const toml::node& node) {
   if (const auto* table = node.as_table()) {
-    StudyValue result;
-    for (const auto& [key, entry] : *table) result.set(std::string(key.str()), tree_of(entry));
-    return result;
+    StudyValue::Table members;
+    for (const auto& [key, entry] : *table) members.push_back({std::string(key.str()), tree_of(entry)});
+    return StudyValue::of_members(std::move(members));
   }
   if (const auto* array = node.as_array()) {
     StudyValue::Array entries;

@@ -149,6 +149,14 @@ std::optional<PathRegion::There> PathRegion::found(const OwnRotor& own, const Th
   return there.places.size() > 0 ? std::optional(std::move(there)) : std::nullopt;
 }
 
+bool PathRegion::fits(const model::System& system, const There& there) const {
+  const Eigen::Index size = inverse_scale_.size();
+  const bool rests = half_ == 0.0;
+  return (rests ? there.rest.size() == size : !there.orbit.nodes.empty()) && fits_system(system, there.orbit) &&
+         there.places.size() == positions_.rows() && there.between.size() == (rests ? 0 : along_.size()) &&
+         std::all_of(there.between.begin(), there.between.end(), [&](const VectorXd& z) { return z.size() == size; });
+}
+
 // The first place is where the motion passes closest to the known one.
 VectorXd PathRegion::places_of(const model::System& system, There& there) const {
   const Eigen::Index size = inverse_scale_.size();
@@ -201,8 +209,9 @@ bool PathRegion::follow_rotors(const Motion& motion, const std::vector<const Own
     const auto nearer_to_it = [&](const auto& a, const auto& b) { return nearer(own, *a.own, *b.own); };
     if (k >= at_first && !std::min_element(tried.begin(), tried.end(), nearer_to_it)->has) continue;
     const auto near = std::min_element(all.begin(), all.end(), nearer_to_it);
-    auto there =
-        noted(notes, "a rotor's motion", stop, [&] { return found(own, near == all.end() ? first : *near, stop); });
+    auto there = noted(
+        notes, "a rotor's motion", stop, [&] { return found(own, near == all.end() ? first : *near, stop); },
+        [&](const std::optional<There>& known) { return !known || fits(own.system, *known); });
     if (is_set(stop)) return false;
     if (there) there->own = &own;
     tried.push_back({&own, there.has_value()});

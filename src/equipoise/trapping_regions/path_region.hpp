@@ -77,6 +77,8 @@ class PathRegion final : public WindowRegion {
   bool fit(const std::vector<There>& all);
   // The largest V of these motions' states, all of which are held.
   double largest_miss(const std::vector<There>& all);
+  // Of one that was read: whether it can be this rotor's.
+  bool fits(const model::System& system, const There& there) const;
   // The rotor's motion by Newton's method from a neighbour's.
   std::optional<There> found(const OwnRotor& own, const There& neighbour, const StopFlag* stop) const;
   // The states at the places; empty if that fails. Also sets `between`.

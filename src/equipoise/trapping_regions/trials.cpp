@@ -88,15 +88,20 @@ bool all_attracted(Trials trials, const TrialSettings& settings) {
 }
 
 std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings) {
-  return noted(settings.notes, "come to", settings.stop, [&] {
-    std::vector<char> came(trials.states.size() / settings.system->dimension());
-    follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
-      std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
-                     [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
-      return true;
-    });
-    return came;
-  });
+  return noted(
+      settings.notes, "come to", settings.stop,
+      [&] {
+        std::vector<char> came(trials.states.size() / settings.system->dimension());
+        follow(trials, settings, [&](std::size_t first, const std::vector<Fate>& fates) {
+          std::transform(fates.begin(), fates.end(), came.begin() + static_cast<std::ptrdiff_t>(first),
+                         [&](const Fate& fate) { return is_attracted(fate) && fate.attractor == attractor; });
+          return true;
+        });
+        return came;
+      },
+      [&](const std::vector<char>& came) {
+        return came.size() * settings.system->dimension() == trials.states.size();
+      });
 }
 
 const Eigen::VectorXd& Directions::next() {

@@ -120,6 +120,7 @@ inline constexpr char without_dry_friction[] = "without dry friction";
 inline constexpr char without_gravity[] = "without gravity";
 inline constexpr char with_means[] = "with the mean of x and y";
 inline constexpr char no_balls[] = "there are no balls";
+inline constexpr char stopped[] = "it was stopped before it was known";
 inline constexpr char no_turning[] = "the rotor does not turn";
 inline constexpr char no_balanced_state[] = "there is no balanced state";
 inline constexpr char none_in_continuum[] = "no balanced state of the continuum that was tried leaves the balls room";

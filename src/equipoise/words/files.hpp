@@ -26,10 +26,22 @@ inline constexpr char checksum_differs[] = "is damaged: its content does not mat
 inline constexpr char owner_is_damaged[] = "is damaged in the part that names its results; remove it first";
 inline constexpr char results_or_unfinished_part[] =
     "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)";
-inline constexpr char damaged_at_end[] =
-    "{} bytes at its end are cut off or damaged; all before them is sound and will be used";
+inline constexpr char damaged_within_sound[] =
+    "{} bytes are damaged or cut off; all other records are sound and will be used";
+// File, bytes.
+inline constexpr char damaged_bytes[] =
+    "{}: {} bytes are damaged or cut off; all other records are used, and what is lost is computed again";
+// The sentence above, or the file and a colon; number of starts, the first of them.
+inline constexpr char lost_starts[] = "{} {} starts are missing, from number {} on";
 inline constexpr char variable_of_other_shape[] = "{}: variable {} has the wrong type or shape";
 inline constexpr char longer_than_file[] = "{}: {} is longer than the file";
+inline constexpr char unreadable_netcdf[] = "{}: cannot be read: {}";
+// Why a header of NetCDF is none.
+inline constexpr char no_classic_netcdf[] = "it is not a classic NetCDF file";
+inline constexpr char header_cut_off[] = "its header is cut off";
+inline constexpr char header_count_too_large[] = "its header has a count that is too large";
+inline constexpr char header_of_other_parts[] = "its header has parts that the format does not know";
+inline constexpr char header_beyond_end[] = "a variable goes beyond its end";
 // Why a record is none, behind its place.
 inline constexpr char damaged_within[] = "is damaged ({})";
 inline constexpr char record_of_cell[] = "is damaged: record {}: {}";

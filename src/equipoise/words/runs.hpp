@@ -70,7 +70,14 @@ inline constexpr char known_by_numbers[] = "starts that draw their rotors are kn
 inline constexpr char stopped_before_start[] = "stopped before the start was decided";
 inline constexpr char stopped_before_starts[] = "stopped before the starts were decided";
 inline constexpr char stopped_before_attractors[] = "stopped before the attractors were known";
+// Threads, those that could be made, the system's words.
+inline constexpr char no_thread[] = "{} threads cannot run: the system makes only {} ({}); use fewer";
 inline constexpr char clamped_not_integrated[] = "the clamped spin-up could not be integrated";
+// Key, value.
+inline constexpr char clamped_not_integrated_of[] =
+    "the rotor could not be followed until the balls are let go; {} = {} may be too short or too long, or [initial] "
+    "too far "
+    "from rest";
 
 // Notes of an ensemble.
 inline constexpr char without_balls[] = "there are no balls";

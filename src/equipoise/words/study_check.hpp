@@ -78,6 +78,8 @@ inline constexpr char how_judged_of_tilt[] =
     " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
     "cancel in each plane and linear theory at the final speed, not by trajectories)";
 
+inline constexpr char stopped[] = "not known: it was stopped";
+
 // What is assumed because the study does not say it.
 inline constexpr char balls_free_from_start[] = "balls free from t = 0";
 inline constexpr char balls_held_in_run_up[] = "balls held until the run-up is over";

@@ -4,14 +4,13 @@ import { h, swatch } from "../base/dom";
 import { csv, saveSvg, saveSvgAsPng, saveText } from "../base/save";
 import { layersOf, stackedShares } from "../drawing/stacked";
 import { numberOf, rounded, valueText } from "../setting/values";
-import { withOverride, type SweepSetting } from "../setting/setting";
+import { sweepProblem, withOverride, type SweepSetting } from "../setting/setting";
 import { SweepRun } from "../work/sweep_run";
 import { URGENCY } from "../work/urgency";
 import type { Desk } from "./desk";
 import { saveMenu } from "./save_menu";
 
 const [VALUES, STARTS] = [13, 300];
-const MOST_VALUES = 60;
 const PREFERRED = ["speed.final", "speed.speed", "balancer.drag"];
 
 export class SweepView {
@@ -111,15 +110,7 @@ export class SweepView {
     const [from, to, values, starts] = [this.from, this.to, this.values, this.starts].map((input) =>
       Number(input.value.replace(",", ".")),
     );
-    const problem = ![from, to].every(Number.isFinite)
-      ? "From and to are numbers."
-      : !(values! >= 2 && values! <= MOST_VALUES)
-        ? `Values: 2 to ${MOST_VALUES}.`
-        : !(starts! >= 10 && starts! <= 100_000)
-          ? "Starts each: 10 to 100000."
-          : "";
-    this.wrong.textContent = problem;
-    if (problem || !this.field) return;
+    if (!this.field) return;
     const sweep = {
       key: this.field.key,
       from: from!,
@@ -128,6 +119,8 @@ export class SweepView {
       starts: Math.round(starts!),
       unit: this.field.unit,
     };
+    this.wrong.textContent = sweepProblem(sweep);
+    if (this.wrong.textContent) return;
     this.desk.setSweep(sweep);
     this.begin(sweep);
   }

@@ -30,11 +30,35 @@ export function sameOverrides(a: readonly Override[], b: readonly Override[]): b
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
+const MOST_VALUES = 60;
+
+/** Why it cannot be computed; empty if it can. */
+export function sweepProblem(sweep: SweepSetting): string {
+  const whole = (number: number, low: number, high: number) =>
+    Number.isInteger(number) && number >= low && number <= high;
+  if (![sweep.from, sweep.to].every(Number.isFinite)) return "From and to are numbers.";
+  if (!whole(sweep.values, 2, MOST_VALUES)) return `Values: 2 to ${MOST_VALUES}.`;
+  return whole(sweep.starts, 10, 100_000) ? "" : "Starts each: 10 to 100000.";
+}
+
+const LONGEST_STUDY = 1 << 20; // bytes; the longest study so far is a hundredth of this
 const START_DIGITS = 6; // of an angle in the address: a millionth of a radian, far below a pixel
 
+/** A few bytes may unpack to any number: beyond a study's length this throws. */
 async function through(bytes: Uint8Array<ArrayBuffer>, pipe: GenericTransformStream): Promise<Uint8Array<ArrayBuffer>> {
   const stream = new Blob([bytes]).stream().pipeThrough(pipe as ReadableWritablePair<Uint8Array, Uint8Array>);
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let length = 0;
+  const reader = (stream as ReadableStream<Uint8Array<ArrayBuffer>>).getReader();
+  for (let read = await reader.read(); !read.done; read = await reader.read()) {
+    parts.push(read.value);
+    length += read.value.length;
+    if (length > LONGEST_STUDY) {
+      void reader.cancel();
+      throw new Error("too long for a study");
+    }
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 async function packed(text: string): Promise<string> {
@@ -85,9 +109,16 @@ function overridesOf(texts: readonly string[]): Override[] {
 
 function sweepOf(text: string | null): SweepSetting | null {
   const [key, from, to, values, starts, unit] = (text ?? "").split("~");
-  const numbers = [from, to, values, starts].map(Number);
-  if (!key || numbers.some((number) => !Number.isFinite(number))) return null;
-  return { key, from: numbers[0]!, to: numbers[1]!, values: numbers[2]!, starts: numbers[3]!, unit: unit ?? "" };
+  if (!key) return null;
+  const sweep = {
+    key,
+    from: Number(from),
+    to: Number(to),
+    values: Number(values),
+    starts: Number(starts),
+    unit: unit ?? "",
+  };
+  return sweepProblem(sweep) ? null : sweep;
 }
 
 /** What an address asks; null: nothing that could be read. */

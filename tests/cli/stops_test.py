@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""Every stop is obeyed and every input bounded: stiff supports, pipes that nobody reads, studies of many keys, few threads.
+
+    stops_test.py PROGRAM STUDIES
+"""
+import json
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+
+from program import EASY, MACHINE, PROGRAM, ROW, Case, ended_cpu, main, run, slow, started
+
+# A turn of this rotor takes a million oscillations to follow.
+STIFF = ("--set", "rotor.stiffness=[1e12,1]")
+# What its signal ends with, in seconds of CPU time.
+SOON = 1.5
+COMPUTING = {
+    "attractors": (), "basin": (), "report": ("-o", "page.html"), "stability": ("--x", "speed.final=2:3", "--y", "balancer.drag=0.01:0.1", "--size", "8x8"), "map": ("--size", "8x8"),
+    "simulate": ("--until", "1e9"), "sweep": ("--over", "speed.final=2.4,2.5"),
+    "capacity": ("--between", "0.01:0.1"),
+}
+
+
+class Stops(Case):
+    def stopped(self, *arguments, after=1.0, codes=(130,)):
+        """The output of a process that got SIGTERM, which it obeys soon."""
+        process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+        self.addCleanup(process.kill)
+        time.sleep(after)
+        self.assertIsNone(process.poll(), (arguments, "it ended by itself"))
+        with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
+            used = sum(map(int, file.read().rpartition(")")[2].split()[11:13])) / os.sysconf("SC_CLK_TCK")
+        before = ended_cpu()
+        process.send_signal(signal.SIGTERM)
+        said = process.communicate(timeout=60)
+        self.assertIn(process.returncode, codes, (arguments, said))
+        self.assertLess(ended_cpu() - before - used, SOON, arguments)
+        return said
+
+    def test_check_and_explain(self):
+        out, _ = self.stopped("check", ROW, *STIFF)
+        self.assertIn("it was stopped", out)
+        self.stopped("explain", ROW, *STIFF)
+        done = run("check", ROW, *STIFF, "--within", "0.5s")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("out of time", done.stderr)
+
+    @slow
+    def test_every_command_that_computes(self):
+        for command, more in COMPUTING.items():
+            with self.subTest(command):
+                self.stopped(command, ROW, *STIFF, *more, *(() if command == "simulate" else ("--quiet",)), codes=(1, 2, 130))
+
+    def test_a_second_signal_ends_at_once(self):
+        fifo = self.path("page.html")
+        os.mkfifo(fifo)
+        process = started("report", *EASY, "-o", fifo, "--starts", "100000000", "--quiet")
+        self.addCleanup(process.kill)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGTERM)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGTERM)
+        self.assertLess(process.wait(timeout=10), 0)
+
+    def test_a_pipe_that_nobody_reads(self):
+        fifo = self.path("c.json")
+        os.mkfifo(fifo)
+        process = started("certify", *EASY, "-o", fifo, "--quiet")
+        self.addCleanup(process.kill)
+        def waits():
+            with open(f"/proc/{process.pid}/syscall", encoding="ascii") as file:
+                return file.read().split()[0] in ("2", "257")  # open, openat
+        limit = time.monotonic() + 60
+        while not waits() and process.poll() is None and time.monotonic() < limit:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGTERM)
+        _, said = process.communicate(timeout=10)
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("cannot be written", said)
+
+    def test_checks_of_certificates(self):
+        proofs = self.path("c.json")
+        self.assertEqual(run("certify", *EASY, "-o", proofs, "--quiet").returncode, 0)
+        with open(proofs, encoding="utf-8") as file:
+            content = json.load(file)
+        content["certificates"] *= (30 << 20) // os.path.getsize(proofs)
+        many = self.file("many.json", json.dumps(content))
+        done = run("certify", "--check", many, "--within", "0.5s")
+        self.assertEqual(done.returncode, 4, done.stderr[:300])
+
+
+class Bounds(Case):
+    def test_many_keys(self):
+        lines = "\n".join(f"k{k} = 1" for k in range(100_000))
+        for name, text in (("table", "[rotor]\n" + lines), ("root", lines), ("dotted", lines.replace("k", "rotor.k"))):
+            path = self.file(f"{name}.toml", text)
+            before = ended_cpu()
+            self.refused("check", path)
+            self.assertLess(ended_cpu() - before, 3.0, name)
+
+    def test_few_threads(self):
+        def little(memory):
+            return lambda: resource.setrlimit(resource.RLIMIT_AS, (memory << 20, memory << 20))
+        refused = 0
+        for memory in (160, 240, 320, 480):
+            done = run("basin", *EASY, "--starts", "10", "--threads", "16", "--quiet", preexec_fn=little(memory))
+            self.assertIn(done.returncode, (0, 1), (memory, done.stderr))
+            self.assertNotIn("terminate", done.stderr)
+            refused += "threads cannot run" in done.stderr
+        self.assertGreater(refused, 0)
+
+
+class Inputs(Case):
+    def test_a_spin_up_that_cannot_be_followed_names_its_key(self):
+        ramp = MACHINE.replace('profile = "constant"\nspeed = "2000 rpm"', 'profile = "ramp"\ninitial = "0 rpm"\nfinal = "2000 rpm"\nduration = "1 s"')
+        study = self.file("ramp.toml", ramp + '\n[release]\nspeed = "1990 rpm"\n')
+        for duration in ("1e-300 s", "1e300 s"):
+            done = run("basin", study, "--set", f"speed.duration={duration}", "--starts", "2", "--within", "20s", "--quiet")
+            self.assertIn(done.returncode, (1, 2), done.stderr)
+            self.assertRegex(done.stderr, "speed.duration|release")
+
+    def test_check_reads_what_is_swept(self):
+        for over, words in (("rm -rf /", "over"), ("speed.final=0:1e12:1", "over")):
+            study = self.file("s.toml", MACHINE + f'\n[sweep]\nover = ["{over}"]\n')
+            self.refused("check", study, words=(words,))
+
+
+if __name__ == "__main__":
+    main()
