@@ -8,10 +8,14 @@
 #include "../support/parameters.hpp"
 #include "../support/sizes.hpp"
 #include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractors/nearest_balanced.hpp"
+#include "equipoise/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/classification_rule.hpp"
 #include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/spin_up/start_source.hpp"
 #include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/trapping_regions/continuum_region.hpp"
 
 namespace equipoise {
 namespace continuum_decisions_test {
@@ -177,6 +181,42 @@ TEST(ContinuumDecisions, SlowBalanceIsCaughtWhereRoundingHidesItFromLowLevels) {
   study.numerics.horizon = 10000.0;
   const std::size_t count = sized(12, 4);
   EXPECT_EQ(come_to_rest(study, count, 10000.0), static_cast<int>(count));
+}
+
+// Three unlike balls: a tenth of the starts come to members that attract slowly. States on what such members catch come
+// to rest there.
+TEST(ContinuumDecisions, SlowMembersCatchWhatComesToRestAtThem) {
+  Study study = study_of(base_rotor(3), 2.0);
+  study.parameters.mass = {0.04, 0.03, 0.02};
+  study.parameters.drag = {0.15, 0.1, 0.05};
+  study.parameters.eccentricity = 0.02;
+  study.parameters.damping = {0.4, 0.4};
+  const model::System system = study.system();
+  const BalancedAnalysis analysis = analyse_balanced(system);
+  const auto region = continuum_region(analysis.continuum, analysis.survey, {&system, 1e-6, 2, nullptr, nullptr});
+  ASSERT_TRUE(region);
+  Directions draw(analysis.continuum->directions());
+  int tried = 0;
+  for (std::size_t k = 0; k < analysis.survey.members.size(); ++k) {
+    if (analysis.survey.rates[k] > -5e-4 || analysis.survey.rates[k] <= region->slowest_rate) continue;
+    const auto member = analysis.continuum->member(analysis.survey.members[k].data());
+    ASSERT_TRUE(member);
+    EXPECT_TRUE(region->holds(member->centre)) << member->rate;
+    const double level = ContinuumOfEquilibria::level(*member, region->factor);
+    const Eigen::VectorXd direction = draw.next();
+    EXPECT_FALSE(region->holds(analysis.continuum->state_at(*member, level, direction))) << member->rate;
+    const Eigen::VectorXd caught = analysis.continuum->state_at(*member, 0.009 * level, direction);
+    if (!region->holds(caught)) continue;
+    const auto late = advance_state(system, caught, 10.0 / -member->rate);
+    ASSERT_TRUE(late);
+    const auto end = nearest_balanced(system, *late, 0.5);
+    ASSERT_TRUE(end);
+    EXPECT_TRUE(end->attracts) << member->rate;
+    // e^-8 at least: V falls with 0.8 of the rate.
+    EXPECT_LT((*late - end->state).norm(), 2e-3 * (caught - member->centre).norm()) << member->rate;
+    if (++tried == 4) break;
+  }
+  EXPECT_EQ(tried, 4);
 }
 
 }  // namespace continuum_decisions_test

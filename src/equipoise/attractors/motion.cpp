@@ -86,11 +86,16 @@ class Journey : Stretches {
   IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
                                  std::vector<Eigen::VectorXd>* samples = nullptr) const;
   template <class Distance>
-  bool approaches(double rate, const Distance& distance, double blur = 0.0);
+  bool approaches(double rate, const Distance& distance, double blur = 0.0) {
+    return approaches(rate, distance, blur, patience() - elapsed_);
+  }
+  template <class Distance>
+  bool approaches(double rate, const Distance& distance, double blur, double left);
   std::optional<Motion> rest();
   std::optional<Motion> continuum();
   std::optional<Motion> creep();
   std::optional<Motion> recurrence();
+  std::optional<Motion> late_return();
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
   bool worth_trying(const Return& now);
@@ -116,6 +121,8 @@ class Journey : Stretches {
   // What the last exponents said. They are measured over a longer time than a journey, so a periodic motion stays one.
   // Chaos may end, and is believed only when patience is over.
   bool periodic_ = false, chaotic_ = false;
+  // Its exponents if the last ones were those of a periodic motion, though its statistics repeat like a torus's.
+  std::optional<std::vector<double>> locked_;
   double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
 };
 
@@ -147,16 +154,17 @@ bool Journey::travel_stretch(double duration) {
 }
 
 // Follows a copy of the trajectory and says whether it comes closer to a stable motion. `rate`: of the slowest
-// deviation, negative. If the motion is known only up to `blur`, no approach below that is asked for.
+// deviation, negative. If the motion is known only up to `blur`, no approach below that is required. `left`: the
+// longest time to follow.
 template <class Distance>
-bool Journey::approaches(double rate, const Distance& distance, double blur) {
+bool Journey::approaches(double rate, const Distance& distance, double blur, double left) {
   ahead_ = 0.0;
   const double first = distance(state_);
   if (first > in_reach || !(rate < 0.0)) return false;
   if (first < std::max(1e-9, blur)) return true;
   const double chunk = whole(std::max(1.0 / -rate, 1.0));
   Eigen::VectorXd z = state_;
-  double left = patience() - elapsed_, now = first;
+  double now = first;
   double& travelled = ahead_;
   // Outside the linear regime the distance may grow for a while. A motion left far behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
@@ -243,6 +251,31 @@ std::optional<Motion> Journey::recurrence() {
   return std::nullopt;
 }
 
+// A torus that locks comes back only after as many turns of its slower angle as the lock takes of both. Without a
+// second zero exponent it is not quasi-periodic, so returns over much longer times are looked for once patience is
+// over. If none leads to an orbit, the lock is finer than can be followed, and all that can be seen is a torus.
+std::optional<Motion> Journey::late_return() {
+  constexpr double share = 0.5;  // of patience
+  constexpr int returns = 16;
+  if (on_section() || !locked_ || !is_over() || is_set(stop_)) return std::nullopt;
+  const double duration = share * patience(), spacing = sample_spacing(system_, state_);
+  std::vector<Eigen::VectorXd> samples;
+  if (!travel(end_ = state_, duration, nullptr, &samples)) return std::nullopt;
+  elapsed_ += duration;
+  state_ = system_.with_angles_reduced(end_);
+  std::vector<Return> late = returns_to_last(system_, samples, spacing, difference_, returns, in_reach,
+                                             std::numeric_limits<double>::infinity());
+  std::reverse(late.begin(), late.end());  // the closest first
+  for (const Return& now : late) {
+    const auto orbit = find_orbit(system_, state_, now.time, in_reach, stop_);
+    if (!orbit || !orbit->stable()) continue;
+    const OrbitCurve curve(system_, *orbit);
+    const auto distance = [&](const Eigen::VectorXd& z) { return curve.distance(z); };
+    if (approaches(orbit->slowest_rate(), distance, 0.0, patience())) return describe_orbit(system_, *orbit);
+  }
+  return repeats_ >= 2 ? restless(MotionKind::quasi_periodic, *locked_) : std::nullopt;
+}
+
 std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
   if (!on_section()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
   const long sections = std::lround(now.time / section_period());
@@ -317,12 +350,15 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
     periodic_ = duration >= patience() && exponents[next] < -8.0 / duration;
   }
   const double zero = 8.0 / duration;
+  locked_.reset();
   if (exponents[0] > zero)
     kind = MotionKind::chaotic;
   else if (exponents[0] > -zero && exponents[next] > -zero)
     kind = MotionKind::quasi_periodic;
-  else
+  else {
+    if (exponents[0] > -zero) locked_ = exponents;
     return std::nullopt;
+  }
   return exponents;
 }
 
@@ -379,6 +415,8 @@ Approach Journey::settle() {
     result.time = elapsed_ + ahead_;
     return result;
   }
+  result.motion = late_return();
+  result.time = elapsed_ + ahead_;
   return result;
 }
 

@@ -212,9 +212,11 @@ double ContinuumOfEquilibria::level(const ContinuumMember& m, double factor) {
   return std::min(factor * m.unit, widest * widest);
 }
 
-bool ContinuumOfEquilibria::holds(const VectorXd& state, double factor, double slowest_rate) const {
+bool ContinuumOfEquilibria::holds(const VectorXd& state, double factor, double slowest_rate, double slow_factor) const {
   const auto m = destination(state);
-  return m && m->rate <= slowest_rate && value(*m, state) < level(*m, factor) && (rests_ || stays(*m, slowest_rate));
+  if (!m || m->form.size() == 0) return false;
+  if (m->rate <= slowest_rate) return value(*m, state) < level(*m, factor) && (rests_ || stays(*m, slowest_rate));
+  return rests_ && value(*m, state) < level(*m, slow_factor);
 }
 
 // A member that creeps farther than a radian may end on an orbit, which is then listed and has its own trapping region.

@@ -19,7 +19,7 @@ namespace {
 constexpr double close_share = 0.3;
 // The longest recurrence known takes twenty turns of a ball: five periods of V4, next to which it exists at Omega =
 // 4.4.
-constexpr double most_turns = 24.5, longest_multiple = 32.5;
+constexpr double most_turns = 24.5;
 // Interpolation errs by rate^4 step^4/384 of a harmonic's size: 2e-8 at 0.05 rad a step.
 constexpr double radians_per_step = 0.05;
 constexpr int most_steps = 40000;
@@ -53,7 +53,8 @@ std::optional<Return> closest_around(const std::vector<double>& squares, std::si
 }  // namespace
 
 std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
-                                    double spacing, const StateDifference& difference, int most, double reach) {
+                                    double spacing, const StateDifference& difference, int most, double reach,
+                                    double longest_multiple) {
   const bool stroboscopic = system.section() == model::Section::stroboscopic;
   const Eigen::VectorXd& last = samples.back();
   std::vector<double> squares;  // of distances, by steps back

@@ -36,10 +36,11 @@ struct Return {
 /// Returns to the last of `samples`, at most `most`, shortest first. Samples are equally spaced in time, or lie on
 /// successive stroboscopic sections; angles are unwrapped. Each return is at least twice as close as all shorter ones.
 /// It takes at most 24 turns of a ball (or of the rotor, if its angle matters) and, for a flow, 32 times the first
-/// return. One section later always counts within `reach`: on its way to a motion of that period a trajectory may not
-/// be closer.
+/// return, or `longest_multiple` times. One section later always counts within `reach`: on its way to a motion of that
+/// period a trajectory may not be closer.
 std::vector<Return> returns_to_last(const model::System& system, const std::vector<Eigen::VectorXd>& samples,
-                                    double spacing, const StateDifference& difference, int most, double reach);
+                                    double spacing, const StateDifference& difference, int most, double reach,
+                                    double longest_multiple = 32.5);
 
 /// A periodic orbit as a curve, or as its points on a stroboscopic section.
 class OrbitCurve {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/attractors/motion_statistics.hpp"
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/plain_number.hpp"
 #include "equipoise/mechanics/held_speed.hpp"
@@ -27,6 +28,8 @@ constexpr double near = 0.2;
 // Norms along a motion grow by the exponent up to a bounded factor, e^8 as in motion.cpp. Chaos may be transient, so
 // the time is not much longer than such chaos lasts.
 constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
+// Far below what "near" allows.
+constexpr double near_tolerance = 1e-6;
 // In natural sizes. Nothing swings more slowly: swings have rates of the order of the speed or of the drag.
 constexpr double creep = 1e-3;
 
@@ -34,11 +37,19 @@ double fastest_ball(const model::Parameters& p, const Eigen::VectorXd& state) {
   return state.segment(model::index::q(0, p.balls), p.balls).lpNorm<Eigen::Infinity>();
 }
 
-bool is_near_balance(const model::Parameters& p, double speed, const Eigen::VectorXd& state) {
-  const double near_axis = near * p.all_unbalances();
-  return state.head(2).norm() < near_axis &&
-         std::abs(model::unbalance(p, state.data() + model::index::phi(0))) < near_axis &&
-         fastest_ball(p, state) < near * std::max(1.0, std::fabs(speed));
+// A motion of large swings passes balance now and then, so the trajectory must stay there.
+bool stays_near_balance(const model::System& system, double speed, const Eigen::VectorXd& state) {
+  const model::Parameters& p = system.parameters();
+  const double near_axis = near * p.all_unbalances(), slow = near * std::max(1.0, std::fabs(speed));
+  const auto is_near = [&](const Eigen::VectorXd& z) {
+    return z.head(2).norm() < near_axis && std::abs(model::unbalance(p, z.data() + model::index::phi(0))) < near_axis &&
+           fastest_ball(p, z) < slow;
+  };
+  std::vector<Eigen::VectorXd> later;
+  Eigen::VectorXd end = state;
+  return is_near(state) &&
+         follow(system, end, exponent_time, near_tolerance, nullptr, &later) == IntegrationStatus::done &&
+         std::all_of(later.begin(), later.end(), is_near);
 }
 
 double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
@@ -107,7 +118,7 @@ UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorX
   const Eigen::VectorXd rate = model::rate(system, state);
   const bool still =
       fastest_ball(p, state) < creep * std::fabs(speed) && fastest_ball(p, rate) < creep * std::fabs(speed) * scale;
-  if (is_near_balance(p, speed, state)) return {Restlessness::near_balance, 0.0};
+  if (stays_near_balance(system, speed, state)) return {Restlessness::near_balance, 0.0};
   if (still) return {Restlessness::creeping, 0.0};
   const double exponent = largest_exponent(system, state);
   if (exponent > zero_exponent) return {Restlessness::chaotic, exponent};
@@ -127,9 +138,9 @@ std::string held_text(const std::vector<UndecidedEnd>& ends) {
 
 std::string why_undecided(const Study& study, const Horizon& horizon, const std::vector<UndecidedEnd>& ends) {
   constexpr std::array<const char*, restlessness_kinds> kinds{
-      words::runs::near_balance,  words::runs::creeping,       words::runs::chaotic,
-      words::runs::not_repeating, words::runs::never_let_go,   words::runs::running_away,
-      words::runs::speeding_up,   words::runs::changing_speed, words::runs::watched_too_short};
+      words::runs::near_balance,      words::runs::creeping,      words::runs::chaotic,     words::runs::not_repeating,
+      words::runs::never_let_go,      words::runs::running_away,  words::runs::speeding_up, words::runs::changing_speed,
+      words::runs::watched_too_short, words::runs::not_identified};
   std::vector<std::string> parts;
   std::size_t hopeless = 0;  // ends that more time would not change
   for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -140,7 +151,8 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
     parts.push_back(fmt::format(fmt::runtime(kinds[k]), count));
     if (what == Restlessness::speeding_up) parts.back() += " (" + speeding_text(study, horizon, ends) + ")";
     if (what == Restlessness::held) parts.back() += " (" + held_text(ends) + ")";
-    if (what == Restlessness::held || what == Restlessness::running_away) hopeless += count;
+    if (what == Restlessness::held || what == Restlessness::running_away || what == Restlessness::unidentified)
+      hopeless += count;
     if (what != Restlessness::chaotic) continue;
     double sum = 0.0;
     for (const UndecidedEnd& e : ends) sum += e.exponent;

@@ -20,7 +20,7 @@ inline constexpr std::size_t undecided_looked_at = 8;
 
 /// How an undecided trajectory goes on at the horizon.
 enum class Restlessness {
-  near_balance,  ///< it is near a balanced state
+  near_balance,  ///< it is near a balanced state, and stays there
   creeping,      ///< everything is nearly at rest, but not near balance
   chaotic,       ///< its largest Lyapunov exponent is positive
   regular,       ///< it goes on in a way whose windows do not repeat yet
@@ -30,8 +30,10 @@ enum class Restlessness {
   speeding_up,     ///< its mean speed still rises
   changing_speed,  ///< its mean speed is not steady
   hardly_seen,     ///< it was watched over fewer than eight windows
+  // Any rotor:
+  unidentified,  ///< its windows repeated before the horizon, but it could not be followed to a motion
 };
-constexpr std::size_t restlessness_kinds = 9;
+constexpr std::size_t restlessness_kinds = 10;
 
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;

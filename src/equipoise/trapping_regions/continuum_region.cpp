@@ -23,11 +23,15 @@ constexpr double come_near = 0.03;
 // A state beside the slowest member that is tried may come to one a little slower.
 constexpr double slower = 0.5;
 
-// Slower members would hold all levels down: integration errors keep states about tolerance over rate away from them.
+// Slower members are not tried: each trial would take as long as its member is slow.
 double slowest_caught(const ContinuumPart& part) {
   constexpr double share = 0.1, of_all = 2e-4;
   return std::min(-of_all, share * part.fastest_rate);
 }
+
+// Of the level of members that were tried, for slower ones. Both scale with the rate (ContinuumMember::unit), which has
+// been tried down to a tenth of the fastest. There, terms of second order are a tenth of what they are on that level.
+constexpr double slow_share = 0.01;
 
 // V is |s|^2 or more of a deviation s from the state's member, and a hundredth of it may be left along the continuum
 // (ContinuumOfEquilibria). Members that were not tried may have half as large a unit again.
@@ -156,11 +160,11 @@ bool catches_all(const ContinuumPart& part) {
 bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
   if (own)
     return ContinuumOfEquilibria::is_of(own->system) &&
-           ContinuumOfEquilibria(own->system).holds(state, factor, slowest_rate);
+           ContinuumOfEquilibria(own->system).holds(state, factor, slowest_rate, slow_factor);
   const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
   if (depth && *depth < deep) return true;
   if (off && off->least(state) > farthest_inside(reach)) return false;
-  return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate);
+  return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate, slow_factor);
 }
 
 std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,
@@ -178,7 +182,10 @@ std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const Cont
   const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
     return all_approach(region, members, directions, settings, level, tries);
   });
-  return factor > 0.0 ? std::optional(at_factor(std::move(region), members, factor)) : std::nullopt;
+  if (!(factor > 0.0)) return std::nullopt;
+  region = at_factor(std::move(region), members, factor);
+  region.slow_factor = slow_share * factor;
+  return region;
 }
 
 }  // namespace equipoise

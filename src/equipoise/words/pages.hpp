@@ -221,7 +221,8 @@ inline constexpr char peaks_along[] = "Peaks along the parameter";
 inline constexpr char with_intervals[] = "With 95 % intervals.";
 // Values, key.
 inline constexpr char more_not_drawn[] = " {} more values of {} are not drawn.";
-inline constexpr char bounds_hold[] = "Bounds hold however the undecided starts end.";
+inline constexpr char bounds_hold[] =
+    "Intervals hold only if the undecided starts end elsewhere; bounds hold however they end.";
 // In a cell.
 inline constexpr char least_to_most_starts[] = "{} to {} starts";
 // Cells, starts each, starts in all, how drawn.

@@ -74,7 +74,8 @@ inline constexpr char was_undecided[] = "was undecided";
 inline constexpr char no_start[] = "No start ";
 // "each " or nothing, share.
 inline constexpr char at_most_whatever_undecided[] = " ({}at most {}, however the undecided starts end).";
-inline constexpr char bounds_hold[] = "Bounds: 95 % limits that hold however the undecided starts end.";
+inline constexpr char bounds_hold[] =
+    "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they end.";
 // Unit of a dimensionless study, or nothing.
 inline constexpr char known_after_means[] =
     "Known after: mean time until the outcome is certain, from when the drive no longer changes and the balls are "

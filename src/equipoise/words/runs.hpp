@@ -103,6 +103,7 @@ inline constexpr char never_let_go[] = "{} whose balls are never let go";
 inline constexpr char running_away[] = "{} whose motor speeds the rotor up without end";
 inline constexpr char speeding_up[] = "{} whose rotor still speeds up";
 inline constexpr char changing_speed[] = "{} whose rotor still changes its mean speed";
+inline constexpr char not_identified[] = "{} in steady motions that could not be identified";
 inline constexpr char watched_too_short[] = "{} watched for too short a time to compare its parts";
 inline constexpr char lyapunov[] = " (largest Lyapunov exponent {:.2g})";
 // Number, the list of the above.
