@@ -1,6 +1,7 @@
 // What standards make of an ensemble: shares counted start by start, exposure from single trajectories, and sentences.
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,11 +39,11 @@ standing_mass = "9 kg"
 friction = 0.4
 )";
 
-BasinResult run(const std::string& text) {
+BasinResult run(const std::string& text, const std::vector<std::string>& overrides = {}) {
   BasinOptions options;
   options.transients = true;
   options.keep_starts = true;
-  return basin(parse_study(text, "machine"), options);
+  return basin(parse_study(text, "machine", overrides), options);
 }
 
 TEST(StandardsOfStarts, SharesAreThoseCountedStartByStart) {
@@ -82,6 +83,26 @@ TEST(StandardsOfStarts, SlowRotorsHaveNoZone) {
   EXPECT_TRUE(holds(standards_text(r), "no zone is given"));
   EXPECT_FALSE(standards_json(r).contains("severity"));
   EXPECT_FALSE(holds(standards_text(run(machine)), "no zone is given"));
+}
+
+// A rotor alone is judged as the same rotor beside its balls is.
+TEST(StandardsOfStarts, JudgeARotorWithoutBallsToo) {
+  const auto beside = standards_json(run(machine));
+  const BasinResult r = run(machine, {"balancer.balls=0"});
+  const auto alone = standards_json(r);
+  const std::string text = standards_text(r);
+  EXPECT_EQ(alone["severity"]["without_balls"], beside["severity"]["without_balls"]);
+  EXPECT_EQ(alone["hand_arm"]["without_balls"], beside["hand_arm"]["without_balls"]);
+  EXPECT_EQ(alone["balance_quality"]["without_balls"], beside["balance_quality"]["without_balls"]);
+  EXPECT_FALSE(alone["hand_arm"].contains("median"));
+  for (const char* words :
+       {"Balance quality e omega", "Severity: Without balls: zone", "hand-arm vibration", "may slide"})
+    EXPECT_TRUE(holds(text, words)) << words << text;
+  for (const char* words : {"of starts", "on average", "90 % below"}) EXPECT_FALSE(holds(text, words)) << words << text;
+  // Of an unknown unbalance shares are told.
+  const BasinResult drawn = run(machine, {"balancer.balls=0", "rotor.eccentricity={uniform=['0.2 mm', '0.9 mm']}"});
+  EXPECT_TRUE(holds(standards_text(drawn), "severity zone")) << standards_text(drawn);
+  EXPECT_TRUE(standards_json(drawn)["hand_arm"].contains("at_most_in_90_percent"));
 }
 
 TEST(StandardsOfStarts, AreOfMachinesWithUnits) {

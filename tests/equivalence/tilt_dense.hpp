@@ -19,17 +19,19 @@ struct Held {
 // What is watched at one time: the worst of some places.
 struct Seen {
   double t = 0.0, radial = 0.0;
-  std::vector<double> force;      // of each bearing, or of all supports together
-  std::vector<double> velocity2;  // by place
-  double power = 0.0;             // of a motor
-  double unbalance = 0.0;         // judged() in the planes of the outermost two places
+  std::vector<double> force;                      // of each bearing, or of all supports together
+  std::vector<double> velocity2;                  // by place
+  double power = 0.0;                             // of a motor
+  std::array<std::complex<double>, 2> turning{};  // unbalances of the outermost two places, as the rotor sees them
+  double unbalance = 0.0;                         // judged() of them
 };
 
 // Centre and slope where the rotor rests, by Cramer's rule.
 std::array<double, 2> rest_of(const model::Parameters& p);
 
-// The unbalance of the worse of the outermost two places' planes, over that plane's share; at one place the static one.
-double judged(const model::Parameters& p, const std::vector<double>& places, const Fixed& f);
+// The unbalances of the outermost two places' planes, each over its plane's share; at one place the static one.
+std::array<std::complex<double>, 2> judged(const model::Parameters& p, const std::vector<double>& places,
+                                           const Fixed& f);
 
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
           const double* y, const std::vector<Held>& bearings = {});

@@ -219,15 +219,16 @@ TEST(TiltExplain, SaysWhatHolds) {
   EXPECT_NE(explain_json(explained(drum)).find("displacement_at_bearings"), std::string::npos);
 }
 
-// In the front plane, 0.10 m from the centre of mass, is (C + 0.16 m U)/0.26 m = 64.615 + 6.154 i kg mm, over a share of
-// 0.16/0.26, and at the back, (0.10 m U - C)/0.26 m over 0.10/0.26, less: 105.48 kg mm/45 kg at 1200 rpm.
+// In the front plane, 0.10 m from the centre of mass, is (C + 0.16 m U)/0.26 m = 64.615 + 6.154 i kg mm, over a share
+// of 0.16/0.26, and at the back, (0.10 m U - C)/0.26 m over 0.10/0.26, less: 105.48 kg mm/45 kg at 1200 rpm.
 TEST(TiltExplain, GradesTheWorsePlane) {
   const double grade = std::hypot(16.8, 1.6) / 0.26 / (0.16 / 0.26) / 45.0 * 1200.0 * pi / 30.0;
   const auto json = nlohmann::json::parse(explain_json(explained(drum)));
   EXPECT_NEAR(json["balance_grade"]["mm_per_s"].get<double>(), grade, 1e-9 * grade);
   EXPECT_EQ(json["balance_grade"]["standard"], 630.0);
   EXPECT_NE(told().find("balance quality"), std::string::npos);
-  EXPECT_NE(told().find("in the worse of the outermost bearings' planes, each by its share"), std::string::npos) << told();
+  EXPECT_NE(told().find("in the worse of the outermost bearings' planes, each by its share"), std::string::npos)
+      << told();
 }
 
 // At the speed of a whirl and below the lowest it warns, far above it does not.
@@ -276,16 +277,20 @@ TEST(TiltExplain, WarnsOfUnbalance) {
 
 // A bearing far from the centre of mass may sag more.
 TEST(TiltExplain, WarnsOfTheBearingThatSagsMost) {
-  const std::vector<std::string> heavy{"rotor.gravity=9.81 m/s2", "limits.displacement=27 mm"};
-  const Explanation e = explained(drum, heavy);
+  const auto on = [](const std::string& stiffness) {
+    return explained(drum, {"rotor.gravity=9.81 m/s2", "rotor.tilt.bearings.1.stiffness=" + stiffness,
+                            "rotor.tilt.bearings.2.stiffness=" + stiffness, "limits.displacement=1 mm"});
+  };
+  const Explanation e = on("1 kN/m");
   const double length = e.study.scales->length;
-  // (45.8 kg g) shared by the lever rule, on 9 kN/m each.
-  const double front = 45.8 * 9.81 * 0.16 / 0.26 / 9000.0, back = 45.8 * 9.81 * 0.10 / 0.26 / 9000.0;
-  EXPECT_LT(e.sag * length, 0.027);
-  EXPECT_GT(front, 0.027);
-  EXPECT_LT(back, 0.027);
-  EXPECT_TRUE(warned(e, "mm at the bearing at 100 mm under its weight, more than limits.displacement"));
-  EXPECT_FALSE(warned(explained(drum, {heavy[0], "limits.displacement=31 mm"}), "sags"));
+  // (45.8 kg g) shared by the lever rule; the race's radius is 0.24 m.
+  const double front = 45.8 * 9.81 * 0.16 / 0.26 / 1000.0, back = 45.8 * 9.81 * 0.10 / 0.26 / 1000.0;
+  EXPECT_LT(e.sag * length, 0.24);
+  EXPECT_GT(front, 0.24);
+  EXPECT_LT(back, 0.24);
+  EXPECT_TRUE(warned(e, "mm at the bearing at 100 mm under its weight, more than the race's radius"));
+  // A limit of displacement counts from where the rotor rests: its sag says nothing of that.
+  EXPECT_FALSE(warned(on("1.2 kN/m"), "sags"));
 }
 
 TEST(TiltExplain, WeightIsThatOfRotorAndBalls) {
@@ -301,10 +306,11 @@ TEST(TiltExplain, ChecksAStudyInWords) {
             "45 kg on 18 kN/m, tilting, critical speeds 150.22 rpm, 198.51 rpm with its balls; runs at 1200 rpm, 6.05 "
             "times the highest");
   // C = 0.12 m (60 - 40 i) kg mm.
-  EXPECT_EQ(
-      check.unbalance,
-      "72.111 kg mm static and 0.0086533 kg m2 couple, its centre of mass 1.6025 mm from the shaft; G 295 (within grade "
-      "G 630) in the worse plane of its bearings at 1200 rpm; x of the model points along the couple, at -33.7 degrees");
+  EXPECT_EQ(check.unbalance,
+            "72.111 kg mm static and 0.0086533 kg m2 couple, its centre of mass 1.6025 mm from the shaft; G 295 "
+            "(within grade "
+            "G 630) in the worse plane of its bearings at 1200 rpm; x of the model points along the couple, at -33.7 "
+            "degrees");
   EXPECT_EQ(
       check.balls,
       "4 of 200 g each on a circle of 240 mm; at -150 mm they cancel up to 2.63 times what there is; at 150 mm they "

@@ -256,7 +256,7 @@ std::array<double, 2> rest_of(const model::Parameters& p) {
 
 // What ISO 21940-11 judges: two unbalances in the outermost planes with the sum and the moment of all, each over the
 // share of the plane by the lever rule.
-double judged(const model::Parameters& p, const std::vector<double>& places, const Fixed& f) {
+std::array<Complex, 2> judged(const model::Parameters& p, const std::vector<double>& places, const Fixed& f) {
   Complex sum = std::polar(p.eccentricity, f.psi + p.eccentricity_angle),
           moment = std::polar(p.tilt.misalignment * (p.tilt.transverse_inertia - p.tilt.polar_inertia), f.psi);
   for (int i = 0; i < p.balls; ++i) {
@@ -264,11 +264,11 @@ double judged(const model::Parameters& p, const std::vector<double>& places, con
     moment += std::polar(p.tilt.plane[i] * p.mass[i], f.theta[i]);
   }
   const double a = *std::min_element(places.begin(), places.end()), b = *std::max_element(places.begin(), places.end());
-  if (a == b) return std::abs(sum);
+  if (a == b) return {sum, sum};
   const Complex at_b = (moment - a * sum) / (b - a), at_a = sum - at_b;
   const double most = a < 0.0 && b > 0.0 ? 0.7 : 1.3;
   const auto share = [&](double far) { return std::min(most, std::max(0.3, std::abs(far) / (b - a))); };
-  return std::max(std::abs(at_a) / share(b), std::abs(at_b) / share(a));
+  return {at_a / share(b), at_b / share(a)};
 }
 
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
@@ -288,7 +288,9 @@ Seen seen(const model::Parameters& p, const std::vector<double>& places, const F
     s.force.push_back(std::hypot(b.stiffness[0] * place.real() + b.damping[0] * rate.real(),
                                  b.stiffness[1] * place.imag() + b.damping[1] * rate.imag()));
   }
-  s.unbalance = judged(p, places, f);
+  s.turning = judged(p, places, f);
+  for (Complex& plane : s.turning) plane *= std::polar(1.0, -f.psi);
+  s.unbalance = std::max(std::abs(s.turning[0]), std::abs(s.turning[1]));
   return s;
 }
 
@@ -335,7 +337,8 @@ std::vector<Seen> dense(const Study& s, const std::vector<Stretch>& over, const 
 TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& all, double window_begin) {
   TransientRow row;
   double before = 0.0, after = 0.0, end = 0.0, force = 0.0, above = 0.0, last = 0.0, length = 0.0;
-  double unbalance = 0.0, work = 0.0;
+  double work = 0.0;
+  std::array<Complex, 2> unbalance{};
   std::vector<double> velocity2(all.front().velocity2.size()), force2(all.front().force.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Seen& s = all[k];
@@ -352,7 +355,7 @@ TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& al
     length += h;
     for (std::size_t i = 0; i < force2.size(); ++i)
       force2[i] += 0.5 * h * (all[k - 1].force[i] * all[k - 1].force[i] + s.force[i] * s.force[i]);
-    unbalance += 0.5 * h * (all[k - 1].unbalance + s.unbalance);
+    for (std::size_t i = 0; i < 2; ++i) unbalance[i] += 0.5 * h * (all[k - 1].turning[i] + s.turning[i]);
     for (std::size_t i = 0; i < velocity2.size(); ++i)
       velocity2[i] += 0.5 * h * (all[k - 1].velocity2[i] + s.velocity2[i]);
   }
@@ -363,7 +366,7 @@ TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& al
   row.peak_force = number(force);
   row.rms_force = number(std::sqrt(*std::max_element(force2.begin(), force2.end()) / length));
   row.rms_velocity = number(std::sqrt(*std::max_element(velocity2.begin(), velocity2.end()) / length));
-  row.residual_unbalance = number(unbalance / length);
+  row.residual_unbalance = number(std::max(std::abs(unbalance[0]), std::abs(unbalance[1])) / length);
   row.energy = number(work);
   constexpr float endless = std::numeric_limits<float>::infinity();
   row.time_above = end <= asked.displacement ? number(above) : endless;

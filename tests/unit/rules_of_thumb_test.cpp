@@ -140,13 +140,15 @@ TEST(RulesOfThumb, SpeakOfEverySystemOrSayWhyNot) {
                                                       {"rotor.eccentricity=0 mm"}};
   for (const auto& overrides : systems) {
     const Explanation e = explained(machine, overrides);
-    EXPECT_EQ(e.advice.size(), 6u);
+    const std::size_t rules = e.carrying ? 7 : 6;
+    EXPECT_EQ(e.advice.size(), rules);
     for (const RuleOfThumb& r : e.advice) {
       EXPECT_FALSE(r.words.empty()) << r.id;
       for (const auto& f : r.figures) EXPECT_TRUE(std::isfinite(f.value)) << r.id << " " << f.name;
     }
     const auto json = nlohmann::json::parse(explain_json(e));
-    EXPECT_EQ(json["advice"].size(), 6u);
+    EXPECT_EQ(json["advice"].size(), rules);
+    EXPECT_EQ(json["carried_round"].is_null(), !e.carrying);
     EXPECT_TRUE(holds(explain_text(e), "Rules of thumb: estimates"));
   }
   const Explanation lying = explained(machine, systems[1]);

@@ -29,7 +29,7 @@ constexpr double neutral_rate = 1e-9;      // exponents closer to 0 belong to sh
 MotionFigures figures_of(const TransientSums& sums) {
   const TransientWindow& w = sums.window;
   return {std::sqrt(sums.free_peak), std::sqrt(sums.force_peak), std::sqrt(w.force / w.length),
-          std::sqrt(w.velocity / w.length), w.unbalance / w.length};
+          std::sqrt(w.velocity / w.length), size_of(w.unbalance) / w.length};
 }
 
 TransientSettings one_window() {

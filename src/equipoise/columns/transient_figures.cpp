@@ -24,7 +24,7 @@ TransientRow transient_row(const TransientSettings& settings, const TransientSum
   const TransientWindow& w = sums.window;
   const MotionFigures last = end ? *end
                                  : MotionFigures{root(w.peak), 0.0, root(w.force / w.length),
-                                                 root(w.velocity / w.length), w.unbalance / w.length};
+                                                 root(w.velocity / w.length), size_of(w.unbalance) / w.length};
   const double after_release = std::max(root(sums.free_peak), last.radial);
   row.peak_radial = static_cast<float>(std::max(root(sums.clamped_peak), after_release));
   row.peak_radial_after_release = static_cast<float>(after_release);

@@ -20,8 +20,8 @@ struct TransientRow {
   float peak_radial = 0.0f, peak_radial_after_release = 0.0f, peak_radial_at_end = 0.0f;
   float peak_force = 0.0f;  ///< of springs and dampers on the support
   float rms_force = 0.0f, rms_velocity = 0.0f;
-  /// |lambda + sum mu_i e^{i phi_i}|. Of a rotor that tilts that of the worse of its outermost bearings' planes, over its
-  /// share of what the rotor may have.
+  /// |lambda + sum mu_i e^{i phi_i}|. Of a rotor that tilts that of the worse of its outermost bearings' planes, over
+  /// its share of what the rotor may have.
   float residual_unbalance = 0.0f;
   /// 0 without a limit; infinite: the motion at the end exceeds it, or r still did when the start was last followed.
   float time_above = 0.0f;
@@ -77,7 +77,9 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::rms_velocity,
      "RMS velocity at the end",
      true},
-    {{"residual_unbalance", "mean unbalance of rotor and balls at the end", study::Dimension::unbalance},
+    {{"residual_unbalance",
+      "unbalance that turns with the rotor at the end: the size of its mean in the rotating frame",
+      study::Dimension::unbalance},
      &TransientRow::residual_unbalance,
      "residual unbalance U/M"},
     {{"time_above", "time with the radial displacement above limits.displacement", study::Dimension::time,

@@ -31,18 +31,36 @@ double turns_a_second(const BasinResult& r, const TransientGroup& group) {
   return std::fabs(speed) * r.study.scales->frequency / two_pi;
 }
 
-struct HandArm {
-  double median, ninety, bare;  // m/s^2
+// What is judged: the ensemble, beside the rotor without balls; of a study without balls that rotor alone.
+struct Judged {
+  const TransientGroup& all;
+  const TransientGroup* beside;
+  bool one;  // run tells all
 };
 
-std::optional<HandArm> hand_arm(const BasinResult& r) {
+std::optional<Judged> judged(const BasinResult& r) {
+  if (!r.study.scales || !r.without_balls || r.without_balls->bare.figures.starts == 0) return std::nullopt;
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (r.study.parameters.balls == 0) return Judged{bare.figures, nullptr, bare.one};
+  if (!tells_without_balls(r)) return std::nullopt;
+  return Judged{r.transients->groups.front(), &bare.figures, false};
+}
+
+// m/s^2: of what is judged in the median and in nine of ten, and of the rotor beside it.
+struct HandArm {
+  double median, ninety;
+  std::optional<double> bare;
+};
+
+std::optional<HandArm> hand_arm(const BasinResult& r, const Judged& j) {
   if (!r.study.standards.hand_held) return std::nullopt;
-  const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
   const auto acceleration = [&](const TransientGroup& group, std::size_t quantile) {
     const double velocity = group.figure(&TransientRow::rms_velocity).quantiles[quantile].value;
     return standards::hand_arm_acceleration(turns_a_second(r, group), velocity * r.study.scales->velocity());
   };
-  return HandArm{acceleration(with, 0), acceleration(with, 1), acceleration(bare, 0)};
+  HandArm arms{acceleration(j.all, 0), acceleration(j.all, 1), std::nullopt};
+  if (j.beside) arms.bare = acceleration(*j.beside, 0);
+  return arms;
 }
 
 std::string hours_text(double acceleration, double value) {
@@ -52,15 +70,19 @@ std::string hours_text(double acceleration, double value) {
                          : fmt::format(words::decision::minutes, 60.0 * hours);
 }
 
-DocumentTable hand_arm_table(const HandArm& a, const Study& study) {
-  DocumentTable table{
-      {words::decision::hand_arm_vibration, "median", words::decision::ninety_below, words::decision::no_balls},
-      {},
-      "",
-      false,
-      {}};
+DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& study) {
+  DocumentTable table{{words::decision::hand_arm_vibration}, {}, "", false, {}};
+  std::vector<double> columns;
+  const auto add = [&](const char* title, double value) {
+    table.header.emplace_back(title);
+    columns.push_back(value);
+  };
+  add(j.one ? words::decision::no_balls : "median", a.median);
+  if (!j.one) add(words::decision::ninety_below, a.ninety);
+  if (a.bare) add(words::decision::no_balls, *a.bare);
   const auto row = [&](const std::string& name, auto&& text) {
-    table.rows.push_back(row_of("lnnn", {name, text(a.median), text(a.ninety), text(a.bare)}));
+    table.rows.push_back({{name, Tone::plain, false, true}});
+    for (const double value : columns) table.rows.back().push_back(number_cell(text(value)));
   };
   row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
   for (const auto& [value, name] : {std::pair{standards::exposure_action_value, words::decision::action_value},
@@ -84,54 +106,56 @@ std::string bare_zone(const BasinResult& r) {
   return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
 }
 
-Block severity(const BasinResult& r) {
-  const TransientGroup& all = r.transients->groups.front();
-  if (!all.beyond[0])
-    return Paragraph{
-        fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, all), standards::lowest_severity_frequency)};
+Block severity(const BasinResult& r, const Judged& j) {
+  if (!j.all.beyond[0])
+    return Paragraph{fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, j.all),
+                                 standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
+  std::string caption = fmt::format(
+      words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
+      share_of_one_direction(r.study) < 1.0 ? words::decision::one_direction : words::decision::both_directions);
+  if (j.one) return Paragraph{words::decision::severity + caption};
   DocumentTable table{{words::decision::severity_zone, words::decision::share_ends_there, words::decision::velocity},
                       {},
-                      "",
+                      std::move(caption),
                       false,
                       {}};
   constexpr const char* names[] = {words::decision::zone_a, words::decision::zones_a_and_b,
                                    words::decision::zones_a_to_c};
   for (std::size_t k = 0; k < zones; ++k)
-    table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*all.beyond[k])),
+    table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*j.all.beyond[k])),
                                         fmt::format(words::decision::up_to, machine.boundaries[k])}));
-  table.caption = fmt::format(
-      words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
-      share_of_one_direction(r.study) < 1.0 ? words::decision::one_direction : words::decision::both_directions);
   return table;
 }
 
-std::string sliding_text(const BasinResult& r) {
-  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
-  const Share& slides = *all.beyond[sliding];
+std::string sliding_text(const BasinResult& r, const Judged& j) {
   const double level = *sliding_level(r.study), force = r.study.scales->force();
+  const TransientGroup& bare = r.without_balls->bare.figures;
   const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
+  const std::string share =
+      j.one ? "" : fmt::format(words::decision::slides_in, share_with_interval(*j.all.beyond[sliding]));
   return fmt::format(words::decision::may_slide, *r.study.standards.standing_mass * r.study.scales->mass,
-                     *r.study.standards.friction, level * force, share_with_interval(slides), without * force,
-                     without > level ? words::decision::enough_too : "");
+                     *r.study.standards.friction, level * force, share, without * force,
+                     without > level ? j.beside ? words::decision::enough_too : words::decision::enough : "");
 }
 
-bool told(const BasinResult& r) {
-  return r.study.scales && tells_without_balls(r) && r.without_balls->bare.figures.starts > 0;
+std::string balance_quality_text(double grade, std::optional<double> beside) {
+  if (!beside) return fmt::format(words::decision::balance_quality_alone, grade_text(grade));
+  return fmt::format(words::decision::balance_quality, grade_text(grade), grade_text(*beside));
 }
 
 }  // namespace
 
 std::vector<Block> standards_blocks(const BasinResult& r) {
-  if (!told(r)) return {};
-  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  const auto j = judged(r);
+  if (!j) return {};
   std::vector<Block> blocks;
-  const auto with = left_grade(all, r.study), without = left_grade(bare, r.study);
-  if (with && without)
-    blocks.push_back(Paragraph{fmt::format(words::decision::balance_quality, grade_text(*with), grade_text(*without))});
-  if (r.study.standards.severity_class) blocks.push_back(severity(r));
-  if (const auto arms = hand_arm(r)) blocks.push_back(hand_arm_table(*arms, r.study));
-  if (all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r)});
+  if (const auto grade = left_grade(j->all, r.study))
+    if (const auto beside = j->beside ? left_grade(*j->beside, r.study) : std::nullopt; beside || !j->beside)
+      blocks.push_back(Paragraph{balance_quality_text(*grade, beside)});
+  if (r.study.standards.severity_class) blocks.push_back(severity(r, *j));
+  if (const auto arms = hand_arm(r, *j)) blocks.push_back(hand_arm_table(*arms, *j, r.study));
+  if (j->all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r, *j)});
   return blocks;
 }
 
@@ -141,35 +165,35 @@ std::string standards_text(const BasinResult& r, const TextStyle& style) {
 }
 
 nlohmann::ordered_json standards_json(const BasinResult& r) {
-  if (!told(r)) return nullptr;
-  const TransientGroup &all = r.transients->groups.front(), &bare = r.without_balls->bare.figures;
+  const auto j = judged(r);
+  if (!j) return nullptr;
   Json json = Json::object();
-  if (const auto with = left_grade(all, r.study), without = left_grade(bare, r.study); with && without)
-    json["balance_quality"] = {
-        {"mean", *with}, {"without_balls", *without}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}};
-  if (all.beyond[0]) {
+  const auto grade = left_grade(j->all, r.study), bare = left_grade(r.without_balls->bare.figures, r.study);
+  if (grade && bare) {
+    if (j->beside) json["balance_quality"]["mean"] = *grade;
+    json["balance_quality"].update({{"without_balls", *bare}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}});
+  }
+  if (j->all.beyond[0]) {
     Json severity = {
         {"class", class_of(r.study).name}, {"without_balls", bare_zone(r)}, {"source", "ISO 10816-1:1995"}};
     for (std::size_t k = 0; k < zones; ++k)
-      severity["within"][standards::zone_names[k]] = sure_share_json(complement(*all.beyond[k]));
+      severity["within"][standards::zone_names[k]] = sure_share_json(complement(*j->all.beyond[k]));
     json["severity"] = severity;
   }
-  if (const auto arms = hand_arm(r)) {
+  if (const auto arms = hand_arm(r, *j)) {
     const auto times = [](double a) {
       return Json{{"acceleration", a},
                   {"hours_to_action_value", standards::hours_to_exposure(a, standards::exposure_action_value)},
                   {"hours_to_limit_value", standards::hours_to_exposure(a, standards::exposure_limit_value)}};
     };
-    json["hand_arm"] = {{"median", times(arms->median)},
-                        {"at_most_in_90_percent", times(arms->ninety)},
-                        {"without_balls", times(arms->bare)},
-                        {"unit", "m/s2"},
-                        {"source", words::decision::hand_arm_source}};
+    if (!j->one) json["hand_arm"] = {{"median", times(arms->median)}, {"at_most_in_90_percent", times(arms->ninety)}};
+    if (arms->bare || j->one) json["hand_arm"]["without_balls"] = times(arms->bare.value_or(arms->median));
+    json["hand_arm"].update({{"unit", "m/s2"}, {"source", words::decision::hand_arm_source}});
   }
-  if (all.beyond[sliding])
+  if (j->all.beyond[sliding])
     json["slides"] = {{"force", *sliding_level(r.study) * r.study.scales->force()},
                       {"unit", "N"},
-                      {"share", sure_share_json(*all.beyond[sliding])}};
+                      {"share", sure_share_json(*j->all.beyond[sliding])}};
   return json;
 }
 

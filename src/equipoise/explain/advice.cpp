@@ -191,6 +191,18 @@ RuleOfThumb drag(const Explanation& e) {
   return rule;
 }
 
+RuleOfThumb carried(const Explanation& e) {
+  RuleOfThumb rule{"carried", words::explain::carried, words::explain::carried_formula, words::explain::carried_source};
+  const model::Carrying& c = *e.carrying;
+  rule.kept = !c.may_hang();
+  rule.words = c.reached >= c.all ? words::explain::carried_from_rest
+               : c.turning        ? words::explain::not_carried_but_turning
+                                  : words::explain::not_carried;
+  add(rule, "", words::explain::carries_all_from, c.all, Dimension::speed);
+  add_drag(rule, e, words::explain::least_drag_of_one, e.study.parameters.gravity / c.reached);
+  return rule;
+}
+
 RuleOfThumb settling(const Explanation& e) {
   RuleOfThumb rule{"settling", words::explain::settling, words::explain::settling_formula,
                    words::explain::settling_source};
@@ -302,7 +314,11 @@ std::vector<double> ball_widths(const Study& study, const BallDetails& balls) {
 }
 
 std::vector<RuleOfThumb> advice(const Explanation& e) {
-  return {ball_mass(e), critical_speeds(e), room(e), drag(e), settling(e), torque(e)};
+  std::vector<RuleOfThumb> rules{ball_mass(e), critical_speeds(e), room(e), drag(e)};
+  if (e.carrying) rules.push_back(carried(e));
+  rules.push_back(settling(e));
+  rules.push_back(torque(e));
+  return rules;
 }
 
 }  // namespace equipoise

@@ -12,6 +12,7 @@
 #include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/spin_up/run_up.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/text/carrying_text.hpp"
 #include "equipoise/words/explain.hpp"
 
 namespace equipoise {
@@ -75,6 +76,7 @@ Explanation explain(const Study& study, const BallDetails& balls, const StopFlag
   e.ball_width = ball_widths(study, balls);
   p.tilts() ? explain_tilt(e) : explain_plane(e);
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
+  e.carrying = carrying(study);
   if (p.balls > 0) linearise(e, stop);
   // An undamped rotor at its critical speed shakes more and more.
   if (e.bare && !std::isfinite(e.bare->displacement[0] + e.bare->displacement[1])) e.bare.reset();

@@ -1,12 +1,12 @@
-// Each quantity changed by a fifth, and what that does to capacity and to the approach to balance.
+// Machine, unbalance, balls and assumptions, each in a line.
 #include "equipoise/explain/study_check.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,10 +14,11 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/plural.hpp"
 #include "equipoise/explain/explain.hpp"
-#include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/explain/what_matters.hpp"
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/text/carrying_text.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
@@ -32,12 +33,6 @@ using study::Dimension;
 std::string quantity(const Study& s, double value, Dimension dimension) {
   if (s.scales) return engineering(value * study::scale_of(dimension, *s.scales), dimension);
   return fmt::format("{:.5g} {}", value, study::words(dimension).dimensionless);
-}
-
-std::string time_of(const Study& s, double time) {
-  if (!s.scales) return fmt::format("{:.3g}/omega_c", time);
-  const double seconds = time * s.scales->time();
-  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1000.0 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
 std::string speed_of(const Study& s, double speed) {
@@ -170,136 +165,11 @@ std::string balls_line(const Explanation& e) {
                             can ? but_unstable(e) : words::study_check::balance_impossible_too);
 }
 
-// Quantities that are estimated rather than known, as factors on a study.
-struct Estimate {
-  std::string_view name;
-  void (*scale)(model::Parameters&, double);
-};
-constexpr std::string_view drag_name = words::study_check::the_drag;
-constexpr std::array<Estimate, 5> estimates{{
-    {words::study_check::the_unbalance,
-     [](model::Parameters& p, double f) {
-       p.eccentricity *= f;
-       p.tilt.misalignment *= f;
-     }},
-    {words::study_check::the_stiffness,
-     [](model::Parameters& p, double f) {
-       for (double& kappa : p.stiffness) kappa *= f;
-       for (auto& direction : p.tilt.stiffness)
-         for (double& kappa : direction) kappa *= f;
-     }},
-    {words::study_check::the_damping,
-     [](model::Parameters& p, double f) {
-       for (double& zeta : p.damping) zeta *= f;
-       for (auto& direction : p.tilt.damping)
-         for (double& zeta : direction) zeta *= f;
-     }},
-    {drag_name,
-     [](model::Parameters& p, double f) {
-       for (double& beta : p.drag) beta *= f;
-     }},
-    {words::study_check::the_ball_mass,  // whose drag stays
-     [](model::Parameters& p, double f) {
-       for (int i = 0; i < p.balls; ++i) {
-         p.mass[static_cast<std::size_t>(i)] *= f;
-         p.drag[static_cast<std::size_t>(i)] /= f;
-       }
-     }},
-}};
-
-// What a change is judged by, each a number that is better if larger.
-struct Measures {
-  bool can_balance = false, stable = false;
-  bool unstable = false;          // known to be; of some studies neither is known
-  std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
-  std::optional<double> settles;  // rate of the approach to balance
-  std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
-};
-
-// Of planes, that which has the least to spare.
-std::optional<double> margin_of(const Explanation& e) {
-  if (!e.tilt) return e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
-  std::optional<double> least;
-  for (const ExplainedPlane& plane : e.tilt->planes)
-    if (plane.unbalance > 0.0)
-      least = std::min(plane.most / plane.unbalance, least.value_or(plane.most / plane.unbalance));
-  const bool impossible = e.balanced.kind == model::BalancedStates::Kind::none;
-  if (impossible && least.value_or(1.0) >= 1.0) return std::nullopt;  // planes or angles are in the way, or one ball
-  return least.value_or(1.0);
-}
-
-Measures measures_of(const Study& study, const BallDetails& balls, const StopFlag* stop) {
-  const Explanation e = explain(study, balls, stop);
-  Measures m;
-  m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
-  m.margin = margin_of(e);
-  if (e.motion) {
-    m.stable = e.motion->stable;
-    m.unstable = m.can_balance && !m.stable;
-    if (e.motion->stable) m.settles = -e.motion->slowest_rate;
-  }
-  if (e.speed && !e.tilt) {
-    const double needed = rules::drag_against_capture(study.parameters, std::abs(*e.speed));
-    if (needed > 0.0) m.passes = rules::mean_drag(study.parameters) / needed;
-  }
-  return m;
-}
-
-// How much a change matters, and in words what it does.
-struct Effect {
-  double size = 0.0;
-  std::string words;
-};
-
-constexpr double decides = 1e3;  // a change from yes to no outweighs any other
-
-Effect effect_of(const Study& study, const Measures& before, const Measures& after) {
-  Effect worst;
-  const auto consider = [&](double size, std::string words) {
-    if (size > worst.size) worst = {size, std::move(words)};
-  };
-  if (before.can_balance != after.can_balance)
-    consider(2.0 * decides, after.can_balance ? words::study_check::makes_balance_possible
-                                              : words::study_check::makes_balance_impossible);
-  if (before.can_balance && after.can_balance && before.stable != after.stable)
-    consider(decides,
-             after.stable ? words::study_check::makes_balance_stable : words::study_check::makes_balance_unstable);
-  if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
-    consider(0.5 * decides, *after.passes < 1.0 ? words::study_check::drag_too_little_to_pass
-                                                : words::study_check::drag_enough_to_pass);
-  if (before.margin && after.margin)
-    consider(std::abs(std::log(*after.margin / *before.margin)),
-             fmt::format(words::study_check::changes_capacity, *after.margin, *before.margin));
-  if (before.settles && after.settles)
-    consider(std::abs(std::log(*after.settles / *before.settles)),
-             fmt::format(words::study_check::changes_settling, time_of(study, 1.0 / *after.settles),
-                         time_of(study, 1.0 / *before.settles)));
-  return worst;
-}
-
-std::string most_line(const Study& study, const BallDetails& balls, const StopFlag* stop) {
-  if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
-  constexpr double part = 0.2;
-  const Measures before = measures_of(study, balls, stop);
-  Effect worst;
-  std::string which;
-  for (const Estimate& estimate : estimates)
-    for (const double sign : {-1.0, 1.0}) {
-      Study changed = study;
-      estimate.scale(changed.parameters, 1.0 + sign * part);
-      Effect effect = effect_of(study, before, measures_of(changed, balls, stop));
-      if (effect.size <= worst.size) continue;
-      worst = std::move(effect);
-      const bool stokes = balls.oil_viscosity && estimate.name == drag_name;
-      which = fmt::format(words::study_check::fifth_changes, estimate.name,
-                          stokes ? words::study_check::of_a_formula : "", sign < 0.0 ? "less" : "more", worst.words);
-    }
-  if (is_set(stop)) return words::study_check::stopped;
-  if (before.unstable && worst.size < decides) return words::study_check::stays_unstable;
-  if (which.empty())
-    return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
-                                                           : words::study_check::stays_impossible;
-  return which + (study.parameters.tilts() ? words::study_check::how_judged_of_tilt : words::study_check::how_judged);
+// Under gravity.
+std::string weight_words(const Explanation& e) {
+  if (!e.carrying) return "";
+  const std::string hanging = hanging_text(e.study);
+  return "; " + (hanging.empty() ? carried_text(e.study, *e.carrying) : hanging);
 }
 
 class Assumptions {
@@ -388,9 +258,18 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name, co
   StudyCheck check;
   check.machine = machine_line(e);
   check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
-  check.balls = balls_line(e);
+  check.balls = balls_line(e) + weight_words(e);
   check.assumed = Assumptions(document.root, study, balls).list();
-  check.most = most_line(medians, balls, stop);
+  const auto oil_at = [&](double kelvin) -> std::optional<double> {
+    std::vector<std::string> warmer = overrides;
+    warmer.push_back(fmt::format("balancer.oil.at={:.17g} K", kelvin));
+    try {
+      return parse_ball_details(toml_text, name, warmer).oil_viscosity;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  };
+  check.most = what_matters_most(medians, balls, oil_at, stop);
   return check;
 }
 

@@ -14,6 +14,7 @@
 #include "equipoise/rotor_family/horizon.hpp"
 #include "equipoise/spin_up/spin_up.hpp"
 #include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/text/carrying_text.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/words/warnings.hpp"
 
@@ -40,6 +41,7 @@ class Warnings {
     if (!e.tilt) release();  // which no motor has
     room();
     if (e.gravity_ratio && *e.gravity_ratio >= 1.0) warn(words::warnings::weight_beats_rotation);
+    if (std::string hanging = hanging_text(e.study); !hanging.empty()) e.warnings.push_back(std::move(hanging));
     contact();
     if (!p_.balls_collide() && p_.restitution != model::Parameters{}.restitution)
       warn(words::warnings::restitution_without_contact);
@@ -100,9 +102,7 @@ class Warnings {
           most = there;
           where = fmt::format(words::warnings::at_bearing, text(at, Dimension::length));
         }
-    const std::optional<double>& room = e_.study.limits.displacement;
     const std::string sag = text(most, Dimension::length) + where;
-    if (room && most > *room) warn(words::warnings::sags_beyond_limit, sag, text(*room, Dimension::length));
     // Springs would have to be longer than the rotor is wide: stiffness, mass or their units are wrong.
     if (most > 1.0) warn(words::warnings::sags_beyond_race, sag, text(1.0, Dimension::length));
   }

@@ -63,6 +63,7 @@ class MachineDocument {
       std::string words = bare_words(basin_);
       for (const std::string& sentence : without_balls_words(basin_)) words += " " + sentence;
       add(Paragraph{on_one_line(words)});
+      kept();
     }
     if (basin_.starts > 0) {
       kept();
@@ -223,8 +224,7 @@ class MachineDocument {
     }
     table.caption = words::pages::ends_table_caption;
     if (graded)
-      table.caption +=
-          study_.parameters.tilts() ? words::pages::grade_in_planes : words::pages::grade_to_compare;
+      table.caption += study_.parameters.tilts() ? words::pages::grade_in_planes : words::pages::grade_to_compare;
     table.caption += ".";
     return table;
   }

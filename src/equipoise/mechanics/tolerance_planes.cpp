@@ -34,14 +34,20 @@ std::array<PlaneUnbalance, 2> plane_unbalances(const Parameters& p, const std::a
   return both;
 }
 
-double judged_unbalance(const Parameters& p, const std::array<double, 2>& planes, const double* phi) {
-  double larger = 0.0;
-  for (const PlaneUnbalance& plane : plane_unbalances(p, planes)) {
-    std::complex<double> sum = plane.own;
-    for (int i = 0; i < p.balls; ++i) sum += std::polar(plane.ball[static_cast<std::size_t>(i)], phi[i]);
-    larger = std::max(larger, std::abs(sum));
+std::array<std::complex<double>, 2> unbalances_in_planes(const Parameters& p, const std::array<double, 2>& planes,
+                                                         const double* phi) {
+  std::array<std::complex<double>, 2> sums;
+  const auto both = plane_unbalances(p, planes);
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    sums[k] = both[k].own;
+    for (int i = 0; i < p.balls; ++i) sums[k] += std::polar(both[k].ball[static_cast<std::size_t>(i)], phi[i]);
   }
-  return larger;
+  return sums;
+}
+
+double judged_unbalance(const Parameters& p, const std::array<double, 2>& planes, const double* phi) {
+  const auto [a, b] = unbalances_in_planes(p, planes, phi);
+  return std::max(std::abs(a), std::abs(b));
 }
 
 }  // namespace equipoise::model

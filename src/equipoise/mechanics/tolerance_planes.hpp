@@ -29,6 +29,9 @@ struct PlaneUnbalance {
 /// Of a rotor that tilts, in two planes. Of planes at one place the static unbalance, twice.
 std::array<PlaneUnbalance, 2> plane_unbalances(const Parameters& p, const std::array<double, 2>& planes);
 
+/// Both with the balls at `phi`, one angle a ball.
+std::array<std::complex<double>, 2> unbalances_in_planes(const Parameters& p, const std::array<double, 2>& planes,
+                                                         const double* phi);
 /// The larger of both with the balls at `phi`, one angle a ball. With the centre of mass between the planes it is never
 /// less than the static unbalance, and equals it where there is no couple and no share is bounded.
 double judged_unbalance(const Parameters& p, const std::array<double, 2>& planes, const double* phi);

@@ -15,6 +15,7 @@
 #include "equipoise/decision/plain_names.hpp"
 #include "equipoise/decision/standards_text.hpp"
 #include "equipoise/decision/verdict_json.hpp"
+#include "equipoise/text/carrying_text.hpp"
 #include "equipoise/text/computed.hpp"
 #include "equipoise/text/left_unbalance.hpp"
 #include "equipoise/text/note_text.hpp"
@@ -91,7 +92,7 @@ std::string bare_text(const BasinResult& r, const TextStyle& style) {
   if (!r.without_balls) return words::reports::partial_nothing_known;
   std::string text = filled("", bare_words(r), style) + "\n" + table_text(bare_table(r), style);
   for (const std::string& sentence : without_balls_words(r)) text += filled("", sentence, style);
-  return text + "\n";
+  return text + "\n" + standards_text(r, style);
 }
 
 }  // namespace
@@ -205,6 +206,8 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
   notes += left_unbalance_text(r.attractors, r.study);
   if (r.passed) notes += passage_text(r);
   if (r.met) notes += contact_text(*r.met);
+  if (const std::string hanging = hanging_text(r.study); !hanging.empty())
+    notes += fmt::format("Warning: {}.\n", hanging);
   if (!r.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.study, r.note));
   if (r.partial) notes += stopped_basin_text(r);
   return text + lines_filled(notes + run_text(r, tried), style);

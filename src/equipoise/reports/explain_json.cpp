@@ -130,6 +130,11 @@ std::string explain_json(const Explanation& e) {
   json["static_sag"] = value_json(e.sag, Dimension::length, scales);
   json["weight"] = value_json(e.weight(), Dimension::force, scales);
   json["gravity_ratio"] = e.gravity_ratio ? Json(*e.gravity_ratio) : Json(nullptr);
+  json["carried_round"] = nullptr;
+  if (e.carrying)
+    json["carried_round"] = {{"first_from", value_json(e.carrying->first, Dimension::speed, scales)},
+                             {"all_from", value_json(e.carrying->all, Dimension::speed, scales)},
+                             {"may_hang", e.carrying->may_hang()}};
   json["unbalance"] = value_json(e.unbalance, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
   json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);

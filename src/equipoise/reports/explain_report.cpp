@@ -12,6 +12,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/results/left_grade.hpp"
+#include "equipoise/text/carrying_text.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/start_text.hpp"
@@ -198,6 +199,7 @@ class Text {
       item(words::reports::static_sag, fmt::format(words::reports::sags_under, both(e_.sag, Dimension::length),
                                                    both(e_.weight(), Dimension::force)));
     if (e_.gravity_ratio) item("gravity", fmt::format(words::reports::gravity_ratio, *e_.gravity_ratio));
+    if (e_.carrying) item("", carried_text(e_.study, *e_.carrying));
     if (!e_.motion && e_.study.parameters.balls > 0) item(words::text::approach_to_balance, "unknown: " + e_.no_motion);
   }
 

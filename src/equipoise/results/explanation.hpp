@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/mechanics/carrying.hpp"
 #include "equipoise/mechanics/whirl.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/units/units.hpp"
@@ -121,6 +122,7 @@ struct Explanation {
   model::BalancedStates balanced;
   double sag = 0.0;                     ///< of the rotor's centre under the weight of rotor and balls
   std::optional<double> gravity_ratio;  ///< weight of a ball over its centrifugal force; empty without gravity or speed
+  std::optional<model::Carrying> carrying;  ///< of balls by their drag, against their weight
   std::optional<BalancedMotion> motion;
   std::string no_motion;  ///< why `motion` is not there
   std::optional<BareVibration> bare;

@@ -87,7 +87,8 @@ class HeldFollower {
       model::hold_balls(first, state.data(), y_.data());
     }
     const double* phi = &full_[model::index::phi(0)];
-    unbalance_ = tilt ? model::judged_unbalance(p_, watched_.shaft.places, phi) : std::abs(model::unbalance(p_, phi));
+    turning_ = turning_unbalance(p_, watched_.shaft, phi);
+    unbalance_ = size_of(turning_);
     size_ = std::max({p_.all_unbalances(), std::fabs(sag_), std::hypot(start.x, start.y)});
     if (size_ == 0.0) size_ = 1.0;
   }
@@ -146,7 +147,7 @@ class HeldFollower {
   TransientSample sample(double t, const double* y) const {
     if constexpr (tilt) {
       TransientSample here = transient_sample(p_, watched_.shaft, psi(t, y), t, y, y + layout().tilt);
-      here.unbalance = unbalance_;
+      here.unbalance = turning_;
       return here;
     }
     using namespace model::index;
@@ -156,7 +157,7 @@ class HeldFollower {
     const double up = centre[1] - sag_;
     const std::array<double, 2> force{p_.damping[0] * rate[0] + p_.stiffness[0] * centre[0],
                                       p_.damping[1] * rate[1] + p_.stiffness[1] * centre[1]};
-    TransientSample sampled{t, unbalance_, {}};
+    TransientSample sampled{t, turning_, {}};
     auto& here = sampled.places[0];
     here.r2 = centre[0] * centre[0] + up * up;
     here.slope = 2.0 * (centre[0] * rate[0] + up * rate[1]);
@@ -325,6 +326,7 @@ class HeldFollower {
   const bool fixed_axes_;
   const double sag_;
   HWY_NAMESPACE::ModeTable<double, model::any_count> modes_;  // of a rotor that tilts
+  TurningUnbalance turning_{};
   double unbalance_ = 0.0, size_ = 1.0;
   TransientWatch watch_;
   std::size_t piece_ = 0;

@@ -21,7 +21,7 @@ namespace equipoise::study {
 namespace {
 
 struct OilSheet {
-  double kinematic_viscosity = 0.0, density = 0.0;  // m^2/s, kg/m^3
+  double kinematic_viscosity = 0.0, density = 0.0, kelvin = 0.0;  // m^2/s, kg/m^3, K
 };
 
 // balancer.oil: a grade, and the temperature that it has in the machine.
@@ -60,7 +60,7 @@ class OilReader : public QuantityReader {
         at_25 > model::thickest_silicone * (1.0 + 1e-12))
       fail("grade", fmt::format(words::machine::silicone_grade, model::thinnest_silicone, model::thickest_silicone));
     if (has("viscosity_100")) fail("viscosity_100", words::machine::viscosity_of_silicone_is_known);
-    return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density};
+    return {model::silicone_viscosity(at_25, kelvin_) * square_mm, model::silicone_density, kelvin_};
   }
 
   // Without blanks, and in small letters: "ISO VG32", "vg 32".
@@ -73,7 +73,9 @@ class OilReader : public QuantityReader {
   double class_viscosity() const {
     const std::string given = plain_name(grade_);
     const std::string number = grade_.substr(std::min(grade_.find_last_not_of("0123456789.") + 1, grade_.size()));
-    const double said = split_quantity(number).number;
+    // A number of another system, such as SAE 10W-30, names no class.
+    const bool of_iso = given.starts_with("iso") || given.starts_with("vg") || number == grade_;
+    const double said = of_iso ? split_quantity(number).number : 0.0;
     double nearest = 0.0;
     for (const double middle : model::iso_viscosity_grades) {
       const std::string name = fmt::format("ISO VG {:.0f}", middle);
@@ -96,7 +98,7 @@ class OilReader : public QuantityReader {
     if (!at_100) fail("grade", words::machine::too_thin_for_index);
     const bool falls = *at_100<at_40&& * at_100> 0.5;
     if (!falls) fail("viscosity_100", fmt::format(words::machine::viscosity_at_100, at_40));
-    return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density};
+    return {model::mineral_oil_viscosity(at_40, *at_100, kelvin_) * square_mm, model::mineral_oil_density, kelvin_};
   }
 
   std::string grade_;
@@ -174,6 +176,7 @@ class BalancerReader {
     if (b_.drag_from == "oil") {
       const OilSheet oil = OilReader(document_).read();
       b_.details.oil_density = density.value_or(oil.density);
+      b_.details.oil_kelvin = oil.kelvin;
       b_.details.oil_viscosity = oil.kinematic_viscosity * *b_.details.oil_density;
       return;
     }

@@ -14,6 +14,7 @@ struct BallDetails {
   std::vector<double> diameter;         ///< one per ball
   std::optional<double> oil_viscosity;  ///< dynamic, Pa s
   std::optional<double> oil_density;    ///< kg/m^3
+  std::optional<double> oil_kelvin;     ///< its temperature, of an oil given by its grade
 };
 
 /// Reads them from a study text that parse_study() accepts.

@@ -74,6 +74,12 @@ struct Limits {
   T displacement2, settled2, window;
 };
 
+// As many parts of TurningUnbalance as are watched: two, or four of a rotor that tilts.
+template <class T, int parts>
+struct Unbalances {
+  T part[parts];
+};
+
 // What limits are asked of: r at the place watched, or what `beside` it is farther out.
 struct Alone {
   template <class Curve>
@@ -88,10 +94,11 @@ struct Beside {
 };
 
 // As many trajectories as T has lanes, each at its own time.
-template <class T>
+template <class T, int parts = 4>
 class GatherTransients {
  public:
   static constexpr int lanes = lane_count<T>;
+  using Turning = Unbalances<T, parts>;
   using Flags = decltype(T() < T());
 
   // Goes on from the sums of a trajectory; `free`: its balls have been released.
@@ -112,14 +119,14 @@ class GatherTransients {
   }
 
   // The motion goes on from here, without a step that leads to it.
-  void stand(int lane, const Sample<double>& here, double unbalance) {
+  void stand(int lane, const Sample<double>& here, const TurningUnbalance& unbalance) {
     element(from_.r2, lane) = here.r2;
     element(from_.slope, lane) = here.slope;
     element(from_.force2, lane) = here.force2;
     element(from_.velocity2, lane) = here.velocity2;
     element(from_.power, lane) = here.power;
     element(from_.stored, lane) = here.stored;
-    element(from_unbalance_, lane) = unbalance;
+    for (int k = 0; k < parts; ++k) element(from_unbalance_.part[k], lane) = unbalance[static_cast<std::size_t>(k)];
     for (T* peak : {&peak_, &window_peak_}) element(*peak, lane) = std::fmax(element(*peak, lane), here.r2);
     element(force_peak_, lane) = std::fmax(element(force_peak_, lane), here.force2);
   }
@@ -145,7 +152,7 @@ class GatherTransients {
   // end. Returns the bits of the `active` lanes whose window it ends. Not `asked`: limits and work are asked elsewhere.
   template <bool asked = true, class Limited = Alone>
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
-                          const Sample<T> (&at)[3], T unbalance, const Limited& limited = {}) {
+                          const Sample<T> (&at)[3], const Turning& unbalance, const Limited& limited = {}) {
     const StepSamples<T> samples = samples_of(at);
     const SquaredRadiusOfStep<T> r2(samples, h);
     const auto force2 = Cubic<T>::through(samples.force2);
@@ -158,8 +165,11 @@ class GatherTransients {
     keep(accepted, multiply_add(h, force2.integral(), window_force_), window_force_);
     const T velocity = Cubic<T>::through(samples.velocity2).integral();
     keep(accepted, multiply_add(h, velocity, window_velocity_), window_velocity_);
-    keep(accepted, multiply_add(T(0.5) * h, from_unbalance_ + unbalance, window_unbalance_), window_unbalance_);
-    keep(accepted, unbalance, from_unbalance_);
+    for (int k = 0; k < parts; ++k) {
+      T &from = from_unbalance_.part[k], &sum = window_unbalance_.part[k];
+      keep(accepted, multiply_add(T(0.5) * h, from + unbalance.part[k], sum), sum);
+      keep(accepted, unbalance.part[k], from);
+    }
     keep(accepted, at[2].r2, from_.r2);
     keep(accepted, at[2].slope, from_.slope);
     keep(accepted, at[2].force2, from_.force2);
@@ -202,10 +212,16 @@ class GatherTransients {
     if (row.window.length > 0.0) return;
     // Lost in its first step: only the state there is known.
     row.window = {1.0, element(from_.r2, lane), element(from_.force2, lane), element(from_.velocity2, lane),
-                  element(from_unbalance_, lane)};
+                  of_lane(from_unbalance_, lane)};
   }
 
  private:
+  static TurningUnbalance of_lane(const Turning& all, int lane) {
+    TurningUnbalance one{};
+    for (int k = 0; k < parts; ++k) one[static_cast<std::size_t>(k)] = element(all.part[k], lane);
+    return one;
+  }
+
   static HWY_INLINE void keep(Flags accepted, T value, T& kept) { kept = choose(accepted, value, kept); }
 
   HWY_INLINE StepSamples<T> samples_of(const Sample<T> (&at)[3]) const {
@@ -260,7 +276,7 @@ class GatherTransients {
 
   TransientWindow open_window(int lane, double t) const {
     return {t - element(window_begin_, lane), element(window_peak_, lane), element(window_force_, lane),
-            element(window_velocity_, lane), element(window_unbalance_, lane)};
+            element(window_velocity_, lane), of_lane(window_unbalance_, lane)};
   }
 
   void open(int lane, double t, double r2) {
@@ -268,13 +284,13 @@ class GatherTransients {
     element(window_peak_, lane) = r2;
     element(window_force_, lane) = 0.0;
     element(window_velocity_, lane) = 0.0;
-    element(window_unbalance_, lane) = 0.0;
+    for (T& sum : window_unbalance_.part) element(sum, lane) = 0.0;
   }
 
   Sample<T> from_{};  // the step's beginning
-  T from_unbalance_{};
+  Turning from_unbalance_{}, window_unbalance_{};
   T peak_{}, force_peak_{}, time_above_{}, last_above_{};
-  T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{}, window_unbalance_{};
+  T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{};
   T work_{};                                      // of the current piece, without the stored energy
   DriveWork work_before_[lanes];                  // as loaded
   std::optional<DriveWork> known_work_[lanes];    // once the work has ended
@@ -289,6 +305,7 @@ class GatherPlaces {
  public:
   using One = GatherTransients<T>;
   using Flags = typename One::Flags;
+  using Turning = typename One::Turning;
   static constexpr int lanes = One::lanes, most = static_cast<int>(model::most_bearings);
 
   void load(int lane, const TransientSums& row, bool free = true) {
@@ -298,7 +315,7 @@ class GatherPlaces {
     places_[0].resume(lane, row, t, here);
   }
   // As many places are watched as `here` has, always.
-  void stand(int lane, std::span<const Sample<double>> here, double unbalance) {
+  void stand(int lane, std::span<const Sample<double>> here, const TurningUnbalance& unbalance) {
     count_ = static_cast<int>(here.size());
     for (int k = 0; k < count_; ++k) places_[k].stand(lane, here[static_cast<std::size_t>(k)], unbalance);
   }
@@ -309,11 +326,11 @@ class GatherPlaces {
   void end_work(int lane) { places_[0].end_work(lane); }
 
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
-                          const Sample<T> (&at)[3], T unbalance) {
+                          const Sample<T> (&at)[3], const Turning& unbalance) {
     return places_[0].add(limits, active, accepted, begin, t, h, at, unbalance);
   }
   HWY_INLINE unsigned add(const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
-                          const Sample<T> (&at)[3], const Sample<T> (&there)[3], T unbalance) {
+                          const Sample<T> (&at)[3], const Sample<T> (&there)[3], const Turning& unbalance) {
     const SquaredRadiusOfStep<T> other = places_[1].curve(h, there);
     const unsigned full = places_[0].add(limits, active, accepted, begin, t, h, at, unbalance, Beside<T>{other});
     add_place(1, limits, active, accepted, begin, t, h, there, unbalance);
@@ -321,7 +338,7 @@ class GatherPlaces {
   }
   // The same step of place k, after the first two.
   HWY_INLINE void add_place(int k, const Limits<T>& limits, unsigned active, Flags accepted, T begin, T t, T h,
-                            const Sample<T> (&at)[3], T unbalance) {
+                            const Sample<T> (&at)[3], const Turning& unbalance) {
     places_[k].template add<false>(limits, active, accepted, begin, t, h, at, unbalance);
   }
 

@@ -18,10 +18,19 @@ namespace {
 namespace kernels = HWY_NAMESPACE::transient;
 }  // namespace
 
+TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaft& shaft, const double* phi) {
+  if (!p.tilts()) {
+    const std::complex<double> all = model::unbalance(p, phi);
+    return {all.real(), all.imag(), 0.0, 0.0};
+  }
+  const auto [a, b] = model::unbalances_in_planes(p, shaft.places, phi);
+  return {a.real(), a.imag(), b.real(), b.imag()};
+}
+
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
   const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
   const auto s = kernels::sample_of<double>({rest[0], rest[1]}, {force[0], force[1]}, z);
-  return {t, std::abs(model::unbalance(p, z + model::index::phi(0))), {s}};
+  return {t, turning_unbalance(p, {}, z + model::index::phi(0)), {s}};
 }
 
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
@@ -39,7 +48,7 @@ TransientSample transient_sample(const model::Parameters& p, const WatchedShaft&
     if (each) force = HWY_NAMESPACE::BearingForce<double>(shaft.bearings[b]).of(rotor, section.data());
     return kernels::sample_of<double>({rest * sine, rest * cosine}, force, section.data());
   };
-  TransientSample sample{t, model::judged_unbalance(p, shaft.places, z + model::index::phi(0)), {}};
+  TransientSample sample{t, turning_unbalance(p, shaft, z + model::index::phi(0)), {}};
   sample.count = std::max(shaft.places.size(), shaft.bearings.size());
   for (std::size_t b = 0; b < sample.count; ++b) sample.places[b] = at(b);
   return sample;
@@ -67,7 +76,9 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
 void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
   const double begin = t_;
   t_ = samples[2].t;
-  const double h = t_ - begin, unbalance = samples[2].unbalance;
+  const double h = t_ - begin;
+  Gather::Turning unbalance;
+  std::copy(samples[2].unbalance.begin(), samples[2].unbalance.end(), unbalance.part);
   using Step = kernels::Sample<double>[3];
   const auto put = [&](std::size_t k, Step& step) {
     for (std::size_t i = 0; i < 3; ++i) step[i] = samples[i].places[k];

@@ -13,13 +13,15 @@ namespace equipoise {
 
 /// The motion at one time.
 struct TransientSample {
-  double t = 0.0;  ///< study time
-  /// |lambda + sum mu_i e^{i phi_i}|, or of a rotor that tilts model::judged_unbalance(); read at step ends only.
-  double unbalance = 0.0;
+  double t = 0.0;                ///< study time
+  TurningUnbalance unbalance{};  ///< read at step ends only
   /// The motion at all places that are watched, one unless a rotor tilts. Power and energy are read of the first alone.
   std::array<HWY_NAMESPACE::transient::Sample<double>, model::most_bearings> places{};
   std::size_t count = 1;
 };
+
+/// With the balls at `phi`; `shaft`: of a rotor that tilts.
+TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaft& shaft, const double* phi);
 
 /// Of rotor and balls in state `z` (dimension(balls) numbers) at time `t` and rotor angle `psi`.
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z);
@@ -59,7 +61,8 @@ class TransientWatch {
  private:
   TransientSettings settings_;
   HWY_NAMESPACE::transient::Limits<double> limits_;
-  HWY_NAMESPACE::transient::GatherPlaces<double> gathered_;
+  using Gather = HWY_NAMESPACE::transient::GatherPlaces<double>;
+  Gather gathered_;
   TransientSums sums_;  // without the present side of the release
   KnownEnd end_;
   double t_;

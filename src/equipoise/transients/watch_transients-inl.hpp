@@ -82,8 +82,8 @@ class WatchedTilt<true> {
     return energy_.taken_by_supports(rotor, z);
   }
   HWY_INLINE Pack stored(const RotorMotion<Pack>& rotor, const Pack* z) const { return energy_.stored(rotor, z); }
-  // As judged_unbalance().
-  HWY_INLINE Pack unbalance(int balls, const Pack* phi) const {
+  // In both planes.
+  HWY_INLINE transient::Unbalances<Pack, 4> unbalance(int balls, const Pack* phi) const {
     Vector2<Pack> a = planes_.own[0], b = planes_.own[1];
     const auto& [of_a, of_b] = planes_.ball;
     for (int i = 0; i < balls; ++i) {
@@ -92,7 +92,7 @@ class WatchedTilt<true> {
       a = {multiply_add(of_a[i], cosine, a.x), multiply_add(of_a[i], sine, a.y)};
       b = {multiply_add(of_b[i], cosine, b.x), multiply_add(of_b[i], sine, b.y)};
     }
-    return square_root(maximum(a.x * a.x + a.y * a.y, b.x * b.x + b.y * b.y));
+    return {{a.x, a.y, b.x, b.y}};
   }
 
  private:
@@ -189,13 +189,13 @@ class WatchedRotor {
       return energy_.stored(rotor_at(t, z), z);
   }
 
-  HWY_INLINE Pack unbalance(const Pack* z) const {
+  HWY_INLINE transient::Unbalances<Pack, tilt ? 4 : 2> unbalance(const Pack* z) const {
     if constexpr (tilt) {
       return tilt_.unbalance(balls_, z + 4);
     } else {
       Vector2<Pack> all{rotor_.x + z[4], rotor_.y + z[5]};
       if (!held_) all = sum_of_unbalances(rotor_, balls_, mass_, z + 4);
-      return square_root(all.x * all.x + all.y * all.y);
+      return {{all.x, all.y}};
     }
   }
 
@@ -248,7 +248,7 @@ template <bool tilt>
 class WatchTransients final : public BatchWatch {
   using Rotor = WatchedRotor<tilt>;
   static constexpr int places = Rotor::places;
-  using Group = std::conditional_t<tilt, transient::GatherPlaces<Pack>, transient::GatherTransients<Pack>>;
+  using Group = std::conditional_t<tilt, transient::GatherPlaces<Pack>, transient::GatherTransients<Pack, 2>>;
   static constexpr int lanes = Group::lanes;
 
  public:
@@ -281,7 +281,10 @@ class WatchTransients final : public BatchWatch {
     spread(state, z);
     transient::Sample<double> here[Rotor::most_places];
     corner_sample(slot, t, state, here);
-    const double unbalance = transient::element(rotor(slot).unbalance(z), slot % lanes);
+    TurningUnbalance unbalance{};
+    const auto all = rotor(slot).unbalance(z);
+    std::size_t k = 0;
+    for (const Pack& part : all.part) unbalance[k++] = transient::element(part, slot % lanes);
     if constexpr (tilt)
       groups_[slot / lanes].stand(slot % lanes, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
                                   unbalance);
@@ -298,7 +301,7 @@ class WatchTransients final : public BatchWatch {
     rotor.sample(s.t, s.z, three);
     const transient::Sample<Pack> at[3] = {one[0], two[0], with_stored(three[0], rotor.stored(s.t, s.z))};
     Group& group = groups_[s.group];
-    const Pack unbalance = rotor.unbalance(s.z);
+    const auto unbalance = rotor.unbalance(s.z);
     if constexpr (tilt) {
       const transient::Sample<Pack> there[3] = {one[1], two[1], three[1]};
       const unsigned full = group.add(rotor.limits, s.active, s.accepted, begin, s.t, s.h, at, there, unbalance);

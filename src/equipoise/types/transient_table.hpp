@@ -40,19 +40,27 @@ struct TransientSettings {
   bool watches_settling() const { return settled > 0.0; }
 };
 
+/// The unbalance of rotor and balls in the rotating frame, x and y; of a rotor that tilts those of two planes
+/// (model::PlaneUnbalance). What turns with the rotor is its mean: balls that hang or circulate add nothing.
+using TurningUnbalance = std::array<double, 4>;
+/// Its size; of two planes the larger.
+inline double size_of(const TurningUnbalance& u) { return std::fmax(std::hypot(u[0], u[1]), std::hypot(u[2], u[3])); }
+
 /// Sums over a window of time. r: from where the rotor rests under its weight.
 struct TransientWindow {
   double length = 0.0;
-  double peak = 0.0;       ///< largest r^2
-  double force = 0.0;      ///< integral of |f|^2
-  double velocity = 0.0;   ///< integral of u^2 + v^2
-  double unbalance = 0.0;  ///< integral of |lambda + sum mu_i e^{i phi_i}|, or of model::judged_unbalance()
+  double peak = 0.0;             ///< largest r^2
+  double force = 0.0;            ///< integral of |f|^2
+  double velocity = 0.0;         ///< integral of u^2 + v^2
+  TurningUnbalance unbalance{};  ///< its integral
 };
 
 /// A window and what follows on it.
 inline TransientWindow last_windows(const TransientWindow& before, const TransientWindow& last) {
-  return {before.length + last.length, before.peak > last.peak ? before.peak : last.peak, before.force + last.force,
-          before.velocity + last.velocity, before.unbalance + last.unbalance};
+  TransientWindow both{before.length + last.length, before.peak > last.peak ? before.peak : last.peak,
+                       before.force + last.force, before.velocity + last.velocity, before.unbalance};
+  for (std::size_t k = 0; k < both.unbalance.size(); ++k) both.unbalance[k] += last.unbalance[k];
+  return both;
 }
 
 /// Of two places over the same time, what the worse one has.
@@ -66,7 +74,7 @@ struct MotionFigures {
   double radial = 0.0;      ///< largest r
   double peak_force = 0.0;  ///< largest |f|
   double rms_force = 0.0, rms_velocity = 0.0;
-  double unbalance = 0.0;  ///< mean of what TransientWindow has the integral of
+  double unbalance = 0.0;  ///< size of the mean
 };
 
 /// What is known of where a decided trajectory goes.

@@ -125,6 +125,7 @@ inline constexpr char hand_arm_source[] = "ISO 5349-1:2001, Directive 2002/44/EC
 // Severity of vibration. Caption: zone, class, its machines, which directions.
 inline constexpr char too_slow_for_zones[] =
     "Severity: at {:.3g} turns a second no zone is given; the band of ISO 10816-1 begins at {} Hz.";
+inline constexpr char severity[] = "Severity: ";
 inline constexpr char severity_zone[] = "severity zone";
 inline constexpr char share_ends_there[] = "ends there";
 inline constexpr char velocity[] = "RMS velocity";
@@ -138,12 +139,16 @@ inline constexpr char severity_caption[] =
 inline constexpr char one_direction[] = "one direction";
 inline constexpr char both_directions[] = "both directions together, more than either has";
 
-// Sliding and balance quality. A machine's mass, friction, force it takes, share of starts, peak force without balls.
+// Sliding and balance quality. A machine's mass, friction, force it takes, share of starts or nothing, peak force
+// without balls.
 inline constexpr char may_slide[] =
-    "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports: so it is in {} of "
-    "starts; without balls the peak is {:.4g} N{}. It may turn on its feet at a smaller force [PP].";
+    "A machine of {:.4g} kg on feet with friction {} may slide when {:.4g} N act on the supports{}; without balls the "
+    "peak is {:.4g} N{}. It may turn on its feet at a smaller force [PP].";
+inline constexpr char slides_in[] = ": so it is in {} of starts";
+inline constexpr char enough[] = ", enough for that";
 inline constexpr char enough_too[] = ", enough too";
 inline constexpr char balance_quality[] =
     "Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.";
+inline constexpr char balance_quality_alone[] = "Balance quality e omega [ISO 21940-11]: {}.";
 
 }  // namespace equipoise::words::decision

@@ -76,6 +76,19 @@ inline constexpr char with_which_unstable[] = ", with which it is unstable";
 inline constexpr char drag_against_lagging[] = "below it balls may lag at the critical speed";
 inline constexpr char may_lag_too[] = "; on the way up they may lag behind at the critical speed";
 
+// Gravity across the shaft.
+inline constexpr char carried[] = "balls carried round";
+inline constexpr char carried_formula[] =
+    "beta Omega >= G; of n that touch: n beta Omega >= G sin(n delta/2)/sin(delta/2)";
+inline constexpr char carried_source[] = "docs/explanation/rules-of-thumb.md, Carried round";
+inline constexpr char carried_from_rest[] = "drag carries balls round against their weight, from rest also";
+inline constexpr char not_carried_but_turning[] =
+    "drag is too little to carry balls round from rest, but they are let go so fast that none falls";
+inline constexpr char not_carried[] =
+    "balls that hang below the shaft stay there: drag is too little against their weight";
+inline constexpr char carries_all_from[] = "carries all from";
+inline constexpr char least_drag_of_one[] = "least at the final speed, of balls that do not touch";
+
 // Settling. The rule knows less than linear theory: what it leaves out follows.
 inline constexpr char settling[] = "settling near balance";
 inline constexpr char settling_formula[] =

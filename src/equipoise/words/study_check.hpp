@@ -52,8 +52,11 @@ inline constexpr char of_a_formula[] = ", here from a formula";
 inline constexpr char the_ball_mass[] = "the mass of the balls";
 
 // What such a change does.
-// What, how that is known, "less" or "more", the effect.
-inline constexpr char fifth_changes[] = "{}{}: 20 % {} of it {}";
+inline constexpr char the_oil_temperature[] = "the temperature of the oil";
+// What, how that is known, how much of it, "less" or "more", the effect.
+inline constexpr char change_does[] = "{}{}: {} {} of it {}";
+inline constexpr char a_fifth[] = "20 %";
+inline constexpr char ten_kelvin[] = "10 K";
 inline constexpr char makes_balance_possible[] = "makes balance possible";
 inline constexpr char makes_balance_impossible[] = "makes balance impossible";
 inline constexpr char makes_balance_stable[] = "makes balance stable";
@@ -61,6 +64,8 @@ inline constexpr char makes_balance_unstable[] = "makes balance unstable";
 inline constexpr char drag_too_little_to_pass[] =
     "leaves the balls so little drag that they may stay at the critical speed";
 inline constexpr char drag_enough_to_pass[] = "gives the balls the drag that takes them past the critical speed";
+inline constexpr char leaves_balls_hanging[] = "leaves balls hanging below the shaft";
+inline constexpr char carries_balls_round[] = "gives the balls the drag that carries them round";
 inline constexpr char changes_capacity[] = "lets the balls cancel {:.3g} instead of {:.3g} times what there is";
 inline constexpr char changes_settling[] =
     "lets a deviation from balance fade with a time constant of {} instead of {}";
@@ -70,13 +75,17 @@ inline constexpr char stays_unstable[] =
     "none of these: with each of them changed alone by 20 % balance stays unstable";
 inline constexpr char nothing_matters[] = "none of these, by these rules";
 inline constexpr char nothing_without_balls[] = "not judged: there are no balls";
+// What is said of the oil, or nothing; what else it is judged by.
 inline constexpr char how_judged[] =
-    " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
-    "cancel, linear theory at the final speed and the drag against capture, not by trajectories)";
-
-inline constexpr char how_judged_of_tilt[] =
-    " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %; judged by what the balls can "
-    "cancel in each plane and linear theory at the final speed, not by trajectories)";
+    " (of unbalance, supports, damping, drag and ball mass, each changed alone by 20 %{}; judged by what the balls can "
+    "cancel{}, not by trajectories)";
+inline constexpr char and_of_the_oil[] = ", and of 10 K in the oil if they make or break balance";
+inline constexpr char and_by_plane_rules[] = ", linear theory at the final speed and the drag against capture";
+inline constexpr char and_by_plane_rules_and_weight[] =
+    ", linear theory at the final speed, the drag against capture and that against the balls' weight";
+inline constexpr char and_by_tilt_rules[] = " in each plane and linear theory at the final speed";
+inline constexpr char and_by_tilt_rules_and_weight[] =
+    " in each plane, linear theory at the final speed and the drag against the balls' weight";
 
 inline constexpr char stopped[] = "not known: it was stopped";
 

@@ -108,6 +108,17 @@ inline constexpr char start_in_one_place[] =
     " are alike and start in one place; computed exactly they would stay together, and real ones part: they are set "
     "about 1e-9 rad apart";
 
+// Balls that hang below the shaft: speeds.
+inline constexpr char carried_from[] = "drag carries hanging balls round from {} on";
+inline constexpr char carried_one_by_one[] = "drag carries the first of hanging balls round from {} on, all from {} on";
+inline constexpr char some_never_carried[] = "balls without drag are never carried round";
+// The above, a factor.
+inline constexpr char balls_stay_hanging[] =
+    "balls that hang below the shaft at the final speed stay there and balance nothing: {}; at the speed reached it "
+    "takes {:.3g} times the drag";
+inline constexpr char balls_stay_hanging_without_drag[] =
+    "balls that hang below the shaft at the final speed stay there and balance nothing: {}";
+
 // The study: speed.
 
 // At rest, speed without torque.

@@ -46,8 +46,6 @@ inline constexpr char too_many_balls[] =
 
 // Sagging: how far, and what that exceeds.
 inline constexpr char at_bearing[] = " at the bearing at {}";
-inline constexpr char sags_beyond_limit[] =
-    "the rotor sags by {} under its weight, more than limits.displacement, {}, which counts from where it rests";
 inline constexpr char sags_beyond_race[] =
     "the rotor sags by {} under its weight, more than the race's radius, {}: no suspension is as soft as that";
 
