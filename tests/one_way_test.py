@@ -19,7 +19,7 @@ WAYS = (
       "apps/equipoise/sweep_command.cpp"),
      "read_number(): some libraries' std::from_chars() reads no doubles; a file that reads integers is named in WAYS"),
     (r"<(?:unistd|fcntl|sys/file|sys/stat|sys/ioctl)\.h>",
-     ("src/equipoise/io/disk_file.cpp", "apps/equipoise/streams.cpp", "apps/equipoise/gnuplot.cpp"),
+     ("src/equipoise/io/disk_file.cpp", "apps/equipoise/streams.cpp"),
      "io/disk_file.hpp for files, streams.hpp for terminals"),
 )
 

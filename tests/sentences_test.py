@@ -33,15 +33,8 @@ TABLES = {
     "apps/equipoise/help.hpp": "the help of commands and options, by their names",
     "src/equipoise/study/keys.cpp": "a row a key",
     "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
-    "src/equipoise/drawing/chart.cpp": "a gnuplot script",
-    "src/equipoise/drawing/plot_parts.cpp": "a gnuplot script",
     "src/equipoise/charts/chart_julia.cpp": "a Julia script",
-    "src/equipoise/charts/chart_plot.cpp": "a gnuplot script",
-    "src/equipoise/charts/stability_plot.cpp": "a gnuplot script",
     "src/equipoise/planes/chart_file.cpp": "a row a column",
-    "src/equipoise/plots/branch_plot.cpp": "a gnuplot script",
-    "src/equipoise/plots/map_plot.cpp": "a gnuplot script",
-    "src/equipoise/plots/sweep_plot.cpp": "a gnuplot script",
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'

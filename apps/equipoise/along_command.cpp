@@ -6,9 +6,9 @@
 #include "equipoise/plots/branch_plot.hpp"
 #include "equipoise/reports/branches_report.hpp"
 #include "equipoise/result_files/branches_file.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "result_forms.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -16,9 +16,8 @@ namespace equipoise::app {
 
 int run_along(const Study& study, const AlongArguments& a) {
   require_ending("--output", a.output, ".csv", ".nc");
-  require_ending("--plot", a.plot, ".png", ".svg");
+  require_ending("--plot", a.plot, ".svg");
   const ParameterLine line(study, a.along, "--along");
-  if (!a.plot.empty()) require_gnuplot("--plot", a.plot);
   require_writable("--output", a.output);
   require_writable("--plot", a.plot);
 
@@ -34,7 +33,7 @@ int run_along(const Study& study, const AlongArguments& a) {
   put(a.json ? branches_json(result) : branches_text(result, text_style()));
   if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
   if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
-  if (!a.plot.empty()) draw(a.plot, [&](const std::string& file) { return branch_plot_script(result, file); });
+  if (!a.plot.empty()) write_file(a.plot, branch_plot(result, file_title(result.study)));
   return result.partial ? ended_early(progress.left(), nullptr, "") : done;
 }
 

@@ -90,7 +90,7 @@ Command add_attractors(CLI::App& app) {
   app.add_option("--state", a->states, help::attractors::state)->type_name("X,Y,...")->take_all();
   app.add_option("--along", a->along, help::attractors::along)->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output, help::attractors::output)->type_name("FILE");
-  app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE");
+  app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE.svg");
   add_wide(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

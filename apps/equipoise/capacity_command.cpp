@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/drawing/chart.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/html/capacity_html.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/plots/capacity_charts.hpp"
@@ -92,9 +92,7 @@ int run_capacity(const CapacityArguments& a) {
   progress.finish();
   put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
-                [&](const std::string& file) {
-                  return chart_plot_script(capacity_title(result), capacity_charts(result), file);
-                },
+                [&] { return plot_file(capacity_title(result), capacity_charts(result)); },
                 [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, words::trials};

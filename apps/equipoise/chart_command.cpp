@@ -32,7 +32,8 @@ int run_chart(const ChartArguments& a) {
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
         constexpr std::uint64_t most_boxes = 1'000'000'000;
-        if (a.boxes) settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
+        if (a.boxes)
+          settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
         require_ending("--julia", a.julia, ".jl");
         require_writable("--julia", a.julia);
         if (!a.julia.empty() && !study.system().prescribed())
@@ -40,12 +41,12 @@ int run_chart(const ChartArguments& a) {
         settings.cycles = a.cycles;
       },
       [](const Study& study, const ChartSettings& settings) { return bifurcation_chart(study, settings); },
-      [&](const BifurcationChart& chart, const std::string& title) {
+      [&](const BifurcationChart& chart) {
         if (!a.julia.empty()) write_file(a.julia, chart_julia(chart));
         return FormMakers{[&chart] { return chart_text(chart, text_style()); },
                           [&chart] { return chart_json(chart); },
                           [&chart] { return chart_csv(chart); },
-                          [&chart, &title](const std::string& file) { return chart_plot_script(chart, title, file); },
+                          [&chart] { return chart_plot(chart, file_title(chart.study)); },
                           {}};
       });
 }

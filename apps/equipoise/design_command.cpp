@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "equipoise/design/design.hpp"
-#include "equipoise/drawing/chart.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/html/design_html.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/plots/design_charts.hpp"
@@ -65,11 +65,10 @@ int run_design(const DesignArguments& a) {
   progress.listen(options);
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
-  put_forms(
-      a, {[&] { return design_text(result, text_style()); }, [&] { return design_json(result); },
-          [&] { return design_csv(result); },
-          [&](const std::string& file) { return chart_plot_script(design_title(result), design_charts(result), file); },
-          [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
+  put_forms(a,
+            {[&] { return design_text(result, text_style()); }, [&] { return design_json(result); },
+             [&] { return design_csv(result); }, [&] { return plot_file(design_title(result), design_charts(result)); },
+             [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();
   if (!left && result.resumed == 0 && result.trajectories > 0) {

@@ -15,7 +15,8 @@ inline constexpr char starts[] = "number of starts";
 inline constexpr char seed[] = "seed of the starts";
 inline constexpr char zip[] = "the parameters vary together, step by step, instead of in all combinations";
 inline constexpr char set[] = "override a study key, e.g. speed.final=2.6; may be repeated";
-inline constexpr char no_changes[] = "do not try changes to a balancer that falls short (up to eight, on up to 100 starts each)";
+inline constexpr char no_changes[] =
+    "do not try changes to a balancer that falls short (up to eight, on up to 100 starts each)";
 inline constexpr char wide[] = "every column, without line breaks";
 inline constexpr char details[] = "also how starts were decided, and every figure of every outcome with its interval";
 inline constexpr char threads[] = "threads (default: all cores)";
@@ -25,7 +26,7 @@ inline constexpr char within[] =
 inline constexpr char quiet[] = "no progress";
 inline constexpr char json[] = "print one JSON object";
 inline constexpr char report[] = "the same as a page to take to a meeting: one file that needs nothing else";
-inline constexpr char plot[] = "a picture (.png or .svg); drawn by gnuplot";
+inline constexpr char plot[] = "a picture";
 inline constexpr char parameter_x[] =
     "what varies from left to right: a key of rotor, balancer or speed that takes a number, and its range, e.g. "
     "speed.final=0.5:6, \"speed.final=900 rpm:4000 rpm\" (default speed.final)";
@@ -44,7 +45,7 @@ inline constexpr char along[] =
     "follow every attractor along a study key, e.g. speed.final=1.4:6.5:0.05, or in a study with units "
     "\"speed.final=900 rpm:4000 rpm:50 rpm\"; with --starts: that many searched at every value besides the pilot's";
 inline constexpr char output[] = "with --along: one line per value and attractor (.csv), or the same as NetCDF (.nc)";
-inline constexpr char plot[] = "with --along: a picture of r_min to r_max (.png or .svg), drawn by gnuplot";
+inline constexpr char plot[] = "with --along: a picture of r_min to r_max";
 }  // namespace attractors
 
 namespace basin {
@@ -142,7 +143,7 @@ inline constexpr char output[] =
     "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and reads what is "
     "there";
 inline constexpr char from[] = "take pixels with the same centres from another map's file";
-inline constexpr char plot[] = "a picture (.png or .svg), darker where decided later; drawn by gnuplot";
+inline constexpr char plot[] = "a picture, darker where decided later";
 }  // namespace map
 
 namespace merge {
@@ -196,7 +197,7 @@ inline constexpr char cycles[] = "curves on which the cycles born on Hopf curves
 inline constexpr char julia[] = "points with states and eigenvalues as a script for BifurcationKit.jl (.jl)";
 inline constexpr char output[] = "curves, points and boxes as NetCDF (.nc)";
 inline constexpr char csv[] = "one line per point of a curve (.csv)";
-inline constexpr char plot[] = "a picture (.png or .svg) of curves, points and boxes; drawn by gnuplot";
+inline constexpr char plot[] = "a picture of curves, points and boxes";
 }  // namespace chart
 
 namespace stability {
@@ -204,8 +205,7 @@ inline constexpr char about[] = "where balance is stable in a plane of two param
 inline constexpr char size[] = "points (default 512x512)";
 inline constexpr char output[] = "all points as NetCDF (.nc)";
 inline constexpr char csv[] = "one line per point (.csv)";
-inline constexpr char plot[] =
-    "a picture (.png or .svg) shaded by decay and growth, with the boundaries by their kind; drawn by gnuplot";
+inline constexpr char plot[] = "a picture shaded by decay and growth, with the boundaries by their kind";
 }  // namespace stability
 
 namespace sweep {
@@ -221,8 +221,7 @@ inline constexpr char transients[] = "peak vibration and other transients (defau
 inline constexpr char output[] = "all cells as NetCDF (.nc), kept as they come; the same command goes on from it";
 inline constexpr char shard[] = "only the I-th of N parts of the work, to be merged (equipoise merge)";
 inline constexpr char csv[] = "one line per cell and outcome (.csv)";
-inline constexpr char plot[] =
-    "a picture (.png or .svg): stacked shares along one parameter, a heat map over two; drawn by gnuplot";
+inline constexpr char plot[] = "a picture: stacked shares along one parameter, a heat map over two";
 }  // namespace sweep
 
 }  // namespace equipoise::app::help

@@ -1,5 +1,4 @@
 // equipoise map: the outcome of a start at every pixel of a plane.
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/plots/map_plot.hpp"
+#include "equipoise/plots/map_drawing.hpp"
 #include "equipoise/basin_slices/basin_slice.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/map_html.hpp"
@@ -45,10 +44,7 @@ void put_map(const ResultForms& a, const BasinSlice& map, const std::function<Gi
   put_forms(a, {[&] { return map_text(map, text_style()); },
                 [&] { return map_json(map); },
                 {},
-                [&](const std::string& file) {
-                  return map_plot_script(map, display_text(std::filesystem::path(map.study.name).filename().string()),
-                                         file, map.block > 0 ? SliceShading::none : SliceShading::decision_time);
-                },
+                [&] { return map_plot(map, file_title(map.study)); },
                 [&] { return map_html(map, machine()); }});
 }
 

@@ -1,7 +1,6 @@
 // What the commands about a plane of two parameters, stability and chart, share.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct PlaneWords {
 inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& words) {
   app.add_option("-o,--output", a.output, words.output)->type_name("FILE");
   app.add_option("--csv", a.csv, words.csv)->type_name("FILE");
-  app.add_option("--plot", a.plot, words.plot)->type_name("FILE");
+  app.add_option("--plot", a.plot, words.plot)->type_name("FILE.svg");
   app.add_flag("--json", a.json, help::json);
   add_wide(app);
   add_overrides(app, a.overrides);
@@ -39,8 +38,8 @@ inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& 
 }
 
 /// Reads the study, computes and puts out. `set(study, settings)` sets what the command has besides axes;
-/// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result,
-/// title)` makes its FormMakers, which may refer to both.
+/// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result)`
+/// makes its FormMakers, which may refer to it.
 template <class Settings, class Set, class Compute, class Forms>
 int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compute, Forms forms) {
   begin_computing(a);
@@ -57,8 +56,7 @@ int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compu
   progress.listen(settings);
   const auto result = naming_axes(axes, "stability", [&] { return compute(study, settings); });
   progress.finish();
-  const std::string title = display_text(std::filesystem::path(result.study.name).filename().string());
-  put_forms(a, forms(result, title));
+  put_forms(a, forms(result));
   return result.complete ? done : ended_early(progress.left(), nullptr, "");
 }
 

@@ -18,7 +18,6 @@
 #include "equipoise/publications/publication_verdicts.hpp"
 #include "equipoise/reproduction/reproduce.hpp"
 #include "equipoise/reproduction/reproduction.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "reproduce_files.hpp"
@@ -94,8 +93,6 @@ void check_paths(const ReproduceArguments& a) {
     throw InputError("--report", "", a.report, fmt::format(words::ends_in_either, ".html", ".md"));
   if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, words::report_only);
   require_writable("--report", a.report);
-  if (a.report.ends_with(".md")) require_gnuplot("--report", a.report);
-  if (!a.output.empty()) require_gnuplot("--output", a.output);
 }
 
 int run_publications(const ReproduceArguments& a, const std::vector<std::string>& names) {
@@ -145,8 +142,7 @@ int run_reproduce(ReproduceArguments& a) {
   Reproduction r = reproduce(options);
   progress.finish();
   r.command = command_line(a);
-  if (!folder.empty() && !r.partial) draw_pictures(r, folder);
-  if (!a.report.empty() && !r.partial) write_report(r, a.report, a.explorer, folder);
+  if (!r.partial) write_reproduction(r, a.report, a.explorer, folder);
   if (!a.output.empty()) write_file(a.output + "/reproduction.json", reproduction_json(r));
   put(a.json ? reproduction_json(r) : reproduction_text(r, text_style()));
   std::optional<WorkLeft> left = progress.left();

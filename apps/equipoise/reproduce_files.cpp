@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 
 #include "equipoise/base/error.hpp"
-#include "equipoise/plots/map_plot.hpp"
-#include "equipoise/io/replacement.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/reproduction/reproduction_charts.hpp"
 #include "equipoise/reproduction/reproduction_document.hpp"
 #include "equipoise/result_files/slice_file.hpp"
-#include "gnuplot.hpp"
 #include "options.hpp"
 #include "words.hpp"
 
@@ -21,80 +19,59 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void copy_whole(const fs::path& from, const fs::path& to, std::error_code& error) {
-  io::Replacement place(to.string());
-  fs::copy_file(from, place.file(), fs::copy_options::overwrite_existing, error);
-  if (!error) place.commit();
-}
-
 // The folder for pictures of a Markdown report.
 std::string pictures_beside(const std::string& report) { return report.substr(0, report.size() - 3) + "-pictures"; }
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError("--output", "", folder, words::not_a_folder);
+}
+
+// Every drawing of the document that has a name, below the heading that it stands under.
+std::vector<Picture> draw_pictures(const Document& document, const std::string& folder) {
+  make_folder(folder);
+  std::vector<Picture> pictures;
+  std::string title;
+  for (const Block& block : document.blocks) {
+    if (const auto* heading = std::get_if<Heading>(&block)) title = heading->text;
+    const auto* row = std::get_if<DrawingRow>(&block);
+    if (!row || row->picture.empty()) continue;
+    pictures.push_back({row->picture, title, fmt::format("{}/{}.svg", folder, row->picture)});
+    write_file(pictures.back().path, plot_file(title, {}, *row));
+  }
+  return pictures;
+}
+
+void write_data(const Reproduction& r, const std::string& folder) {
+  for (const PaperFigure& f : r.figures) write_file(folder + "/" + f.id + ".csv", figure_csv(f));
+  if (!r.open) return;
+  write_map_file(folder + "/future-eccentricity-angle.nc", r.open->eccentricity_and_angle);
+  write_map_file(folder + "/future-eccentricity-mass.nc", r.open->eccentricity_and_mass);
+}
 
 }  // namespace
 
 std::string picture_folder(const std::string& output, const std::string& report) {
-  std::string folder;
-  if (!output.empty())
-    folder = output + "/pictures";
-  else if (report.ends_with(".md"))
-    folder = pictures_beside(report);
-  if (folder.empty()) return folder;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError("--output", "", folder, words::not_a_folder);
+  const std::string folder = !output.empty()           ? output + "/pictures"
+                             : report.ends_with(".md") ? pictures_beside(report)
+                                                       : "";
+  if (!folder.empty()) make_folder(folder);
   return folder;
 }
 
-namespace {
-
-// A picture as PNG and as SVG. `script` makes the script that draws into a path.
-template <class Script>
-void picture(Reproduction& r, const std::string& folder, const std::string& id, const std::string& title,
-             const Script& script) {
-  const std::string stem = folder + "/" + id;
-  draw(stem + ".png", script);
-  draw(stem + ".svg", script);
-  r.pictures.push_back({id, title, stem + ".png"});
-}
-
-void map_picture(Reproduction& r, const std::string& folder, const std::string& id, const std::string& title,
-                 const BasinSlice& map) {
-  picture(r, folder, id, title, [&](const std::string& path) { return map_plot_script(map, title, path); });
-  write_map_file(folder + "/" + id + ".nc", map);
-}
-
-}  // namespace
-
-void draw_pictures(Reproduction& r, const std::string& folder) {
-  const auto charts = [&](const std::string& id, const std::string& title, const std::vector<Chart>& list) {
-    picture(r, folder, id, title, [&](const std::string& path) { return chart_plot_script(title, list, path); });
-  };
-  for (const ReproducedTable& t : r.tables)
-    if (const auto chart = table_chart(t))
-      charts(fmt::format("table-{}", t.published->number),
-             fmt::format("Table {}: {}", t.published->number, t.published->title), {*chart});
-  for (const PaperFigure& f : r.figures) {
-    charts(f.id, f.title, figure_charts(f));
-    write_file(folder + "/" + f.id + ".csv", figure_csv(f));
-  }
-  if (!r.open) return;
-  map_picture(r, folder, "future-eccentricity-angle", words::eccentricity_and_angle, r.open->eccentricity_and_angle);
-  map_picture(r, folder, "future-eccentricity-mass", words::eccentricity_and_mass, r.open->eccentricity_and_mass);
-  charts("future-box", words::box_and_rest, {box_chart(*r.open)});
-}
-
-void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,
-                  const std::string& folder) {
+void write_reproduction(Reproduction& r, const std::string& report, const std::string& explorer,
+                        const std::string& folder) {
   const Document document = reproduction_document(r, explorer);
-  if (path.ends_with(".html")) return write_file(path, document_html(document));
-  const fs::path beside = pictures_beside(path);
-  std::error_code error;
-  fs::create_directories(beside, error);
-  if (folder != beside.string())
-    for (const Picture& p : r.pictures)
-      if (!error) copy_whole(p.path, beside / fs::path(p.path).filename(), error);
-  if (error) throw RunError(fmt::format("{}: {}", beside.string(), error.message()));
-  write_file(path, document_markdown(document, beside.filename().string()));
+  if (!folder.empty()) {
+    r.pictures = draw_pictures(document, folder);
+    write_data(r, folder);
+  }
+  if (report.ends_with(".html")) write_file(report, document_html(document));
+  if (!report.ends_with(".md")) return;
+  const std::string beside = pictures_beside(report);
+  if (beside != folder) draw_pictures(document, beside);
+  write_file(report, document_markdown(document, fs::path(beside).filename().string()));
 }
 
 }  // namespace equipoise::app

@@ -11,12 +11,10 @@ namespace equipoise::app {
 /// no picture file is asked for. Either argument may be empty.
 std::string picture_folder(const std::string& output, const std::string& report);
 
-/// Draws every table, figure and slice of `r` (PNG and SVG), lists them in r.pictures, and puts the figures' curves
-/// (CSV) and the slices (NetCDF) beside them.
-void draw_pictures(Reproduction& r, const std::string& folder);
-
-/// Writes the report (.html or .md); throws RunError if it cannot. `folder`: that of the pictures.
-void write_report(const Reproduction& r, const std::string& path, const std::string& explorer,
-                  const std::string& folder);
+/// Draws every table, figure and slice of `r` (SVG) into `folder`, lists them in r.pictures, and puts the figures'
+/// curves (CSV) and the slices (NetCDF) beside them; writes the report (.html or .md). Each may be empty. Throws
+/// RunError if a file cannot be written.
+void write_reproduction(Reproduction& r, const std::string& report, const std::string& explorer,
+                        const std::string& folder);
 
 }  // namespace equipoise::app

@@ -1,9 +1,10 @@
 // Checks the forms before any work, and makes them after it.
 #include "result_forms.hpp"
 
+#include <filesystem>
 #include <utility>
 
-#include "gnuplot.hpp"
+#include "equipoise/base/display_text.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "help.hpp"
@@ -12,17 +13,20 @@ namespace equipoise::app {
 
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
-  app.add_option("--plot", forms.plot, words.plot)->type_name("FILE");
+  app.add_option("--plot", forms.plot, words.plot)->type_name("FILE.svg");
   app.add_option("--report", forms.report, help::report)->type_name("FILE.html");
   app.add_flag("--json", forms.json, help::json);
+}
+
+std::string file_title(const Study& study) {
+  return display_text(std::filesystem::path(study.name).filename().string());
 }
 
 void check_forms(const ResultForms& forms) {
   require_ending("--output", forms.output, ".nc");
   require_ending("--csv", forms.csv, ".csv");
-  require_ending("--plot", forms.plot, ".png", ".svg");
+  require_ending("--plot", forms.plot, ".svg");
   require_ending("--report", forms.report, ".html");
-  if (!forms.plot.empty()) require_gnuplot("--plot", forms.plot);
   for (const auto& [option, path] :
        {std::pair{"--output", forms.output}, {"--csv", forms.csv}, {"--plot", forms.plot}, {"--report", forms.report}})
     require_writable(option, path);
@@ -31,7 +35,7 @@ void check_forms(const ResultForms& forms) {
 void put_forms(const ResultForms& forms, const FormMakers& makers) {
   put(forms.json ? makers.json() : makers.text());
   if (!forms.csv.empty()) write_file(forms.csv, makers.csv());
-  if (!forms.plot.empty()) draw(forms.plot, makers.plot);
+  if (!forms.plot.empty()) write_file(forms.plot, makers.plot());
   if (!forms.report.empty()) write_file(forms.report, makers.html());
 }
 

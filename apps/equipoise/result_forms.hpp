@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "equipoise/study/study.hpp"
+
 namespace equipoise::app {
 
 /// The files asked for; empty: none.
@@ -22,16 +24,17 @@ struct FormWords {
 /// --csv, --plot, --report, --json.
 void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words);
 
-/// Throws InputError for wrong file endings, for places that cannot be written, and if gnuplot is missing.
+/// Throws InputError for wrong file endings, and for places that cannot be written.
 void check_forms(const ResultForms& forms);
+
+/// The name of the study's file: the title of its pictures.
+std::string file_title(const Study& study);
 
 /// How to make each form of a result.
 struct FormMakers {
-  std::function<std::string()> text, json, csv;
-  std::function<std::string(const std::string& file)> plot;  ///< a script for gnuplot that draws into the file
-  std::function<std::string()> html;
+  std::function<std::string()> text, json, csv, plot, html;
 };
-/// Prints, writes, draws.
+/// Prints and writes.
 void put_forms(const ResultForms& forms, const FormMakers& makers);
 
 }  // namespace equipoise::app

@@ -15,11 +15,11 @@ int run_stability(const PlaneArguments& a) {
   return run_plane(
       a, StabilitySettings(), [](const Study&, StabilitySettings&) {},
       [](const Study& study, const StabilitySettings& settings) { return stability(study, settings); },
-      [](const StabilityPlane& plane, const std::string& title) {
+      [](const StabilityPlane& plane) {
         return FormMakers{[&] { return stability_text(plane, text_style()); },
                           [&] { return stability_json(plane); },
                           [&] { return stability_csv(plane); },
-                          [&](const std::string& file) { return stability_plot_script(plane, title, file); },
+                          [&] { return stability_plot(plane, file_title(plane.study)); },
                           {}};
       });
 }

@@ -2,7 +2,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,7 +12,7 @@
 
 #include "commands.hpp"
 #include "equipoise/base/plural.hpp"
-#include "equipoise/plots/sweep_plot.hpp"
+#include "equipoise/plots/sweep_drawings.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/sweep_html.hpp"
 #include "equipoise/reports/sweep_report.hpp"
@@ -44,11 +43,7 @@ struct SweepArguments : ResultForms, ComputingArguments {
 
 void put_sweep(const ResultForms& a, const SweepResult& result, const std::function<GivenMachine()>& machine) {
   put_forms(a, {[&] { return sweep_text(result, text_style()); }, [&] { return sweep_json(result); },
-                [&] { return sweep_csv(result); },
-                [&](const std::string& file) {
-                  return sweep_plot_script(
-                      result, display_text(std::filesystem::path(result.study.name).filename().string()), file);
-                },
+                [&] { return sweep_csv(result); }, [&] { return sweep_plot(result, file_title(result.study)); },
                 [&] { return sweep_html(result, machine()); }});
 }
 

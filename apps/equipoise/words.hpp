@@ -67,12 +67,6 @@ inline constexpr char not_a_certificate[] = "cannot be read{}; must be a file wr
 inline constexpr char certificate_too_long[] = " (more than 64 MiB)";
 inline constexpr char reading_broke_off[] = " (reading broke off)";
 inline constexpr char study_exists[] = "exists; must be a new file: no study is overwritten";
-inline constexpr char needs_gnuplot[] =
-    "needs the program gnuplot, which is not on the PATH; must be installed first (Debian, Ubuntu: package "
-    "gnuplot-nox)";
-inline constexpr char gnuplot_not_started[] = "gnuplot cannot be started";
-inline constexpr char gnuplot_failed[] = "{}: gnuplot could not draw it";
-inline constexpr char picture_not_whole[] = "{}: gnuplot could not write it whole; is the disk full?";
 inline constexpr char output_not_writable[] = "standard output cannot be written: {}";
 
 // Options that do not go together.
@@ -160,11 +154,6 @@ inline constexpr char number_and_rate[] = "{} {}  {:.0f}/s";
 inline constexpr char balanced_so_far[] = "  balanced {:.2f} %";
 // Cell, starts, share, its interval, share of undecided starts.
 inline constexpr char cell_done[] = "{}: {} starts, balanced {} ({}), undecided {}\n";
-
-// Pictures of the open questions of the paper.
-inline constexpr char eccentricity_and_angle[] = "Basins by eccentricity and ball angle";
-inline constexpr char eccentricity_and_mass[] = "Outcomes by eccentricity and ball mass";
-inline constexpr char box_and_rest[] = "Balanced share of starts in an eight-dimensional box and at rest";
 
 // What equipoise --version says: version, compiler, instruction sets, the one in use, optimisers, MPI.
 inline constexpr char version[] =

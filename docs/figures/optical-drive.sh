@@ -1,6 +1,6 @@
 #!/bin/sh
 # The sweep of the optical drive's rolling resistance for a race that runs out by 5 and by 20 um: RMS velocity at full speed.
-# Writes optical-drive.csv and, by gnuplot, optical-drive.png in this folder. From the repository's root, with jq and gnuplot:
+# Writes optical-drive.csv in this folder, which curves.py draws. From the repository's root, with jq:
 #
 #     docs/figures/optical-drive.sh PROGRAM [STARTS]
 set -eu
@@ -23,4 +23,3 @@ for runout in 5 20; do
          ([.outcomes[] | select(.name | startswith("balanced")) | .share] | add)] | join(",")' >> "$csv"
   done
 done
-gnuplot docs/figures/optical-drive.gp

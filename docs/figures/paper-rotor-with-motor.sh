@@ -1,8 +1,8 @@
 #!/bin/sh
 # The paper's rotor under a motor, by the motor's stall torque: the share of starts that balance, balls free from the start
 # or held until psi' = 1.5, the share that stalls, is captured at resonance or never let go, and the speed of what is not balanced. Torque
-# towards infinity: the same rotor brought to 2.4 at once. Writes paper-rotor-with-motor.csv and, by gnuplot, .png in this
-# folder. From the repository's root, with jq and gnuplot:
+# towards infinity: the same rotor brought to 2.4 at once. Writes paper-rotor-with-motor.csv and
+# paper-rotor-brought-at-once.csv in this folder, which curves.py draws. From the repository's root, with jq:
 #
 #     docs/figures/paper-rotor-with-motor.sh PROGRAM [STARTS]
 set -eu
@@ -39,4 +39,3 @@ prompt() {
 echo "release,balanced,low,high" > docs/figures/paper-rotor-brought-at-once.csv
 echo "free,$(prompt time=0)" >> docs/figures/paper-rotor-brought-at-once.csv
 echo "held,$(prompt speed=1.5)" >> docs/figures/paper-rotor-brought-at-once.csv
-gnuplot docs/figures/paper-rotor-with-motor.gp

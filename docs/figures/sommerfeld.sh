@@ -1,6 +1,6 @@
 #!/bin/sh
 # The sweep of the laboratory centrifuge's stall torque: share of starts that stall and peak displacement, with 95 % intervals.
-# Writes sommerfeld.csv and, by gnuplot, sommerfeld.png in this folder. From the repository's root, with jq and gnuplot:
+# Writes sommerfeld.csv in this folder, which curves.py draws. From the repository's root, with jq:
 #
 #     docs/figures/sommerfeld.sh PROGRAM [STARTS]
 set -eu
@@ -20,4 +20,3 @@ for torque in 0.3 0.4 0.45 0.48 0.49 0.5 0.55 0.6 0.8 1.0 1.25 1.5 2.0; do
       [$torque, $stalled.share, $stalled.low, $stalled.high, .undecided.share, $balanced,
        $median.peak_radial.value, $median.peak_radial.low, $median.peak_radial.high, $median.peak_radial_at_end.value] | join(",")' >> "$csv"
 done
-gnuplot docs/figures/sommerfeld.gp

@@ -9,10 +9,10 @@ import shutil
 import struct
 
 from forged import checksum, dimension, forge, replaced
-from program import EASY, Case, content, main, run
+from program import EASY, Case, content, main, picture_of, run, text_of
 
-# A name as long as that of the motion it replaces, whose second line gnuplot would run.
-NAME, COMMAND = b"balanced", b"x\n!>P\ny\x1b"
+# A name as long as that of the motion it replaces, with what means something to a shell, a terminal or a page.
+NAME, COMMAND = b"balanced", b"\n!>P\x1b<&\""
 
 
 class Forged(Case):
@@ -36,7 +36,12 @@ class Forged(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         forge(sweep, forged, replaced(NAME, COMMAND))
         # The records are sound. Only the names in them are hostile.
-        self.harmless(run("merge", forged, "-o", self.path("out.nc"), "--plot", self.path("out.svg"), cwd=self.folder))
+        picture = self.path("out.svg")
+        done = run("merge", forged, "-o", self.path("out.nc"), "--plot", picture, "--report", self.path("out.html"), cwd=self.folder)
+        self.harmless(done)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('!>P\\u001B<&"', picture_of(picture))
+        self.assertIn("!&gt;P\\u001B&lt;&amp;&quot;", text_of(self.path("out.html")))
         self.harmless(run("inspect", forged, cwd=self.folder))
         forge(sweep, forged, lambda data: re.sub(rb"\x62by[\x00-\x02]", b"\x62by\x17", data))
         self.refused(run("merge", forged, "-o", self.path("out2.nc")), "forged.nc", "record 1", "share.by is out of range: 23")
@@ -101,6 +106,14 @@ class Inputs(Case):
         self.assertIn("same file as STUDY", run("design", study, "--best", link).stderr)
         twice = run("sweep", study, "--over", "speed.final=2.4", "--csv", self.path("a.csv"), "--report", self.path("a.csv"))
         self.assertEqual(twice.returncode, 2)
+
+    def test_a_picture_has_the_name_of_its_study_whatever_it_is(self):
+        study, picture = self.path("a\n<b>&\".toml"), self.path("c\nd.svg")
+        shutil.copy(EASY[0], study)
+        done = run("map", study, *EASY[1:], "--size", "2x2", "--plot", picture, "--quiet", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('a\\u000A<b>&".toml', picture_of(picture))
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted([os.path.basename(study), os.path.basename(picture)]))
 
     def test_names_beside_the_output_are_not_touched(self):
         svg = self.path("p.svg")

@@ -6,20 +6,18 @@
 import json
 import os
 import re
-import shutil
 import tempfile
 import unittest
 
-from program import DRIVE, EASY, ROW, answer, interrupted, main, run, slow, started
+from program import DRIVE, EASY, ROW, answer, interrupted, main, picture_of, run, slow, squares_of, started
 
 
 class Results(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.file, cls.picture = (os.path.join(cls.folder.name, name) for name in ("out.nc", "out.png"))
-        plot = ("--plot", cls.picture) if shutil.which("gnuplot") else ()
-        cls.done = run("map", ROW, "--size", "96x64", "--json", "--quiet", "-o", cls.file, *plot)
+        cls.file, cls.picture = (os.path.join(cls.folder.name, name) for name in ("out.nc", "out.svg"))
+        cls.done = run("map", ROW, "--size", "96x64", "--json", "--quiet", "-o", cls.file, "--plot", cls.picture)
         cls.answer = json.loads(cls.done.stdout)
 
     @classmethod
@@ -60,9 +58,17 @@ class Results(unittest.TestCase):
 
     def test_files_are_there(self):
         self.assertGreater(os.path.getsize(self.file), 96 * 64 * 2)
-        if shutil.which("gnuplot"):
-            with open(self.picture, "rb") as file:
-                self.assertEqual(file.read(4), b"\x89PNG")
+
+    def test_the_picture_has_every_pixel_in_its_outcome_and_names_them(self):
+        words = picture_of(self.picture)
+        for word in ("balanced, ", "V1: co-drifting, ", "V2: drifting apart, ", "initial angle of ball 1, φ1 / π", "μ = 0.05"):
+            self.assertIn(word, words)
+        outcomes = {}
+        for colours, codes in zip(squares_of(self.picture), reversed(self.answer["outcome"]), strict=True):
+            for colour, code in zip(colours, codes, strict=True):
+                outcomes.setdefault(colour, set()).add(code)
+        self.assertTrue(all(len(codes) == 1 for codes in outcomes.values()), outcomes)
+        self.assertEqual(outcomes["009e73"], {1})
 
     def test_table_names_and_counts(self):
         text = run("map", ROW, "--size", "32x32", "--quiet").stdout

@@ -1,13 +1,17 @@
 """The program under test, the studies, its answers, and what tests of it share."""
+import base64
 import csv
 import json
 import os
 import resource
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
+import zlib
 
 PROGRAM, STUDIES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 ROW = os.path.join(STUDIES, "paper", "table-2-omega-2.4.toml")
@@ -30,6 +34,7 @@ drag = "2e-4 N m s"
 profile = "constant"
 speed = "2000 rpm"
 """
+SVG = "{http://www.w3.org/2000/svg}"
 SNAPSHOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "snapshots")
 
 # Lines of progress soon, so that no test waits for them; a test of the usual ten seconds takes this away.
@@ -98,6 +103,37 @@ def content(path):
 
 def text_of(path):
     return content(path).decode()
+
+
+def picture_of(path):
+    """The words of a picture file that --plot wrote, which is well-formed, and nothing but shapes in concrete colours."""
+    found = list(xml.etree.ElementTree.parse(path).iter())
+    for one in found:
+        assert one.tag.removeprefix(SVG) in {"svg", "title", "g", "line", "path", "rect", "circle", "text", "image"}, one.tag
+        for name, value in one.attrib.items():
+            assert "var(" not in value and not name.startswith("on"), (name, value)
+            assert name != "href" or value.startswith("data:image/png;base64,"), value
+    return "\n".join(one.text or "" for one in found if one.tag in (SVG + "text", SVG + "title"))
+
+
+def squares_of(path):
+    """The colours of the squares in a picture file, as rows from the top: its PNG, read by other code than wrote it."""
+    found = [one for one in xml.etree.ElementTree.parse(path).iter(SVG + "image")]
+    data = base64.b64decode(found[0].attrib["href"].partition(",")[2])
+    chunks, at = {}, 8
+    while at < len(data):
+        size, = struct.unpack(">I", data[at:at + 4])
+        chunks[data[at + 4:at + 8]] = data[at + 8:at + 8 + size]
+        assert struct.unpack(">I", data[at + 8 + size:at + 12 + size])[0] == zlib.crc32(data[at + 4:at + 8 + size])
+        at += 12 + size
+    width, height, depth = struct.unpack(">IIB", chunks[b"IHDR"][:9])
+    rows, palette = zlib.decompress(chunks[b"IDAT"]), chunks[b"PLTE"]
+    length = 1 + (width * depth + 7) // 8
+    for k in range(height):
+        row = rows[k * length + 1:(k + 1) * length]
+        if depth == 4:
+            row = [part for byte in row for part in (byte >> 4, byte & 15)][:width]
+        yield [palette[3 * square:3 * square + 3].hex() for square in row]
 
 
 def rows_of(path):

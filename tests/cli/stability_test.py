@@ -5,10 +5,9 @@
 """
 import json
 import random
-import shutil
 
 from program import (
-    DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, main, rows_of, run, started, with_xarray)
+    DRIVE, MACHINE, ROW, WASHER, Case, answer, content, interrupted, main, picture_of, rows_of, run, squares_of, started, with_xarray)
 
 PLANE = ["--x-range", "0.5:6", "--y-range", "0.01:0.3"]
 
@@ -23,9 +22,8 @@ class Results(Case):
             self.assertIn(words, done.stdout)
 
     def test_files_and_json_agree(self):
-        nc, csv, png = self.path("out.nc"), self.path("out.csv"), self.path("out.png")
-        plot = ("--plot", png) if shutil.which("gnuplot") else ()
-        done = run("stability", ROW, *PLANE, "--size", "12x8", "--json", "--quiet", "-o", nc, "--csv", csv, *plot)
+        nc, csv, svg = self.path("out.nc"), self.path("out.csv"), self.path("out.svg")
+        done = run("stability", ROW, *PLANE, "--size", "12x8", "--json", "--quiet", "-o", nc, "--csv", csv, "--plot", svg)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         found = json.loads(done.stdout)
         self.assertEqual((len(found["growth"]), {len(row) for row in found["growth"]}), (8, {12}))
@@ -38,8 +36,10 @@ class Results(Case):
                              "print(json.dumps([d.growth.values.tolist(), d.growth.long_name, d.attrs['complete']]))", nc)
         self.assertEqual((stored[0], stored[2]), (found["growth"], "yes"))
         self.assertIn("real part", stored[1])
-        if plot:
-            self.assertEqual(content(png)[:4], b"\x89PNG")
+        self.assertIn("(Hopf)", picture_of(svg))
+        for colours, kinds in zip(squares_of(svg), reversed(found["kind"])):
+            for colour, kind in zip(colours, kinds):
+                self.assertEqual(int(colour[:2], 16) < int(colour[4:], 16), kind == "stable" or kind == 1, (colour, kind))
         self.assertEqual(run("stability", ROW, *PLANE, "--size", "12x8", "--quiet", "-o", nc).returncode, 0)
         self.refused("stability", ROW, *PLANE, "--size", "13x8", "-o", nc, words=(nc, "13"))
         self.refused("stability", ROW, *PLANE, "-o", self.file("other.nc", "words"), words=("other.nc",))

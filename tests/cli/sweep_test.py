@@ -5,13 +5,14 @@
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 import time
 import unittest
 
-from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, main, rows_of, run, slow, text_of, with_xarray
+from program import EASY, PROGRAM, ROW, WASHER, Case, answer, content, main, picture_of, rows_of, run, slow, text_of, with_xarray
 
 XARRAY = """
 import json, sys, xarray
@@ -101,7 +102,7 @@ class Sweep(Case):
         self.assertIn("displacement", heavy["exceeded"])
 
     def test_files_are_whole_and_read_back(self):
-        nc, table, picture = (self.path(name) for name in ("s.nc", "s.csv", "s.png"))
+        nc, table, picture, page = (self.path(name) for name in ("s.nc", "s.csv", "s.svg", "s.html"))
         command = ["sweep", ROW, "--over", "speed.final=2.4,2.6", "--starts", "200", "-o", nc, "--csv", table]
         first = answer(*command)
         again = answer(*command)
@@ -111,10 +112,15 @@ class Sweep(Case):
         for cell in first["cells"]:
             of_cell = [r for r in rows if float(r["speed.final"]) == cell["at"]["speed.final"]]
             self.assertEqual(sum(int(r["count"]) for r in of_cell), 200)
-        if shutil.which("gnuplot"):
-            done = run(*command, "--plot", picture, "--quiet")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(content(picture)[:4], b"\x89PNG")
+        done = run(*command, "--plot", picture, "--report", page, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        words = picture_of(picture)
+        for word in ("balanced: 95 % interval", "V1: co-drifting", "share of starts, %", os.path.basename(ROW)):
+            self.assertIn(word, words)
+        # The same drawing as on the page, whose colours are variables.
+        shapes = re.findall(r' d="M[^"]*"', text_of(picture))
+        self.assertGreater(len(shapes), 2)
+        self.assertEqual([s for s in shapes if s not in text_of(page)], [])
         inspected = answer("inspect", nc, quiet=False)
         self.assertEqual((inspected["kind"], inspected["complete"], inspected["damage"]), ("sweep", True, ""))
         self.assertIn({"name": "cells done", "value": "2 of 2"}, inspected["facts"])

@@ -11,7 +11,7 @@ import sys
 
 LINK = re.compile(r"\[(?:[^\[\]]|\[[^\]]*\])*\]\(([^()\s]+)\)")
 MENTION = re.compile(r"(?<![\w/.])docs/[\w./-]*\w")
-TEXTS = {".md", ".hpp", ".cpp", ".py", ".toml", ".cmake", ".txt", ".mjs", ".ts", ".gp", ".sh", ".ipynb", ".csv", ""}
+TEXTS = {".md", ".hpp", ".cpp", ".py", ".toml", ".cmake", ".txt", ".mjs", ".ts", ".sh", ".ipynb", ".csv", ""}
 
 
 def prose(text):

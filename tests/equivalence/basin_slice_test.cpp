@@ -22,7 +22,7 @@
 #include "equipoise/continuation/parameter_line.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/plots/map_plot.hpp"
+#include "equipoise/plots/map_drawing.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/result_files/slice_file.hpp"
 #include "equipoise/spin_up/initial_state.hpp"
@@ -335,12 +335,12 @@ void holds_in_its_file_what_it_holds(const BasinSlice& map) {
 }
 
 void names_in_its_picture_what_it_shows(const BasinSlice& map) {
-  const std::string script = map_plot_script(map, "Where the rotor ends", "map.png");
+  const std::string picture = map_plot(map, "Where the rotor ends");
   for (const OutcomeShare& c : map.codes)
-    EXPECT_EQ(script.find("'" + (c.alias.empty() ? "" : c.alias + ": ") + c.name) != script.npos, c.share.count > 0);
-  EXPECT_NE(script.find("balance ceases to exist"), script.npos);
-  EXPECT_NE(script.find("eccentricity λ"), script.npos);
-  EXPECT_NE(script.find("μ"), script.npos);
+    EXPECT_EQ(picture.find(">" + (c.alias.empty() ? "" : c.alias + ": ") + c.name + ",") != picture.npos,
+              c.share.count > 0);
+  for (const char* words : {"balance ceases to exist", "eccentricity λ", "μ"})
+    EXPECT_NE(picture.find(words), picture.npos) << words;
 }
 
 // One map of rotors that all differ: each has a search of its own, so what holds of a map is asked of one.

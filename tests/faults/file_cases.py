@@ -141,8 +141,6 @@ def full_disks_of_maps(bench):
 
 def kills_of_reproduce(bench):
     """kill -9 while tables are computed again: finished rows are kept, the row at work goes on."""
-    if not shutil.which("gnuplot"):
-        return "left out: needs gnuplot"
     command = ("reproduce", "table-7", "--law", "kinematic", "--quiet", "--starts", 200 if bench.quick else 20000, "-o")
     undisturbed, killed = bench.path("undisturbed"), bench.path("killed")
     begin = time.monotonic()

@@ -90,7 +90,8 @@ TEST(InscribedPolygon, ComesToTheBallsInLineWhereBalanceEnds) {
     const auto light = model::inscribed_polygon(rotor_of(0.12 * (1.0 - left), {0.03, 0.04, 0.05}));
     for (int i = 0; i < 3; ++i) EXPECT_LT(std::fabs(light[static_cast<std::size_t>(i)] - pi), 4.0 * std::sqrt(left));
     const auto heavy = model::inscribed_polygon(rotor_of(0.02 * (1.0 + left), {0.03, 0.04, 0.09}));
-    for (int i = 0; i < 2; ++i) EXPECT_LT(std::fabs(wrapped(heavy[static_cast<std::size_t>(i)])), 4.0 * std::sqrt(left));
+    for (int i = 0; i < 2; ++i)
+      EXPECT_LT(std::fabs(wrapped(heavy[static_cast<std::size_t>(i)])), 4.0 * std::sqrt(left));
     EXPECT_LT(std::fabs(wrapped(heavy[2] - pi)), 4.0 * std::sqrt(left));
   }
 }
@@ -162,8 +163,8 @@ StabilityPlane small_plane(const Study& study, const SliceAxis& x, const SliceAx
 // Growth of deviations by differences of trajectories; the multiplier nearest to 1 is the continuum's own.
 double growth_of(const model::System& system, const std::array<double, model::max_balls>& phi) {
   constexpr double time = 8.0;
-  Eigen::VectorXcd all = multipliers_by_differences(system, model::balanced_state(system, system.speed(), phi.data()),
-                                                    time);
+  Eigen::VectorXcd all =
+      multipliers_by_differences(system, model::balanced_state(system, system.speed(), phi.data()), time);
   Eigen::Index own = 0;
   (all.array() - 1.0).abs().minCoeff(&own);
   all[own] = 0.0;
@@ -192,8 +193,7 @@ TEST(ContinuumPlane, TellsHowMuchOfTheContinuumIsStableAndHowFast) {
     }
   ASSERT_LT(fastest, -1e-4);
   ASSERT_GT(most, 1e-4);
-  const StabilityPlane plane =
-      small_plane(study, {"speed.final", 1.0, 2.5, 4}, {"rotor.eccentricity", 0.005, 0.05, 4});
+  const StabilityPlane plane = small_plane(study, {"speed.final", 1.0, 2.5, 4}, {"rotor.eccentricity", 0.005, 0.05, 4});
   ASSERT_TRUE(plane.own && plane.own->continuum);
   const ContinuumPart& part = *plane.own->continuum;
   EXPECT_GT(part.stable, 0);
@@ -213,7 +213,7 @@ TEST(ContinuumPlane, TellsHowMuchOfTheContinuumIsStableAndHowFast) {
   const auto json = nlohmann::json::parse(stability_json(plane));
   EXPECT_EQ(json["one_of_many"], true);
   EXPECT_EQ(json["own"]["continuum"]["stable"], part.stable);
-  EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "balls spread evenly"));
+  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "balls spread evenly"));
 }
 
 TEST(ContinuumPlane, OfTwoBallsSaysNothingOfAContinuum) {
@@ -229,7 +229,7 @@ TEST(ContinuumPlane, AChartSaysIt) {
   EXPECT_TRUE(holds(chart_answer(chart), "balance with the balls spread evenly, one state of a continuum, is"));
   EXPECT_TRUE(holds(chart_text(chart), "inscribed"));
   EXPECT_EQ(nlohmann::json::parse(chart_json(chart))["one_of_many"], true);
-  EXPECT_TRUE(holds(chart_plot_script(chart, "rotor", "picture.svg"), "balls spread evenly"));
+  EXPECT_TRUE(holds(chart_plot(chart, "rotor"), "balls spread evenly"));
 }
 
 // Two unlike balls in each of two planes: each plane closes its triangle in two ways, and between drags and speeds at
@@ -259,8 +259,7 @@ speed = 2.369
   int stable = 0;
   const model::BalancedStates states = model::balanced_states(study.parameters);
   ASSERT_EQ(states.angles.size(), 4u);
-  for (const auto& phi : states.angles)
-    stable += balanced_rates(system, phi, false)->rates.front().real() < 0.0;
+  for (const auto& phi : states.angles) stable += balanced_rates(system, phi, false)->rates.front().real() < 0.0;
   EXPECT_TRUE(0 < stable && stable < 4) << stable;
   EXPECT_EQ(balance_at(study).kind, BalanceKind::stable);
   const SliceAxis speed{"speed.final", 2.0, 3.0, 3}, drag{"balancer.drag", 0.1, 0.3, 3};
@@ -286,7 +285,8 @@ TEST(PlaneNotes, TellWhatAnAxisBrings) {
 }
 
 TEST(PlaneNames, AreThoseOfTheCaller) {
-  const SliceAxis speed{"speed.final", 1.5, 2.5, 3}, drag{"balancer.drag", -0.1, 0.4, 3}, same{"speed.final", 1.0, 2.0, 3};
+  const SliceAxis speed{"speed.final", 1.5, 2.5, 3}, drag{"balancer.drag", -0.1, 0.4, 3},
+      same{"speed.final", 1.0, 2.0, 3};
   const PlaneNames names{"x", "y", "size", "chart"};
   const auto refusal = [&](const SliceAxis& x, const SliceAxis& y) -> std::string {
     try {

@@ -306,8 +306,8 @@ TEST(CycleChart, TellsOfCyclesOnlyWhenAsked) {
   EXPECT_TRUE(holds(text, "where the cycle shrinks to a state at rest")) << text;
   EXPECT_FALSE(holds(chart_text(without), "Curves of cycles end"));
   EXPECT_FALSE(holds(text, "Of cycles nothing is told"));
-  EXPECT_TRUE(holds(chart_plot_script(around_generalised(), "rotor", "picture.svg"), "two cycles merge"));
-  EXPECT_FALSE(holds(chart_plot_script(without, "rotor", "picture.svg"), "two cycles merge"));
+  EXPECT_TRUE(holds(chart_plot(around_generalised(), "rotor"), "two cycles merge"));
+  EXPECT_FALSE(holds(chart_plot(without, "rotor"), "two cycles merge"));
   EXPECT_TRUE(holds(chart_json(around_generalised()), "\"swing\""));
 }
 
@@ -324,7 +324,7 @@ TEST(CycleChart, TheScriptForJuliaHasStatesAtWhichTheEquationsRest) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.cycles = false;
   const BifurcationChart chart = bifurcation_chart(charted_rotor(), settings);
-  const std::string script = chart_julia(chart);
+  const std::string picture = chart_julia(chart);
   EXPECT_TRUE(holds(script, "const keys_of_study = (\"speed.speed\", \"balancer.drag\")"));
   const auto rows_after = [&](const std::string& name) {
     std::istringstream text(script.substr(script.find("const " + name + " = ")));

@@ -5,7 +5,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/percent_text.hpp"
-#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/html_text.hpp"
 #include "equipoise/text/csv.hpp"
 
 namespace equipoise {
@@ -40,13 +40,12 @@ TEST(DisplayText, EscapesControlCharactersOfBothSets) {
 TEST(DisplayText, EscapesWhatChangesTheDirectionOfWriting) {
   EXPECT_EQ(display_text("a\xE2\x80\xAEz\xE2\x81\xA9\xE2\x80\x8F"), "a\\u202Ez\\u2069\\u200F");
   EXPECT_EQ(display_text("\xE2\x80\x93\xE2\x81\xBB"), "\xE2\x80\x93\xE2\x81\xBB");  // a dash, a superscript minus
-  EXPECT_EQ(display_lines("a\x1B\n\nb\n"), "a\\u001B\n\nb\n");
+  EXPECT_EQ(display_lines("a\x1B\n\n\tb\n"), "a\\u001B\n\n\tb\n");
 }
 
-// A name with a line break would leave the quotes, and what follows would be a command.
-TEST(Quoted, IsOneLineInOnePairOfQuotes) {
-  EXPECT_EQ(quoted("it's"), "'it''s'");
-  EXPECT_EQ(quoted("a\nsystem \"touch b\""), "'a\\u000Asystem \"touch b\"'");
+TEST(HtmlText, IsWordsInAnyMarkup) {
+  EXPECT_EQ(html_text("<a href=\"x\">&amp;"), "&lt;a href=&quot;x&quot;&gt;&amp;amp;");
+  EXPECT_EQ(html_text("a\nb\tc\x1b\xFF"), "a\nb\tc\\u001B" + replaced);  // XML has no such character
 }
 
 TEST(CsvText, IsNoFormulaForASpreadsheet) {

@@ -137,8 +137,7 @@ load = { quadratic = 0.002, at = 2.0 }
   const model::System system = study.system();
   double fastest = 0.0;
   for (const LockedKind& kind : locked_kinds(study.parameters))
-    for (const Eigen::VectorXd& z : locked_states(system, kind))
-      fastest = std::max(fastest, z[system.layout().speed]);
+    for (const Eigen::VectorXd& z : locked_states(system, kind)) fastest = std::max(fastest, z[system.layout().speed]);
   EXPECT_NEAR(fastest, 3.2295, 1e-3);  // where trajectories stay: Newton's method on equations written otherwise
 }
 
@@ -156,12 +155,12 @@ drag = 0.05
 [speed]
 profile = "torque"
 initial = 2.5
-torque = { gain = 0.2, integral = 0.02, limit = )") + limit +
+torque = { gain = 0.2, integral = 0.02, limit = )") +
+                                 limit +
                                  R"(, target = { profile = "constant", speed = 2.5 } }
 )");
     std::size_t states = 0;
-    for (const LockedKind& kind : locked_kinds(study.parameters))
-      states += locked_states(study.system(), kind).size();
+    for (const LockedKind& kind : locked_kinds(study.parameters)) states += locked_states(study.system(), kind).size();
     return states;
   };
   EXPECT_EQ(count("0.00005"), 0u);
@@ -386,7 +385,7 @@ TEST(LockedChart, RegionsTellWhatTrajectoriesStayAt) {
   for (std::size_t k = 0; k < chart.region_of.size(); ++k)
     EXPECT_EQ(chart.regions[static_cast<std::size_t>(chart.region_of[k])].balance, chart.plane.points[k].kind);
   EXPECT_TRUE(holds(chart_text(chart), "balls together stable")) << chart_text(chart);
-  EXPECT_TRUE(holds(chart_plot_script(chart, "", "x.svg"), "set label 1 "));
+  EXPECT_TRUE(holds(chart_plot(chart, ""), ">A</text>"));
 }
 
 TEST(LockedChart, IsTheSameWhateverTheThreads) {

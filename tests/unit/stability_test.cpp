@@ -301,7 +301,8 @@ TEST(Stability, InertiasOfARotorWithACoupleAreRefused) {
   for (const char* key : {"rotor.tilt.unbalance.1.size", "rotor.tilt.bearings.2.stiffness", "rotor.mass"}) {
     const InputError e = refused([&] { study_with(washer, key, 0.5); });
     EXPECT_EQ(e.key(), key);
-    EXPECT_NE(e.problem().find("is a key of data sheets; this command varies what they become"), std::string::npos) << e.what();
+    EXPECT_NE(e.problem().find("is a key of data sheets; this command varies what they become"), std::string::npos)
+        << e.what();
   }
 }
 
@@ -347,7 +348,7 @@ TEST(Stability, AStoppedPlaneIsPartial) {
   EXPECT_TRUE(holds(stability_text(plane), "PARTIAL: 0 of 9 points"));
   EXPECT_TRUE(holds(stability_answer(plane), "nothing was computed (PARTIAL)"));
   EXPECT_TRUE(holds(stability_csv(plane).substr(0, stability_csv(plane).find('\n')), "PARTIAL: stopped early"));
-  EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "PARTIAL: stopped early"));
+  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "PARTIAL: stopped early"));
 }
 
 TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
@@ -377,7 +378,7 @@ TEST(Stability, APlaneStoppedHalfwayTellsPartsOfTheWholeAndWhatIsMissing) {
   EXPECT_TRUE(holds(stability_answer(plane), "; 66.7 % of the plane was not computed (PARTIAL)."))
       << stability_answer(plane);
   EXPECT_TRUE(holds(stability_text(plane), "not computed")) << stability_text(plane);
-  EXPECT_TRUE(holds(stability_plot_script(plane, "rotor", "picture.svg"), "not computed, 66.7 %"));
+  EXPECT_TRUE(holds(stability_plot(plane, "rotor"), "not computed, 66.7 %"));
 }
 
 TEST(Stability, AnswersForThePlaneAndForTheStudy) {
@@ -398,9 +399,9 @@ TEST(Stability, AnswersForThePlaneAndForTheStudy) {
   EXPECT_FALSE(holds(slow, "it is stable")) << slow;
   const std::string outside = stability_answer(stability(paper_rotor(8.0, 0.05), settings));
   EXPECT_TRUE(holds(outside, "outside the plane")) << outside;
-  const std::string script = stability_plot_script(plane, "rotor", "picture.svg");
+  const std::string picture = stability_plot(plane, "rotor");
   for (const char* words : {"a pair crosses (Hopf)", "balance ends", "the study"})
-    EXPECT_TRUE(holds(script, words)) << words;
+    EXPECT_TRUE(holds(picture, words)) << words;
 }
 
 TEST(Stability, RefusesKeysAndValuesBeforeAnyWork) {

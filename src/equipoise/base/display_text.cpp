@@ -59,8 +59,9 @@ std::string display_text(std::string_view text) {
 std::string display_lines(std::string_view text) {
   std::string shown;
   for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    shown += (begin > 0 ? "\n" : "") + display_text(text.substr(begin, end - begin));
+    const std::size_t end = std::min(text.find_first_of("\n\t", begin), text.size());
+    shown += display_text(text.substr(begin, end - begin));
+    if (end < text.size()) shown += text[end];
     begin = end + 1;
   }
   return shown;

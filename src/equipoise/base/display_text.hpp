@@ -10,7 +10,7 @@ namespace equipoise {
 /// Valid UTF-8 on one line. Other bytes become U+FFFD. Control characters, and those that change the direction of
 /// writing, become escapes such as \u001B.
 std::string display_text(std::string_view text);
-/// The same line by line: line ends stay.
+/// The same, but line ends and tabs stay.
 std::string display_lines(std::string_view text);
 
 /// Characters of valid UTF-8: columns on a terminal, for the alphabets and signs used here.

@@ -1,4 +1,4 @@
-// The script: boxes, curves in pieces of one kind, points, the legend.
+// Boxes, curves in pieces of one kind, points, letters of regions, the legend.
 #include "equipoise/charts/chart_plot.hpp"
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "equipoise/charts/chart_regions_text.hpp"
-#include "equipoise/charts/shown_axis.hpp"
+#include "equipoise/charts/plane_plot.hpp"
 #include "equipoise/charts/stability_report.hpp"
-#include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/raster.hpp"
+#include "equipoise/drawing/svg.hpp"
+#include "equipoise/plots/plane_frame.hpp"
 #include "equipoise/words/chart.hpp"
-#include "equipoise/words/plots.hpp"
-#include "equipoise/words/stability.hpp"
 
 namespace equipoise {
 
@@ -37,21 +37,21 @@ enum class Stroke {
 
 struct StrokeStyle {
   Stroke stroke;
-  const char* look;
+  SvgPen pen;
   const char* words;
 };
-constexpr std::array<StrokeStyle, 11> strokes{{
-    {Stroke::soft, "linecolor rgb '#000000' linewidth 4", words::chart::legend_soft},
-    {Stroke::abrupt, "linecolor rgb '#C00000' linewidth 4 dashtype (10,6)", words::chart::legend_abrupt},
-    {Stroke::hopf, "linecolor rgb '#000000' linewidth 1.5", words::chart::legend_hopf},
-    {Stroke::zero, "linecolor rgb '#000000' linewidth 2 dashtype (3,4)", words::chart::legend_zero},
-    {Stroke::existence, "linecolor rgb '#444444' linewidth 2.5 dashtype (12,4,3,4)", words::chart::legend_existence},
-    {Stroke::fold, "linecolor rgb '#6A3D9A' linewidth 3", words::chart::legend_fold},
-    {Stroke::pitchfork, "linecolor rgb '#6A3D9A' linewidth 3 dashtype (3,5)", words::chart::legend_pitchfork},
-    {Stroke::locked_hopf, "linecolor rgb '#1B7837' linewidth 3 dashtype (9,4)", words::chart::legend_locked_hopf},
-    {Stroke::cycle_fold, "linecolor rgb '#E66101' linewidth 3", words::chart::legend_cycle_fold},
-    {Stroke::cycle_flip, "linecolor rgb '#E66101' linewidth 3 dashtype (3,4)", words::chart::legend_cycle_flip},
-    {Stroke::cycle_torus, "linecolor rgb '#E66101' linewidth 3 dashtype (10,4)", words::chart::legend_cycle_torus},
+const std::array<StrokeStyle, 11> strokes{{
+    {Stroke::soft, {"#000000", "", 2.0}, words::chart::legend_soft},
+    {Stroke::abrupt, {"#C00000", "", 2.0, 1.0, true, "7 4"}, words::chart::legend_abrupt},
+    {Stroke::hopf, {"#000000", "", 0.8}, words::chart::legend_hopf},
+    {Stroke::zero, {"#000000", "", 1.1, 1.0, true, "2 3"}, words::chart::legend_zero},
+    {Stroke::existence, {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, words::chart::legend_existence},
+    {Stroke::fold, {"#6A3D9A", "", 1.5}, words::chart::legend_fold},
+    {Stroke::pitchfork, {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, words::chart::legend_pitchfork},
+    {Stroke::locked_hopf, {"#1B7837", "", 1.5, 1.0, true, "6 3"}, words::chart::legend_locked_hopf},
+    {Stroke::cycle_fold, {"#E66101", "", 1.5}, words::chart::legend_cycle_fold},
+    {Stroke::cycle_flip, {"#E66101", "", 1.5, 1.0, true, "2 3"}, words::chart::legend_cycle_flip},
+    {Stroke::cycle_torus, {"#E66101", "", 1.5, 1.0, true, "7 3"}, words::chart::legend_cycle_torus},
 }};
 
 Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
@@ -76,80 +76,87 @@ constexpr std::array<BoxLook, 3> box_looks{{{ProvedKind::stable, "#8CC3E6", Bala
                                             {ProvedKind::unstable, "#F3CF8E", BalanceKind::unstable},
                                             {ProvedKind::none, "#C8C8C8", BalanceKind::none}}};
 
+// The pieces of all curves that are drawn in one way.
+Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
+  Border border{{}, style.pen, style.words};
+  for (const ChartCurve& curve : chart.curves)
+    for (std::size_t k = 1, last = 0; k < curve.points.size(); ++k) {
+      const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
+      if (stroke_of(curve, std::isnan(a.lyapunov) ? b : a) != style.stroke) continue;
+      if (last != k - 1 || last == 0) border.lines.push_back({{a.x, a.y}});
+      border.lines.back().push_back({b.x, b.y});
+      last = k;
+    }
+  return border;
+}
+
+const BoxLook* look_of(ProvedKind kind) {
+  const auto at = std::find_if(box_looks.begin(), box_looks.end(), [=](const BoxLook& l) { return l.kind == kind; });
+  return at == box_looks.end() ? nullptr : &*at;
+}
+
+// Boxes are many and small. Of those at an edge of a pixel the one at its centre counts.
+Raster raster_of(const BifurcationChart& chart) {
+  constexpr int side = most_drawn_pixels;
+  const SliceAxis x{"", chart.plane.x.low, chart.plane.x.high, side},
+      y{"", chart.plane.y.low, chart.plane.y.high, side};
+  std::vector<ProvedKind> kinds(static_cast<std::size_t>(side) * side, ProvedKind::open);
+  const auto first_from = [](const SliceAxis& axis, double value) {
+    return static_cast<int>(std::clamp(std::ceil((value - axis.low) / axis.step() - 0.5), 0.0, 1.0 * side));
+  };
+  for (const ProofBox& b : chart.boxes)
+    for (int row = first_from(y, b.y[0]); row < first_from(y, b.y[1]); ++row)
+      std::fill(kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[0]),
+                kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[1]), b.kind);
+  Raster raster{side, side, {}, {}};
+  for (const ProvedKind kind : kinds) raster.add(look_of(kind) ? look_of(kind)->colour : "#FFFFFF");
+  return raster;
+}
+
+void draw_boxes(Svg& svg, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
+  if (chart.boxes.empty()) return;
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(chart)));  // over the grid
+  for (const BoxLook& look : box_looks)
+    if (chart.proved(look.kind) > 0.0)
+      legend.push_back({{"", look.colour}, fmt::format(words::chart::legend_proved, balance_words(look.balance))});
+  if (chart.proved(ProvedKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, words::chart::legend_open});
+}
+
+void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
+  const SvgPen ring{"#000000", "#ffffff", 1.5};
+  for (const SpecialPoint& p : chart.specials) svg.circle(axes.at(p.x, p.y), 3.5, ring);
+  if (!chart.specials.empty()) legend.push_back({ring, words::chart::legend_special, LegendEntry::Mark::ring});
+}
+
+void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& letters) {
+  const std::size_t regions = told_regions(chart);
+  for (std::size_t k = 0; regions > 1 && k < regions; ++k) {
+    const ChartRegion& r = chart.regions[k];
+    const SvgPoint at = axes.at(r.x, r.y);
+    svg.circle(at, 7.5, {"", "#ffffff", 1.0, 0.75});
+    svg.text({at.x, at.y + 4.0}, region_letter(k), SvgAnchor::middle, "#1a1a1a", 12.0);
+    letters.push_back({{}, region_letter(k) + ": " + stable_words(chart, r), LegendEntry::Mark::none});
+  }
+}
+
 }  // namespace
 
-std::string chart_plot_script(const BifurcationChart& chart, const std::string& title, const std::string& path) {
+std::string chart_plot(const BifurcationChart& chart, const std::string& title) {
   const StabilityPlane& plane = chart.plane;
-  const ShownAxis x = shown_axis(chart.study, plane.x), y = shown_axis(chart.study, plane.y);
-  std::string script = canvas(path, 1600, 1000), items;
-  const auto add = [&](const std::string& item) { items += (items.empty() ? "" : ", \\\n  ") + item; };
-  for (const BoxLook& look : box_looks) {
-    std::string data;
-    for (const ProofBox& b : chart.boxes)
-      if (b.kind == look.kind)
-        data += fmt::format("{0:.8g} {2:.8g} {0:.8g} {1:.8g} {2:.8g} {3:.8g}\n", b.x[0] * x.factor, b.x[1] * x.factor,
-                            b.y[0] * y.factor, b.y[1] * y.factor);
-    if (data.empty()) continue;
-    script += fmt::format("$box{} << EOD\n{}EOD\n", static_cast<int>(look.kind), data);
-    const std::string words = fmt::format(words::chart::legend_proved, balance_words(look.balance));
-    add(fmt::format("$box{} with boxxyerror fillcolor rgb '{}' fillstyle solid 1.0 noborder title {}",
-                    static_cast<int>(look.kind), look.colour, quoted(words)));
-  }
-  if (chart.proved(ProvedKind::open) > 0.0)
-    add(
-        fmt::format("keyentry with filledcurves fillcolor rgb '#FFFFFF' fillstyle solid 1.0 border linecolor rgb "
-                    "'#444444' title {}",
-                    quoted(words::chart::legend_open)));
-  for (const StrokeStyle& style : strokes) {
-    std::string data;
-    for (const ChartCurve& curve : chart.curves)
-      for (std::size_t k = 1; k < curve.points.size(); ++k) {
-        const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
-        if (stroke_of(curve, std::isnan(a.lyapunov) ? b : a) != style.stroke) continue;
-        data += fmt::format("{:.8g} {:.8g}\n{:.8g} {:.8g}\n", a.x * x.factor, a.y * y.factor, b.x * x.factor,
-                            b.y * y.factor);
-        const bool goes_on = k + 1 < curve.points.size() && stroke_of(curve, b) == style.stroke;
-        if (!goes_on) data += "\n";
-      }
-    if (data.empty()) continue;
-    script += fmt::format("$curve{} << EOD\n{}EOD\n", static_cast<int>(style.stroke), data);
-    add(fmt::format("$curve{} with lines {} title {}", static_cast<int>(style.stroke), style.look,
-                    quoted(style.words)));
-  }
-  if (!chart.specials.empty()) {
-    script += "$special << EOD\n";
-    for (const SpecialPoint& p : chart.specials)
-      script += fmt::format("{:.8g} {:.8g}\n", p.x * x.factor, p.y * y.factor);
-    script += "EOD\n";
-    add("$special with points pointtype 7 pointsize 1.7 linecolor rgb '#FFFFFF' notitle");
-    add(fmt::format("$special with points pointtype 6 pointsize 1.4 linewidth 3 linecolor rgb '#000000' title {}",
-                    quoted(words::chart::legend_special)));
-  }
-  if (const std::size_t regions = told_regions(chart); regions > 1) {
-    const std::string unseen = "keyentry with lines linecolor rgb '#FFFFFF' title ";
-    add(unseen + quoted(words::chart::legend_regions));
-    for (std::size_t k = 0; k < regions; ++k) {
-      const ChartRegion& r = chart.regions[k];
-      script += fmt::format("set label {} {} at {:.8g},{:.8g} center front font ',22' textcolor rgb '#1A1A1A'\n", k + 1,
-                            quoted(region_letter(k)), r.x * x.factor, r.y * y.factor);
-      add(unseen + quoted(region_letter(k) + ": " + stable_words(chart, r)));
-    }
-  }
-  if (items.empty()) add("NaN notitle");
-  script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
-                        quoted(parameters_text(chart.study, {plane.x.key, plane.y.key}) +
-                               (plane.one_of_many() ? words::stability::of_spread_balls : "") +
-                               (chart.complete ? "" : words::plots::partial_early)));
-  script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
-  script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,
-                        plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
-  script +=
-      "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set key outside right top vertical Left reverse samplen 2.2 width 1 ";
-  // In one column: a second one takes the plane's room.
-  const auto lines = std::count(items.begin(), items.end(), '\n');
-  script += lines > 14 ? fmt::format("font ',{}' spacing 1.05\n", lines > 24 ? 9 : 13) : "spacing 1.3\n";
-  return script + "plot " + items + "\n";
+  Svg svg(drawing_width, below_plane, words::chart::curves_of_change);
+  const SvgAxes axes = plane_axes(svg, plane);
+  std::vector<LegendEntry> legend, letters;
+  draw_boxes(svg, chart, legend);
+  std::vector<Border> borders;
+  for (const StrokeStyle& style : strokes) borders.push_back(border_of(chart, style));
+  draw_borders(svg, axes, borders);
+  add_to_legend(legend, borders);
+  draw_specials(svg, axes, chart, legend);
+  draw_regions(svg, axes, chart, letters);
+  draw_legend(svg, legend);
+  if (!letters.empty()) draw_legend(svg, {{{}, words::chart::legend_regions, LegendEntry::Mark::none}});
+  draw_legend(svg, letters);
+  return plane_plot(svg, plane, title, chart.complete, "");
 }
 
 }  // namespace equipoise

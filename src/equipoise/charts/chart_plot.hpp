@@ -1,4 +1,4 @@
-// A picture of the curves on which balance and locked states change, as a gnuplot script that contains the data.
+// A picture of the curves on which balance and locked states change.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace equipoise {
 
-/// Draws into `path` (.png or .svg): boxes in which something is proved, shaded by what; curves, solid where a stable
-/// balance loses its stability softly, dashed where abruptly, thin where it was unstable before; those of locked
-/// states in colour; special points; letters of regions.
-std::string chart_plot_script(const BifurcationChart& chart, const std::string& title, const std::string& path);
+/// A picture file (SVG): boxes in which something is proved, shaded by what; curves, solid where a stable balance loses
+/// its stability softly, dashed where abruptly, thin where it was unstable before; those of locked states in colour;
+/// special points; letters of regions. `title` goes before the parameters.
+std::string chart_plot(const BifurcationChart& chart, const std::string& title);
 
 }  // namespace equipoise

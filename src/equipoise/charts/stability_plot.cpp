@@ -1,20 +1,23 @@
-// The script: the image, the boundaries, the legend.
+// The image, the boundaries, the legend.
 #include "equipoise/charts/stability_plot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/answers/quantities.hpp"
+#include "equipoise/charts/plane_plot.hpp"
 #include "equipoise/charts/shown_axis.hpp"
 #include "equipoise/charts/stability_report.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/raster.hpp"
 #include "equipoise/echo/given_value.hpp"
-#include "equipoise/plots/zero_line.hpp"
+#include "equipoise/plots/plane_frame.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/words/plots.hpp"
 #include "equipoise/words/stability.hpp"
@@ -23,13 +26,11 @@ namespace equipoise {
 
 namespace {
 
-constexpr int most_drawn_points = 1600;  // along one side: more than the canvas shows
-
 // Every so many-th row and column.
 StabilityPlane drawn_part(const StabilityPlane& plane) {
   const int longest = std::max(plane.x.pixels, plane.y.pixels);
   const int every =
-      std::min((longest + most_drawn_points - 1) / most_drawn_points, std::min(plane.x.pixels, plane.y.pixels));
+      std::min((longest + most_drawn_pixels - 1) / most_drawn_pixels, std::min(plane.x.pixels, plane.y.pixels));
   if (every <= 1) return plane;
   StabilityPlane part = plane;
   part.x = thinned(plane.x, every);
@@ -39,18 +40,6 @@ StabilityPlane drawn_part(const StabilityPlane& plane) {
     for (int column = first_of(every); column < plane.x.pixels; column += every)
       part.points.push_back(plane.points[plane.at(column, row)]);
   return part;
-}
-
-// Packed red, green and blue, lighter for slow rates.
-int shaded(const char* colour, double share) {
-  const int packed = static_cast<int>(std::strtol(colour + 1, nullptr, 16));
-  const double strength = 0.25 + 0.75 * std::clamp(share, 0.0, 1.0);
-  int result = 0;
-  for (const int shift : {16, 8, 0}) {
-    const double full = packed >> shift & 255;
-    result |= static_cast<int>(std::lround(255.0 - strength * (255.0 - full))) << shift;
-  }
-  return result;
 }
 
 const char* colour_of_kind(BalanceKind kind) {
@@ -70,33 +59,34 @@ const char* colour_of_kind(BalanceKind kind) {
   }
 }
 
-std::string stability_image(const StabilityPlane& plane) {
+// Lighter for slow rates.
+Raster raster_of(const StabilityPlane& plane) {
   std::array<double, 2> fastest{0.0, 0.0};  // of decay, of growth
   for (const BalancePoint& p : plane.points)
     if (std::isfinite(p.growth)) {
       double& most = fastest[p.growth > 0.0 ? 1 : 0];
       most = std::max(most, std::fabs(p.growth));
     }
-  std::string text = "$balance << EOD\n";
-  for (std::size_t k = 0; k < plane.points.size(); ++k) {
-    const BalancePoint& p = plane.points[k];
-    const bool has_rate = p.kind == BalanceKind::stable || p.kind == BalanceKind::unstable;
-    const double most = fastest[p.growth > 0.0 ? 1 : 0];
-    const double share = has_rate && most > 0.0 ? std::sqrt(std::fabs(p.growth) / most) : 1.0;
-    const bool last = (k + 1) % static_cast<std::size_t>(plane.x.pixels) == 0;
-    text += fmt::format("{}{}", shaded(colour_of_kind(p.kind), share), last ? "\n" : " ");
-  }
-  return text + "EOD\n";
-}
-
-using Pieces = std::vector<std::array<MapPoint, 2>>;
-
-std::string pieces_block(const char* name, const Pieces& pieces, double x_factor, double y_factor) {
-  std::string text = std::string(name) + " << EOD\n";
-  for (const auto& [a, b] : pieces)
-    text += fmt::format("{:.8g} {:.8g}\n{:.8g} {:.8g}\n\n", a[0] * x_factor, a[1] * y_factor, b[0] * x_factor,
-                        b[1] * y_factor);
-  return text + "EOD\n";
+  constexpr std::size_t shades = 60;
+  std::array<std::array<std::string, shades>, 2> colours;
+  for (std::size_t k = 0; k < shades; ++k)
+    for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable}) {
+      constexpr double lightest = 0.25;
+      const double strength = lightest + (1.0 - lightest) * static_cast<double>(k) / (shades - 1);
+      colours[kind == BalanceKind::unstable ? 1 : 0][k] = mixed_colour("#ffffff", colour_of_kind(kind), strength);
+    }
+  Raster raster{static_cast<std::size_t>(plane.x.pixels), static_cast<std::size_t>(plane.y.pixels), {}, {}};
+  for (int row = plane.y.pixels - 1; row >= 0; --row)
+    for (int column = 0; column < plane.x.pixels; ++column) {
+      const BalancePoint& p = plane.points[plane.at(column, row)];
+      const bool has_rate =
+          std::isfinite(p.growth) && (p.kind == BalanceKind::stable || p.kind == BalanceKind::unstable);
+      const std::size_t side = p.growth > 0.0 ? 1 : 0;
+      const double share = has_rate && fastest[side] > 0.0 ? std::sqrt(std::fabs(p.growth) / fastest[side]) : 1.0;
+      raster.add(has_rate ? colours[side][static_cast<std::size_t>(std::lround(share * (shades - 1)))]
+                          : colour_of_kind(p.kind));
+    }
+  return raster;
 }
 
 // Whether an eigenvalue turns at the point next to this place.
@@ -107,18 +97,24 @@ bool turns_at(const StabilityPlane& plane, const MapPoint& place) {
   return plane.points[plane.at(nearest(plane.x, place[0]), nearest(plane.y, place[1]))].swings();
 }
 
-}  // namespace
-
-ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
-  const auto unit = study::unit_of(study, axis.key);
-  if (!unit) return {axis_label(axis.key), 1.0};
-  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
-  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
+// Where a pair crosses, and where a real eigenvalue does.
+std::array<std::vector<MapLine>, 2> crossings(const StabilityPlane& plane, const std::vector<float>& growth) {
+  std::array<std::vector<MapLine>, 2> parts;
+  for (const MapLine& line : zero_line(plane.x, plane.y, growth)) {
+    int last = -1;
+    for (const MapPoint& at : line) {
+      const int part = turns_at(plane, at) ? 0 : 1;
+      auto& lines = parts[static_cast<std::size_t>(part)];
+      if (part != last)
+        lines.push_back(last < 0 ? MapLine() : MapLine{parts[static_cast<std::size_t>(last)].back().back()});
+      lines.back().push_back(at);
+      last = part;
+    }
+  }
+  return parts;
 }
 
-std::string stability_plot_script(const StabilityPlane& whole, const std::string& title, const std::string& path) {
-  const StabilityPlane plane = drawn_part(whole);
-  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
+std::vector<Border> borders_of(const StabilityPlane& plane) {
   std::vector<float> growth, exists;
   for (const BalancePoint& p : plane.points) {
     growth.push_back(static_cast<float>(p.growth));
@@ -130,57 +126,73 @@ std::string stability_plot_script(const StabilityPlane& whole, const std::string
   });
   if (by_mass)
     for (std::size_t k = 0; k < exists.size(); ++k) exists[k] = static_cast<float>(plane.points[k].margin);
-  Pieces hopf, zero;
-  for (const auto& piece : zero_line(plane.x, plane.y, growth))
-    (turns_at(plane, piece[0]) ? hopf : zero).push_back(piece);
-  std::string script = canvas(path, 1600, 1000) + stability_image(plane);
-  std::string items = fmt::format(
-      "$balance matrix using ({:.10g}+$1*{:.10g}):({:.10g}+$2*{:.10g}):(int($3)/65536):(int($3)/256%256):(int($3)%256) "
-      "with rgbimage notitle",
-      plane.x.centre(0) * x.factor, plane.x.step() * x.factor, plane.y.centre(0) * y.factor, plane.y.step() * y.factor);
-  const auto add = [&](const std::string& item) { items += ", \\\n  " + item; };
+  auto [hopf, zero] = crossings(plane, growth);
+  return {
+      {std::move(hopf), {"#000000", "", 1.5}, words::stability::line_hopf},
+      {std::move(zero), {"#000000", "", 1.5, 1.0, true, "2 3"}, words::stability::line_zero},
+      {zero_line(plane.x, plane.y, exists), {"#000000", "", 1.5, 1.0, true, "6 4"}, words::stability::line_existence}};
+}
+
+// What balance is, with the part of the plane.
+std::string legend_words(BalanceKind kind, double part) {
+  const std::string percent = part < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * part);
+  return kind == BalanceKind::not_computed ? fmt::format(words::stability::legend_not_computed, percent)
+                                           : fmt::format(words::stability::legend, balance_words(kind), percent);
+}
+
+}  // namespace
+
+ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
+  const auto unit = study::unit_of(study, axis.key);
+  if (!unit) return {axis_label(axis.key), 1.0};
+  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
+}
+
+SvgAxes plane_axes(Svg& svg, const StabilityPlane& plane) {
+  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
+  return {svg,
+          plane_top_left,
+          plane_bottom_right,
+          {plane.x.low, plane.x.high},
+          {plane.y.low, plane.y.high},
+          {x.label, x.factor},
+          {y.label, y.factor}};
+}
+
+std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
+                       const char* caption) {
+  DrawingRow row;
+  row.drawings.push_back({"", drawing.str(), "", ""});
+  row.caption = caption;
+  return plot_file(
+      title,
+      {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
+       (plane.one_of_many() ? words::stability::of_spread_balls : "") + (complete ? "" : words::plots::partial_early)},
+      row);
+}
+
+std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
+  const StabilityPlane plane = drawn_part(whole);
+  Svg svg(drawing_width, below_plane, words::stability::what_balance_does);
+  const SvgAxes axes = plane_axes(svg, plane);
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(plane)));  // over the grid
+  std::vector<LegendEntry> legend;
   for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
-                                 BalanceKind::unknown, BalanceKind::not_computed}) {
-    const std::size_t count = whole.count(kind);
-    if (count == 0) continue;
-    const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(whole.points.size());
-    const std::string part = percent < 0.05 ? "< 0.1 %" : fmt::format("{:.1f} %", percent);
-    add(
-        fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle solid 1.0 border linecolor rgb '#444444' "
-                    "title {}",
-                    colour_of_kind(kind),
-                    quoted(kind == BalanceKind::not_computed
-                               ? fmt::format(words::stability::legend_not_computed, part)
-                               : fmt::format(words::stability::legend, balance_words(kind), part))));
-  }
-  const auto add_border = [&](const char* name, const Pieces& pieces, const char* dash, const char* meaning) {
-    if (pieces.empty()) return;
-    script += pieces_block(name, pieces, x.factor, y.factor);
-    add(fmt::format("{} with lines linecolor rgb '#FFFFFF' linewidth 4.5 notitle", name));
-    add(fmt::format("{} with lines linecolor rgb '#000000' linewidth 2 {} title {}", name, dash, quoted(meaning)));
-  };
-  add_border("$hopf", hopf, "", words::stability::line_hopf);
-  add_border("$zero", zero, "dashtype (3,4)", words::stability::line_zero);
-  add_border("$exists", zero_line(plane.x, plane.y, exists), "dashtype (10,7)", words::stability::line_existence);
+                                 BalanceKind::unknown, BalanceKind::not_computed})
+    if (const std::size_t count = whole.count(kind); count > 0)
+      legend.push_back({{"", colour_of_kind(kind)},
+                        legend_words(kind, static_cast<double>(count) / static_cast<double>(whole.points.size()))});
+  const std::vector<Border> borders = borders_of(plane);
+  draw_borders(svg, axes, borders);
+  add_to_legend(legend, borders);
   if (plane.own && !plane.own->boundaries.empty()) {
-    script += fmt::format("$own << EOD\n{:.10g} {:.10g}\nEOD\n", plane.own->x * x.factor, plane.own->y * y.factor);
-    add("$own with points pointtype 7 pointsize 2.6 linecolor rgb '#FFFFFF' notitle");
-    add(fmt::format("$own with points pointtype 6 pointsize 2.2 linewidth 3 linecolor rgb '#000000' title {}",
-                    quoted(words::stability::the_study)));
+    const SvgPen ring{"#000000", "#ffffff", 2.0};
+    svg.circle(axes.at(plane.own->x, plane.own->y), 5.0, ring);
+    legend.push_back({ring, words::stability::the_study, LegendEntry::Mark::ring});
   }
-  const std::string details = parameters_text(plane.study, {plane.x.key, plane.y.key});
-  script += fmt::format("set title {}.\"\\n\".{} offset 0,0.3\n", quoted(title),
-                        quoted(details + "; " + words::stability::darker_is_faster +
-                               (plane.one_of_many() ? words::stability::of_spread_balls : "") +
-                               (plane.complete ? "" : words::plots::partial_early)));
-  script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(x.label), quoted(y.label));
-  script += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", plane.x.low * x.factor,
-                        plane.x.high * x.factor, plane.y.low * y.factor, plane.y.high * y.factor);
-  script +=
-      "set border linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-      "set key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
-  script += "plot " + items + "\n";
-  return script;
+  draw_legend(svg, legend);
+  return plane_plot(svg, whole, title, whole.complete, words::stability::darker_is_faster);
 }
 
 }  // namespace equipoise

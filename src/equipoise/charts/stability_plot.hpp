@@ -1,4 +1,4 @@
-// A picture of where balance is stable, as a gnuplot script that contains the data.
+// A picture of where balance is stable.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace equipoise {
 
-/// Draws into `path` (.png or .svg). Where balance is stable or unstable the plane is the darker, the faster deviations
-/// die out or grow. Lines show where a pair of eigenvalues crosses (solid), where a real one does (dotted) and where
-/// the balanced state ends (dashed); a ring the study's own point. Axes are in the machine's units if it has them.
-std::string stability_plot_script(const StabilityPlane& plane, const std::string& title, const std::string& path);
+/// A picture file (SVG). Where balance is stable or unstable the plane is the darker, the faster deviations die out or
+/// grow. Lines show where a pair of eigenvalues crosses (solid), where a real one does (dotted) and where the balanced
+/// state ends (dashed); a ring the study's own point. Axes are in the machine's units if it has them. `title` goes
+/// before the parameters.
+std::string stability_plot(const StabilityPlane& plane, const std::string& title);
 
 }  // namespace equipoise

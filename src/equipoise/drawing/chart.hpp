@@ -1,4 +1,4 @@
-// Charts as data, drawn by gnuplot in picture files and as SVG in pages (chart_svg.hpp).
+// Charts as data, drawn as SVG (chart_svg.hpp).
 #pragma once
 
 #include <string>
@@ -22,8 +22,5 @@ struct Chart {
   bool from_zero = false;
   std::vector<ChartSeries> series;
 };
-
-/// A gnuplot script that draws charts two to a row. `path`: .png or .svg.
-std::string chart_plot_script(const std::string& title, const std::vector<Chart>& charts, const std::string& path);
 
 }  // namespace equipoise

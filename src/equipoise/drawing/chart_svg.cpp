@@ -8,13 +8,30 @@ namespace equipoise {
 
 namespace {
 
-constexpr double legend_row = 16.0, legend_left = 14.0;
-constexpr std::size_t short_name = 30;  // letters that fit into half the width
+constexpr double legend_left = 14.0, legend_name = 16.0, legend_line = 13.0;
 
-std::size_t legend_columns(const std::vector<LegendEntry>& entries) {
-  const bool short_ones =
-      std::all_of(entries.begin(), entries.end(), [](const LegendEntry& e) { return e.name.size() <= short_name; });
-  return short_ones && entries.size() > 1 ? 2 : 1;
+// Names in lines that fit into so many columns.
+std::vector<std::vector<std::string>> names_in(std::size_t columns, const std::vector<LegendEntry>& entries,
+                                               double column) {
+  std::vector<std::vector<std::string>> names;
+  for (const LegendEntry& e : entries)
+    names.push_back(text_lines(e.name, column / static_cast<double>(columns) - legend_name));
+  return names;
+}
+
+void draw_mark(Svg& svg, const LegendEntry& entry, SvgPoint at) {
+  const SvgPen& pen = entry.pen;
+  switch (entry.mark) {
+    case LegendEntry::Mark::square:
+      return svg.rectangle(at, 10.0, 10.0,
+                           {pen.stroke.empty() ? "var(--swatch-edge)" : pen.stroke, pen.fill, 1.0, pen.opacity});
+    case LegendEntry::Mark::line:
+      return svg.line({at.x - 4.0, at.y + 5.0}, {at.x + 12.0, at.y + 5.0}, pen);
+    case LegendEntry::Mark::ring:
+      return svg.circle({at.x + 5.0, at.y + 5.0}, 3.5, pen);
+    case LegendEntry::Mark::none:
+      return;
+  }
 }
 
 struct ChartExtents {
@@ -64,35 +81,36 @@ void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_
 
 }  // namespace
 
-double legend_height(const std::vector<LegendEntry>& entries) {
-  const std::size_t columns = legend_columns(entries), rows = (entries.size() + columns - 1) / columns;
-  return entries.empty() ? 0.0 : 6.0 + legend_row * static_cast<double>(rows);
-}
-
-void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries) {
-  const std::size_t columns = legend_columns(entries);
-  const double column = (svg.width() - legend_left) / static_cast<double>(columns);
+void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries) {
+  const double width = svg.width() - legend_left;
+  std::size_t columns = 2;
+  auto names = names_in(columns, entries, width);
+  const auto is_long = [](const std::vector<std::string>& lines) { return lines.size() > 1; };
+  if (entries.size() < 2 || std::any_of(names.begin(), names.end(), is_long))
+    names = names_in(columns = 1, entries, width);
+  double y = svg.height() + 6.0;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const double x = legend_left + column * static_cast<double>(k % columns);
-    const std::size_t row = k / columns;
-    const double y = top + 6.0 + legend_row * static_cast<double>(row);
-    const auto& [colour, name, style] = entries[k];
-    if (!style)
-      svg.rectangle({x, y}, 10.0, 10.0, {"var(--swatch-edge)", colour, 1.0});
-    else if (*style == ChartSeries::Style::points)
-      svg.circle({x + 5.0, y + 5.0}, 3.5, {colour, ""});
-    else
-      svg.line({x - 4.0, y + 5.0}, {x + 12.0, y + 5.0}, {colour, "", 2.0, 1.0, *style == ChartSeries::Style::dashed});
-    svg.text({x + 16.0, y + 9.0}, name);
+    const double x = legend_left + width * static_cast<double>(k % columns) / static_cast<double>(columns);
+    draw_mark(svg, entries[k], {x, y});
+    double base = y + 9.0;
+    for (const std::string& line : names[k]) {
+      svg.text({x + legend_name, base}, line);
+      base += legend_line;
+    }
+    if (k + 1 == entries.size() || (k + 1) % columns == 0) y = base - 6.0;
   }
+  if (!entries.empty()) svg.grow(y - svg.height());
 }
 
 std::string chart_svg(const Chart& chart, const std::string& described, double width) {
   std::vector<LegendEntry> entries;
   for (const ChartSeries& s : chart.series)
     if (!s.label.empty() && (chart.series.size() > 1 || chart.title.empty()))
-      entries.push_back({s.colour, s.label, s.style});
-  Svg svg(width, drawing_height + legend_height(entries), described);
+      entries.push_back({{s.colour, "", s.style == ChartSeries::Style::points ? 1.0 : 2.0, 1.0,
+                          s.style == ChartSeries::Style::dashed},
+                         s.label,
+                         s.style == ChartSeries::Style::points ? LegendEntry::Mark::ring : LegendEntry::Mark::line});
+  Svg svg(width, drawing_height, described);
   const ChartExtents extents = extents_of(chart);
   const SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
                      extents.x, extents.y, {chart.x_label, 1.0, chart.log_x}, {chart.y_label});
@@ -101,7 +119,7 @@ std::string chart_svg(const Chart& chart, const std::string& described, double w
     above -= covers(s);
     draw_series(svg, axes, s, above, chart.curves);
   }
-  draw_legend(svg, drawing_height, entries);
+  draw_legend(svg, entries);
   return svg.str();
 }
 

@@ -1,7 +1,6 @@
 // Charts as SVG drawings in a page: they need no script and follow the page's light and dark colours.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,14 @@ namespace equipoise {
 inline constexpr double drawing_width = 430.0, drawing_height = 268.0;
 inline constexpr SvgPoint drawing_top_left{58.0, 14.0}, drawing_bottom_right{416.0, 226.0};
 
-/// Writes colours with their names from `top` down, two to a row where they are short; returns the height used.
+/// Names of colours and lines, over the whole width, two to a row if all are short.
 struct LegendEntry {
-  std::string colour, name;
-  /// Shown as a line or a circle instead of a square.
-  std::optional<ChartSeries::Style> style{};
+  SvgPen pen;
+  std::string name;
+  enum class Mark { square, line, ring, none } mark = Mark::square;
 };
-double legend_height(const std::vector<LegendEntry>& entries);
-void draw_legend(Svg& svg, double top, const std::vector<LegendEntry>& entries);
+/// Below what is drawn so far: the picture grows.
+void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries);
 
 /// Lines or points, with intervals as strokes; each shows its name where the mouse rests on it. One series below a
 /// title has no legend. `described`: text for those who cannot see it.

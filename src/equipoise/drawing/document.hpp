@@ -68,7 +68,7 @@ struct DrawingRow {
   bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet
-  /// Path of a picture file that shows the same, for Markdown; may be empty.
+  /// Name of a picture file that shows the same, without its ending, for Markdown; may be empty.
   std::string picture{};
 };
 /// Verbatim lines, shown on demand.

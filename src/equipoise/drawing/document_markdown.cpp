@@ -57,10 +57,9 @@ struct MarkdownWriter {
     if (!t.caption.empty()) out += markdown_text(t.caption) + "\n\n";
   }
   void operator()(const DrawingRow& row) {
-    if (!row.picture.empty()) {
-      const std::string name = row.picture.substr(row.picture.find_last_of('/') + 1);
-      out += fmt::format("![{}]({})\n", markdown_text(row.caption), pictures.empty() ? name : pictures + "/" + name);
-    }
+    if (!row.picture.empty())
+      out += fmt::format("![{}]({}{}{}.svg)\n", markdown_text(row.caption), pictures, pictures.empty() ? "" : "/",
+                         row.picture);
     for (const Drawing& d : row.drawings)
       if (!d.text.empty()) out += fmt::format("- {}: {}\n", markdown_text(d.title), markdown_text(d.text));
     out += "\n" + markdown_text(row.caption) + "\n\n";

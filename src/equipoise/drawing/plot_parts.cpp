@@ -1,4 +1,4 @@
-// Colours, labels and canvas of the pictures.
+// Colours and labels of the pictures.
 #include "equipoise/drawing/plot_parts.hpp"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/display_text.hpp"
 #include "equipoise/base/plural.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/words/plots.hpp"
@@ -22,6 +21,10 @@ namespace {
 constexpr std::array colours{"#009E73", "#0072B2", "#D55E00", "#E69F00", "#CC79A7", "#56B4E9", "#666666",
                              "#882255", "#332288", "#999933", "#44AA99", "#AA4499", "#117733", "#661100"};
 
+// Viridis (S. van der Walt, N. Smith, 2015) in even steps from none to all.
+constexpr std::array viridis{"#440154", "#472c7a", "#3b518b", "#2c718e", "#21908d",
+                             "#27ad81", "#5cc863", "#aadc32", "#fde725"};
+
 }  // namespace
 
 const char* colour_of(int code) {
@@ -30,13 +33,6 @@ const char* colour_of(int code) {
   if (code == stalled_code) return "#9A8700";
   if (code < 0) return "#F0E442";  // failed
   return colours[static_cast<std::size_t>(code - 1) % colours.size()];
-}
-
-// On one line: what follows a line break would be a command.
-std::string quoted(const std::string& text) {
-  std::string result = "'";  // gnuplot does not interpret single-quoted text; quotes inside are doubled
-  for (const char c : display_text(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
 }
 
 std::string axis_label(const std::string& key) {
@@ -77,26 +73,16 @@ std::string parameters_text(const Study& study, const std::vector<std::string>& 
 std::string heat_colour(double share) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(viridis.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
+  return mixed_colour(viridis[below], viridis[below + 1], place - static_cast<double>(below));
+}
+
+std::string mixed_colour(const char* from, const char* to, double part) {
   std::string colour = "#";
   for (const std::size_t at : {1, 3, 5}) {
-    const auto part = [&](const char* of) { return std::stoi(std::string(of + at, 2), nullptr, 16); };
-    const double from = part(viridis[below]), to = part(viridis[below + 1]);
-    colour += fmt::format("{:02x}", std::lround(from + (place - static_cast<double>(below)) * (to - from)));
+    const auto value = [&](const char* of) { return std::stoi(std::string(of + at, 2), nullptr, 16); };
+    colour += fmt::format("{:02x}", std::lround(value(from) + part * (value(to) - value(from))));
   }
   return colour;
 }
-
-std::string canvas(const std::string& path, int width, int height) {
-  const std::string size = fmt::format("{},{}", width, height);
-  const std::string terminal =
-      path.ends_with(".svg")
-          ? fmt::format("svg size {} font 'Helvetica,22' linewidth 1.3 background '#ffffff' noenhanced", size)
-          : fmt::format("pngcairo size {} font 'DejaVu Sans,17' linewidth 1.5 noenhanced", size);
-  return fmt::format("set encoding utf8\nset terminal {}\nset output {}\n", terminal, quoted(path));
-}
-
-const char* const quiet_frame =
-    "set border 3 linecolor rgb '#444444'\nset tics nomirror out textcolor rgb '#222222'\n"
-    "set grid linecolor rgb '#dddddd' linewidth 0.6\n";
 
 }  // namespace equipoise

@@ -1,8 +1,10 @@
-// PNG with a palette: header, colours, rows in stored blocks of deflate (RFC 1950, RFC 1951).
+// PNG with a palette: header, colours, rows compressed by repetition of the square before and of the row before.
 #include "equipoise/drawing/raster.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
+#include <utility>
 
 #include "equipoise/words/plots.hpp"
 
@@ -39,16 +41,76 @@ void add_chunk(std::string& out, const std::string& name, const std::string& con
   add_big_endian(out, crc32(name + content));
 }
 
-std::string stored(const std::string& bytes) {
-  constexpr std::size_t most = 65535;
-  std::string out = "\x78\x01";
-  for (std::size_t at = 0; at < bytes.size() || at == 0; at += most) {
-    const std::size_t size = std::min(most, bytes.size() - at);
-    out += at + size == bytes.size() ? '\1' : '\0';
-    for (const std::size_t word : {size, most - size})
-      for (const int shift : {0, 8}) out += static_cast<char>(word >> shift & 255u);
-    out.append(bytes, at, size);
+// One block of deflate with its fixed codes (RFC 1951, 3.2.6).
+class Deflate {
+ public:
+  Deflate() { add_bits(3, 3); }  // the last block; fixed codes
+
+  void literal(unsigned char byte) {
+    if (byte < 144)
+      add_code(0x30u + byte, 8);
+    else
+      add_code(0x190u + byte - 144u, 9);
   }
+  void repeat(std::size_t length, std::size_t distance) {
+    constexpr std::uint32_t longest = 258 - 3;
+    const auto more = static_cast<std::uint32_t>(length - 3), back = static_cast<std::uint32_t>(distance - 1);
+    const int of_length = more == longest ? 0 : extra_bits(more, 3);
+    const std::uint32_t step = more == longest ? 28 : 4u * static_cast<std::uint32_t>(of_length) + (more >> of_length);
+    if (step < 23)
+      add_code(step + 1, 7);
+    else
+      add_code(0xC0u + step - 23u, 8);
+    add_bits(more & ((1u << of_length) - 1u), of_length);
+    const int of_distance = extra_bits(back, 2);
+    add_code(2u * static_cast<std::uint32_t>(of_distance) + (back >> of_distance), 5);
+    add_bits(back & ((1u << of_distance) - 1u), of_distance);
+  }
+  std::string end() {
+    add_code(0, 7);
+    add_bits(0, 7);  // the last byte is filled up
+    return std::move(out_);
+  }
+
+ private:
+  // Of a length or distance whose first bits are in its code.
+  static int extra_bits(std::uint32_t value, int first) {
+    return std::max(static_cast<int>(std::bit_width(value)) - first, 0);
+  }
+  void add_bits(std::uint32_t bits, int count) {
+    held_ |= bits << filled_;
+    for (filled_ += count; filled_ >= 8; filled_ -= 8, held_ >>= 8) out_ += static_cast<char>(held_ & 255u);
+  }
+  void add_code(std::uint32_t code, int length) {  // from its first bit
+    for (int k = length - 1; k >= 0; --k) add_bits(code >> k & 1u, 1);
+  }
+
+  std::string out_;
+  std::uint32_t held_ = 0;
+  int filled_ = 0;
+};
+
+// zlib's format (RFC 1950). `row`: bytes of one.
+std::string compressed(const std::string& bytes, std::size_t row) {
+  constexpr std::size_t least = 3, most = 258, farthest = 32768;
+  Deflate deflate;
+  const auto alike = [&](std::size_t at, std::size_t distance) {
+    std::size_t length = 0;
+    if (distance <= std::min(at, farthest))
+      while (length < most && at + length < bytes.size() && bytes[at + length] == bytes[at + length - distance])
+        ++length;
+    return length;
+  };
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t before = alike(at, 1), above = alike(at, row), length = std::max(before, above);
+    if (length < least) {
+      deflate.literal(static_cast<unsigned char>(bytes[at++]));
+    } else {
+      deflate.repeat(length, before >= above ? 1 : row);
+      at += length;
+    }
+  }
+  std::string out = "\x78\x01" + deflate.end();
   add_big_endian(out, adler32(bytes));
   return out;
 }
@@ -69,6 +131,13 @@ std::string packed_rows(const Raster& r, bool halves) {
 
 }  // namespace
 
+void Raster::add(const std::string& colour) {
+  if (!squares.empty() && palette[squares.back()] == colour) return squares.push_back(squares.back());
+  const auto at = std::find(palette.begin(), palette.end(), colour);
+  squares.push_back(static_cast<std::uint8_t>(at - palette.begin()));
+  if (at == palette.end()) palette.push_back(colour);
+}
+
 std::string png_bytes(const Raster& r) {
   constexpr std::size_t most_colours = 256;
   const bool fits = !r.palette.empty() && r.palette.size() <= most_colours && r.width * r.height == r.squares.size() &&
@@ -86,7 +155,8 @@ std::string png_bytes(const Raster& r) {
   std::string out = "\x89PNG\r\n\x1a\n";
   add_chunk(out, "IHDR", header);
   add_chunk(out, "PLTE", colours);
-  add_chunk(out, "IDAT", stored(packed_rows(r, halves)));
+  const std::string rows = packed_rows(r, halves);
+  add_chunk(out, "IDAT", compressed(rows, rows.size() / r.height));
   add_chunk(out, "IEND", "");
   return out;
 }

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/display_text.hpp"
+#include "equipoise/base/read_number.hpp"
 #include "equipoise/drawing/base64.hpp"
 #include "equipoise/drawing/html_text.hpp"
+#include "equipoise/drawing/page_files.hpp"
 
 namespace equipoise {
 
@@ -18,7 +22,7 @@ std::string style_of(const SvgPen& pen) {
   std::string style = fmt::format("fill:{}", pen.fill.empty() ? "none" : pen.fill);
   if (!pen.stroke.empty()) style += fmt::format(";stroke:{};stroke-width:{:.3g}", pen.stroke, pen.width);
   if (pen.opacity != 1.0) style += fmt::format(";{}opacity:{:.3g}", pen.stroke.empty() ? "fill-" : "", pen.opacity);
-  if (pen.dashed) style += ";stroke-dasharray:4 3";
+  if (pen.dashed) style += fmt::format(";stroke-dasharray:{}", pen.dashes);
   return style;
 }
 
@@ -47,11 +51,11 @@ std::string tick_words(double value, bool log) {
 
 }  // namespace
 
-Svg::Svg(double width, double height, const std::string& described) : width_(width) {
-  out_ = fmt::format(
-      "<svg viewBox=\"0 0 {0:.4g} {1:.4g}\" width=\"{0:.4g}\" height=\"{1:.4g}\" role=\"img\">"
-      "<title>{2}</title>\n",
-      width, height, html_text(described));
+std::string Svg::str() const {
+  return fmt::format(
+      "<svg viewBox=\"0 0 {0:.5g} {1:.5g}\" width=\"{0:.5g}\" height=\"{1:.5g}\" role=\"img\">"
+      "<title>{2}</title>\n{3}</svg>\n",
+      width_, height_, html_text(described_), out_);
 }
 
 void Svg::line(SvgPoint from, SvgPoint to, const SvgPen& pen) {
@@ -94,7 +98,7 @@ void Svg::text(SvgPoint at, const std::string& words, SvgAnchor anchor, const st
   out_ += fmt::format(
       "<text x=\"{:.5g}\" y=\"{:.5g}\" text-anchor=\"{}\" font-size=\"{:.3g}\" style=\"fill:{}\">{}"
       "</text>\n",
-      at.x, at.y, name_of(anchor), size, colour.empty() ? ink : colour, html_text(words));
+      at.x, at.y, name_of(anchor), size, colour.empty() ? ink : colour, html_text(display_text(words)));
 }
 
 void Svg::image(SvgPoint corner, double width, double height, const std::string& png) {
@@ -110,7 +114,62 @@ void Svg::text_upwards(SvgPoint at, const std::string& words) {
   out_ += fmt::format(
       "<text transform=\"translate({:.5g} {:.5g}) rotate(-90)\" text-anchor=\"middle\" font-size=\"11\" "
       "style=\"fill:{}\">{}</text>\n",
-      at.x, at.y, quiet_ink, html_text(words));
+      at.x, at.y, quiet_ink, html_text(display_text(words)));
+}
+
+void Svg::picture(SvgPoint corner, const std::string& svg) {
+  out_ += fmt::format("<g transform=\"translate({:.5g} {:.5g})\">\n{}</g>\n", corner.x, corner.y, svg);
+}
+
+std::string Svg::file() const {
+  const std::string_view page = embedded::page_files.find("document.css");
+  constexpr std::string_view variable = "var(--";
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.5g} {:.5g}\" width=\"{:.5g}\" height=\"{:.5g}\" "
+      "role=\"img\" style=\"font-family:'DejaVu Sans',Verdana,sans-serif\"><title>{}</title>\n",
+      width_, height_, 2.0 * width_, 2.0 * height_, html_text(described_));
+  std::size_t done = 0;
+  for (std::size_t at = 0; (at = out_.find(variable, at)) != std::string::npos; ++at) {
+    if (out_[out_.find_last_of("<>", at)] == '>') continue;  // words
+    const std::size_t end = out_.find(')', at);
+    const std::string name = fmt::format("--{}: ", out_.substr(at + variable.size(), end - at - variable.size()));
+    const std::size_t colour = page.find(name) + name.size();
+    text.append(out_, done, at - done).append(page.substr(colour, page.find(';', colour) - colour));
+    done = end + 1;
+  }
+  return text.append(out_, done) + "</svg>\n";
+}
+
+SvgPoint size_of(const std::string& svg) {
+  constexpr std::string_view before = "viewBox=\"0 0 ";
+  const std::size_t width = svg.find(before) + before.size(), height = svg.find(' ', width) + 1;
+  return {number_in(svg.substr(width, height - width)), number_in(svg.substr(height, svg.find('"', height) - height))};
+}
+
+std::vector<std::string> text_lines(const std::string& words, double width, double size) {
+  const std::string text = display_text(words);
+  constexpr double letter = 0.58;  // of the size, in a wide font
+  const auto most = static_cast<std::size_t>(std::max(1.0, width / (letter * size)));
+  std::vector<std::string> lines;
+  std::string line;
+  const auto add = [&](const std::string& word) {
+    if (!line.empty() && display_width(line) + 1 + display_width(word) > most)
+      lines.push_back(std::move(line)), line.clear();
+    line += (line.empty() ? "" : " ") + word;
+    while (display_width(line) > most) {  // one long word
+      std::size_t end = 0;
+      for (std::size_t k = 0; k < most; ++k) end += std::max<std::size_t>(1, character_length(line, end));
+      lines.push_back(line.substr(0, end));
+      line.erase(0, end);
+    }
+  };
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (end > begin) add(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (!line.empty()) lines.push_back(std::move(line));
+  return lines;
 }
 
 AxisExtent widened(AxisExtent extent, double share) {

@@ -1,7 +1,8 @@
-// SVG pictures within a page: a few shapes, and axes to draw over.
+// SVG pictures within a page or as files: a few shapes, and axes to draw over.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace equipoise {
@@ -15,6 +16,7 @@ struct SvgPen {
   std::string stroke, fill;
   double width = 1.0, opacity = 1.0;
   bool dashed = false;
+  const char* dashes = "4 3";
 };
 
 /// The page's colours for things other than outcomes.
@@ -29,7 +31,8 @@ enum class SvgAnchor { start, middle, end };
 class Svg {
  public:
   /// `described`: what the picture shows, for those who cannot see it.
-  Svg(double width, double height, const std::string& described);
+  Svg(double width, double height, std::string described)
+      : width_(width), height_(height), described_(std::move(described)) {}
 
   void line(SvgPoint from, SvgPoint to, const SvgPen& pen);
   void path(const std::vector<SvgPoint>& points, const SvgPen& pen, bool closed = false);
@@ -47,14 +50,27 @@ class Svg {
   void end_group() { out_ += "</g>\n"; }
   /// Rotated, reading upwards.
   void text_upwards(SvgPoint at, const std::string& words);
+  /// Another picture within this one, at its own size.
+  void picture(SvgPoint corner, const std::string& svg);
 
   double width() const { return width_; }
-  std::string str() const { return out_ + "</svg>\n"; }
+  double height() const { return height_; }
+  /// Makes room at the bottom.
+  void grow(double height) { height_ += height; }
+  std::string str() const;
+  /// The same as a file of its own, in the colours of a light page: twice as large, with concrete colours, as not all
+  /// programs understand a page's variables.
+  std::string file() const;
 
  private:
-  double width_;
-  std::string out_;
+  double width_, height_;
+  std::string described_, out_;
 };
+/// Width and height of a picture.
+SvgPoint size_of(const std::string& svg);
+
+/// Lines no wider than `width` pixels, broken between words where possible. Text of `size` as wide as in common fonts.
+std::vector<std::string> text_lines(const std::string& words, double width, double size = 11.0);
 
 struct AxisExtent {
   double low = 0.0, high = 1.0;

@@ -12,7 +12,6 @@
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/html/page_parts.hpp"
 #include "equipoise/plots/map_drawing.hpp"
-#include "equipoise/plots/map_words.hpp"
 #include "equipoise/text/table_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
@@ -21,8 +20,6 @@
 namespace equipoise {
 
 namespace {
-
-constexpr int most_pixels_drawn = 640;  // along one side: as many as a page is wide
 
 class MapDocument {
  public:
@@ -43,16 +40,8 @@ class MapDocument {
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
   void picture() {
-    const BasinSlice drawn = thinned(map_, most_pixels_drawn);
     add(Heading{2, words::pages::where_starts_end, ""});
-    DrawingRow row;
-    row.wide = true;
-    row.drawings.push_back({"", map_svg(drawn), "", ""});
-    row.caption = fmt::format(words::pages::start_at_every_point, slice_axis_words(map_.study, map_.x),
-                              slice_axis_words(map_.study, map_.y), fixed_angles_text(map_));
-    if (drawn.balance_margin.size() == drawn.code.size()) row.caption += words::pages::lines_mean;
-    if (drawn.every > 1) row.caption += fmt::format(words::pages::one_of_points, drawn.every);
-    add(std::move(row));
+    add(map_drawing(map_));
   }
 
   void outcomes() {

@@ -69,26 +69,14 @@ class SweepDocument {
     }
     constexpr std::size_t most = 4;
     for (std::size_t k = 0; k < told.size() && k < most; ++k)
-      add(Paragraph{
-          fmt::format(words::pages::note_of_cells, told[k].second, plural(told[k].second), told[k].first),
-          Tone::open});
+      add(Paragraph{fmt::format(words::pages::note_of_cells, told[k].second, plural(told[k].second), told[k].first),
+                    Tone::open});
     if (told.size() > most) add(Paragraph{fmt::format(words::pages::more_notes, told.size() - most)});
   }
 
   void pictures() {
     add(Heading{2, words::pages::where_starts_end, ""});
-    DrawingRow row;
-    row.wide = true;
-    if (r_.axes.size() == 1) {
-      row.drawings.push_back({"", stacked_svg(r_), "", ""});
-      row.caption = words::pages::stacked_caption;
-    } else if (r_.axes.size() == 2) {
-      row.drawings.push_back({"", heat_svg(r_, 0), "", ""});
-      row.caption = words::pages::balanced_share_of_cells;
-    } else {
-      several_maps(row);
-    }
-    add(std::move(row));
+    add(sweep_drawing(r_));
     if (const auto peaks = peak_chart(r_)) {
       DrawingRow below;
       below.wide = true;
@@ -96,20 +84,6 @@ class SweepDocument {
       below.caption = words::pages::with_intervals;
       add(std::move(below));
     }
-  }
-
-  void several_maps(DrawingRow& row) const {
-    row.wide = false;
-    row.large = true;
-    const SweepParameter& outer = r_.axes.front().parameters.front();
-    const std::size_t cells = r_.cells.size() / outer.values.size();
-    constexpr std::size_t most = 12;
-    for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
-      row.drawings.push_back(
-          {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r_, k * cells), "", ""});
-    row.caption = words::pages::balanced_share_of_cells;
-    if (outer.values.size() > most)
-      row.caption += fmt::format(words::pages::more_not_drawn, outer.values.size() - most, key_words(outer.key));
   }
 
   void table() {

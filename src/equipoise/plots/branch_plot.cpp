@@ -1,18 +1,21 @@
-// The script: one data block per stretch of equal stability, bands, edges, legend.
+// Stretches of equal stability as bands between edges; legend.
 #include "equipoise/plots/branch_plot.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
-#include <fmt/format.h>
-
+#include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
+#include "equipoise/drawing/svg.hpp"
 #include "equipoise/results/outcome_share.hpp"
 #include "equipoise/words/plots.hpp"
 
 namespace equipoise {
 
 namespace {
+
+constexpr double band = 0.25;  // opacity
 
 struct Sample {
   double value, low, mean, high;
@@ -43,62 +46,55 @@ std::vector<Stretch> stretches_of(const Branch& branch) {
   return stretches;
 }
 
-std::string subtitle(const BranchesResult& r) {
-  return parameters_text(r.study, {r.key}) + (r.partial ? words::plots::partial_early : "");
+using Edge = double Sample::*;
+
+void draw_edge(Svg& svg, const SvgAxes& axes, const Stretch& stretch, Edge edge, const char* colour) {
+  std::vector<SvgPoint> way;
+  for (const Sample& s : stretch.samples) way.push_back(axes.at(s.value, s.*edge));
+  if (way.size() == 1) return svg.circle(way.front(), 2.0, {"", colour});
+  svg.path(way, {colour, "", stretch.stable ? 1.6 : 1.1, 1.0, !stretch.stable});
+}
+
+void draw_branch(Svg& svg, const SvgAxes& axes, const Branch& branch) {
+  const char* colour = colour_of(branch.id);
+  svg.group(legend_of(branch));
+  for (const Stretch& stretch : stretches_of(branch)) {
+    if (stretch.stable) {
+      std::vector<SvgPoint> around;
+      for (const Sample& s : stretch.samples) around.push_back(axes.at(s.value, s.low));
+      for (auto s = stretch.samples.rbegin(); s != stretch.samples.rend(); ++s)
+        around.push_back(axes.at(s->value, s->high));
+      svg.path(around, {"", colour, 1.0, band}, true);
+    }
+    for (const Edge edge : {&Sample::low, &Sample::high}) draw_edge(svg, axes, stretch, edge, colour);
+  }
+  svg.end_group();
 }
 
 }  // namespace
 
-std::string branch_plot_script(const BranchesResult& r, const std::string& path) {
-  std::string script = canvas(path, 1600, 1000);
+std::string branch_plot(const BranchesResult& r, const std::string& title) {
   double highest = 0.0;
-  std::string bands, edges, keys;
-  const auto add = [](std::string& list, const std::string& item) { list += (list.empty() ? "" : ", \\\n  ") + item; };
+  std::vector<LegendEntry> legend;
   for (const Branch& b : r.branches) {
-    const char* colour = colour_of(b.id);
-    int part = 0;
-    for (const Stretch& stretch : stretches_of(b)) {
-      const std::string block = fmt::format("$branch_{}_{}", b.id, ++part);
-      script += block + " << EOD\n";
-      for (const Sample& s : stretch.samples) {
-        script += fmt::format("{:.9g} {:.6g} {:.6g} {:.6g}\n", s.value, s.low, s.mean, s.high);
-        highest = std::max(highest, s.high);
-      }
-      script += "EOD\n";
-      if (stretch.stable)
-        add(bands, fmt::format("{} using 1:2:4 with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.25 "
-                               "noborder notitle",
-                               block, colour));
-      const bool dot = stretch.samples.size() == 1;
-      for (const int column : {2, 4})
-        add(edges, fmt::format("{} using 1:{} with {} linecolor rgb '{}' {} notitle", block, column,
-                               dot ? "points pointtype 7 pointsize 0.6" : "lines", colour,
-                               dot              ? ""
-                               : stretch.stable ? "linewidth 2.2"
-                                                : "linewidth 1.4 dashtype (12,8)"));
-    }
-    const std::string title = legend_of(b);
-    add(keys, fmt::format("keyentry with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.55 border "
-                          "linecolor rgb '{}' title {}",
-                          colour, colour, quoted(title)));
+    legend.push_back({{colour_of(b.id), colour_of(b.id), 1.0, 2.0 * band}, legend_of(b)});
+    for (const Stretch& stretch : stretches_of(b))
+      for (const Sample& s : stretch.samples) highest = std::max(highest, s.high);
   }
-  add(keys, "keyentry with lines linecolor rgb '#444444' linewidth 1.4 dashtype (12,8) title " +
-                quoted(words::plots::dashed_unstable));
+  legend.push_back({{quiet_ink, "", 1.1, 1.0, true}, words::plots::unstable, LegendEntry::Mark::line});
+  constexpr double width = 560.0, height = 380.0;
+  const SvgPoint bottom_right{width - 14.0, height - 42.0};
+  Svg svg(width, height, words::plots::where_rotor_ends);
   const double low = r.values.front(), high = r.values.back(), margin = high > low ? 0.0 : std::max(0.5 * r.step, 1e-9);
-  script += fmt::format("set title {} offset 0,0.3\n", quoted(words::plots::where_rotor_ends + subtitle(r)));
-  script += fmt::format("set xlabel {}\nset ylabel {} offset -0.6,0\n", quoted(axis_label(r.key)),
-                        quoted(words::plots::rotor_displacement));
-  script += fmt::format("set xrange [{:.12g}:{:.12g}]\nset yrange [{:.6g}:{:.6g}]\n", low - margin, high + margin,
-                        -0.012 * highest, 1.08 * std::max(highest, 1e-6));
-  script += quiet_frame;
-  script +=
-      "set mxtics 5\n"
-      "set lmargin 11\nset key outside right top vertical Left reverse samplen 2.2 spacing 1.3 width 1\n";
-  std::string items;
-  for (const std::string* list : {&bands, &edges, &keys})
-    if (!list->empty()) add(items, *list);
-  script += "plot " + items + "\n";
-  return script;
+  const double top = 1.08 * std::max(highest, 1e-6);
+  const SvgAxes axes(svg, drawing_top_left, bottom_right, {low - margin, high + margin}, {-0.012 * top, top},
+                     {axis_label(r.key)}, {words::plots::rotor_displacement});
+  for (const Branch& b : r.branches) draw_branch(svg, axes, b);
+  draw_legend(svg, legend);
+  DrawingRow row;
+  row.drawings.push_back({"", svg.str(), "", ""});
+  row.caption = words::plots::smallest_to_largest;
+  return plot_file(title, {parameters_text(r.study, {r.key}) + (r.partial ? words::plots::partial_early : "")}, row);
 }
 
 }  // namespace equipoise

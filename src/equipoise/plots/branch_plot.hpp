@@ -1,4 +1,4 @@
-// A picture of branches, as a gnuplot script that contains the data.
+// A picture of branches.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace equipoise {
 
-/// Draws r_min to r_max of every branch against the parameter into `path` (.png or .svg): a band where the motion
-/// attracts, dashed lines where it is unstable. An identifier has the same colour in all pictures.
-std::string branch_plot_script(const BranchesResult& result, const std::string& path);
+/// A picture file (SVG) of r_min to r_max of every branch against the parameter: a band where the motion attracts,
+/// dashed lines where it is unstable. An identifier has the same colour in all pictures. `title` goes before the
+/// parameters.
+std::string branch_plot(const BranchesResult& result, const std::string& title);
 
 }  // namespace equipoise

@@ -2,21 +2,23 @@
 #include "equipoise/plots/map_drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "equipoise/answers/quantities.hpp"
 #include "equipoise/base/angles.hpp"
-#include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/raster.hpp"
-#include "equipoise/drawing/svg.hpp"
-#include "equipoise/answers/quantities.hpp"
-#include "equipoise/plots/zero_line.hpp"
 #include "equipoise/echo/given_value.hpp"
+#include "equipoise/plots/map_words.hpp"
+#include "equipoise/plots/plane_frame.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/pages.hpp"
 #include "equipoise/words/plots.hpp"
 
 namespace equipoise {
@@ -35,48 +37,91 @@ AxisWords words_for(const Study& study, const SliceAxis& axis) {
   return {axis_label(axis.key), 1.0};
 }
 
-// Pixels from the top, by outcome; pixels not computed are white.
-Raster raster_of(const BasinSlice& map) {
-  Raster raster{static_cast<std::size_t>(map.x.pixels), static_cast<std::size_t>(map.y.pixels), {}, {}};
-  std::map<short, std::uint8_t> places;
-  for (int row = map.y.pixels - 1; row >= 0; --row)
-    for (int column = 0; column < map.x.pixels; ++column) {
-      const short code = map.code[map.at(column, row)];
-      const auto [at, is_new] = places.try_emplace(code, static_cast<std::uint8_t>(places.size()));
-      if (is_new) raster.palette.emplace_back(code == not_computed_code ? "#FFFFFF" : colour_of(code));
-      raster.squares.push_back(at->second);
-    }
-  return raster;
-}
-
-void draw_border(Svg& svg, const SvgAxes& axes, const std::vector<std::array<MapPoint, 2>>& pieces, bool dashed) {
-  for (const SvgPen& pen : {SvgPen{"#ffffff", "", 3.4}, SvgPen{"#000000", "", 1.5, 1.0, dashed}})
-    for (const auto& [a, b] : pieces) svg.line(axes.at(a[0], a[1]), axes.at(b[0], b[1]), pen);
-}
-
-}  // namespace
-
-std::string slice_axis_words(const Study& study, const SliceAxis& axis) {
+std::string words_of(const Study& study, const SliceAxis& axis) {
   const AxisWords words = words_for(study, axis);
   return fmt::format(words::plots::axis_from_to, words.label, axis.low * words.factor, axis.high * words.factor);
 }
 
+// Blocks that were filled in have no times.
+bool shows_times(const BasinSlice& map) { return map.block == 0; }
+
+// Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and
+// at least half as bright, so that the legend's colour is recognised.
+class Shade {
+ public:
+  explicit Shade(const BasinSlice& map) : map_(map) {
+    if (!shows_times(map)) return;
+    for (std::size_t k = 0; k < map.code.size(); ++k)
+      if (map.code[k] > 0 && std::isfinite(map.time[k])) outcomes_[map.code[k]].times.push_back(map.time[k]);
+    for (auto& [code, outcome] : outcomes_) {
+      std::sort(outcome.times.begin(), outcome.times.end());
+      for (std::size_t k = 0; k < shades; ++k)
+        outcome.colours[k] = mixed_colour(colour_of(code), "#000000", 0.5 * static_cast<double>(k) / shades);
+    }
+  }
+
+  std::string colour(std::size_t pixel) const {
+    const short code = map_.code[pixel];
+    if (code == not_computed_code) return "#ffffff";
+    const auto found = outcomes_.find(code);
+    if (found == outcomes_.end() || !std::isfinite(map_.time[pixel])) return colour_of(code);
+    const auto& [times, colours] = found->second;
+    const auto rank = std::lower_bound(times.begin(), times.end(), map_.time[pixel]) - times.begin();
+    return colours[static_cast<std::size_t>(rank) * shades / times.size()];
+  }
+
+ private:
+  static constexpr std::size_t shades = 8;
+  struct Outcome {
+    std::vector<float> times;
+    std::array<std::string, shades> colours;
+  };
+  const BasinSlice& map_;
+  std::map<short, Outcome> outcomes_;
+};
+
+Raster raster_of(const BasinSlice& map) {
+  const Shade shade(map);
+  Raster raster{static_cast<std::size_t>(map.x.pixels), static_cast<std::size_t>(map.y.pixels), {}, {}};
+  for (int row = map.y.pixels - 1; row >= 0; --row)
+    for (int column = 0; column < map.x.pixels; ++column) raster.add(shade.colour(map.at(column, row)));
+  return raster;
+}
+
 std::string map_svg(const BasinSlice& map) {
-  constexpr double frame = 358.0;  // square: most maps are
-  constexpr SvgPoint top_left{58.0, 10.0}, bottom_right{58.0 + frame, 10.0 + frame};
-  constexpr double below = bottom_right.y + 42.0;
-  std::vector<LegendEntry> entries;
+  std::vector<LegendEntry> legend;
   for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
-      entries.push_back({colour_of(c.id), fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1))});
-  Svg svg(drawing_width, below + legend_height(entries), words::plots::outcome_at_points);
-  const SvgAxes axes(svg, top_left, bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
+      legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1))});
+  const std::vector<Border> borders{
+      {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, words::plots::balance_ends},
+      {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, words::plots::balance_changes}};
+  add_to_legend(legend, borders);
+  Svg svg(drawing_width, below_plane, words::plots::outcome_at_points);
+  const SvgAxes axes(svg, plane_top_left, plane_bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
                      words_for(map.study, map.x), words_for(map.study, map.y));
-  svg.image(top_left, frame, frame, png_bytes(raster_of(map)));  // over the grid
-  draw_border(svg, axes, zero_line(map, map.balance_margin), true);
-  draw_border(svg, axes, zero_line(map, map.balance_growth), false);
-  draw_legend(svg, below, entries);
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(map)));  // over the grid
+  draw_borders(svg, axes, borders);
+  draw_legend(svg, legend);
   return svg.str();
+}
+
+}  // namespace
+
+DrawingRow map_drawing(const BasinSlice& whole) {
+  const BasinSlice map = thinned(whole, most_drawn_pixels);
+  DrawingRow row;
+  row.wide = true;
+  row.drawings.push_back({"", map_svg(map), "", ""});
+  row.caption = fmt::format(words::pages::start_at_every_point, words_of(map.study, map.x), words_of(map.study, map.y),
+                            fixed_angles_text(map));
+  if (shows_times(map)) row.caption += words::pages::darker_is_later;
+  if (map.every > 1) row.caption += fmt::format(words::pages::one_of_points, map.every);
+  return row;
+}
+
+std::string map_plot(const BasinSlice& map, const std::string& title) {
+  return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), map_making_text(map)}, map_drawing(map));
 }
 
 }  // namespace equipoise

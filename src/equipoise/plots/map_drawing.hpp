@@ -1,16 +1,18 @@
-// The picture on a basin slice's page, as SVG.
+// Pictures of a basin slice.
 #pragma once
 
 #include <string>
 
+#include "equipoise/drawing/document.hpp"
 #include "equipoise/results/basin_slice.hpp"
 
 namespace equipoise {
 
-/// Outcomes by colour, listed below with their shares; lines where balance ends (dashed) or changes stability.
-std::string map_svg(const BasinSlice& map);
+/// Outcomes by colour, the darker, the later they were decided, listed below with their shares; lines where balance
+/// ends (dashed) or changes stability. Of a large slice some rows and columns are left out, which the caption says.
+DrawingRow map_drawing(const BasinSlice& map);
 
-/// "initial angle of ball 1, φ1" and so on, with units if the study has them.
-std::string slice_axis_words(const Study& study, const SliceAxis& axis);
+/// The same as a picture file (SVG); `title` goes before the parameters.
+std::string map_plot(const BasinSlice& map, const std::string& title);
 
 }  // namespace equipoise

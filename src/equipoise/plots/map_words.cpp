@@ -1,4 +1,4 @@
-// Angles in parts of a turn; notes on missing, filled-in or left-out pixels.
+// Angles in parts of a turn; notes on missing and filled-in pixels.
 #include "equipoise/plots/map_words.hpp"
 
 #include <cmath>
@@ -48,7 +48,6 @@ std::string map_making_text(const BasinSlice& map) {
   if (map.block > 0)
     parts.push_back(fmt::format(words::plots::others_filled_in,
                                 100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
-  if (map.every > 1) parts.push_back(fmt::format(words::plots::one_of_pixels, map.every));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

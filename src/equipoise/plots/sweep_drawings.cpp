@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 
 #include "equipoise/drawing/chart_svg.hpp"
+#include "equipoise/answers/quantities.hpp"
+#include "equipoise/drawing/plot_file.hpp"
 #include "equipoise/drawing/plot_parts.hpp"
 #include "equipoise/drawing/svg.hpp"
-#include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/words/pages.hpp"
 #include "equipoise/words/plots.hpp"
 
 namespace equipoise {
@@ -101,20 +103,19 @@ void draw_cell(Svg& svg, const HeatGrid& grid, SvgPoint corner, double share) {
            SvgAnchor::middle, share > light ? "#000000" : "#ffffff", 10.0);
 }
 
-}  // namespace
-
 std::string stacked_svg(const SweepResult& r) {
   const std::vector<SweepLayer> layers = sweep_layers(r);
   const std::vector<std::size_t> cells = cells_along(r);
   std::vector<LegendEntry> entries;
-  entries.reserve(layers.size());
-  for (const SweepLayer& layer : layers) entries.push_back({layer.colour, layer.name});
-  Svg svg(drawing_width, drawing_height + legend_height(entries), words::plots::shares_along);
+  for (const SweepLayer& layer : layers) entries.push_back({{"", layer.colour}, layer.name});
+  if (!cells.empty())
+    entries.push_back({{"#1b1f24", "", 1.5}, words::plots::balanced_interval, LegendEntry::Mark::line});
+  Svg svg(drawing_width, drawing_height, words::plots::shares_along);
   const SweepParameter& p = r.axes.front().parameters.front();
   std::vector<double> x, sum(cells.size(), 0.0);
   for (const std::size_t k : cells) x.push_back(p.values[k]);
   const bool lone = x.size() == 1;
-  const AxisExtent across = widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
+  const AxisExtent across = x.empty() ? AxisExtent() : widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
   SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
                {words::plots::share_of_starts});
   for (const SweepLayer& layer : layers) {
@@ -132,7 +133,7 @@ std::string stacked_svg(const SweepResult& r) {
     for (const SvgPen& pen : {SvgPen{"#ffffff", "", 3.2, 0.8}, SvgPen{"#1b1f24", "", 1.5}})
       svg.line(axes.at(x[i], 100.0 * balanced.low), axes.at(x[i], 100.0 * balanced.high), pen);
   }
-  draw_legend(svg, drawing_height, entries);
+  draw_legend(svg, entries);
   return svg.str();
 }
 
@@ -153,6 +154,40 @@ std::string heat_svg(const SweepResult& r, std::size_t first) {
   svg.text_upwards({11.0, 0.5 * (grid.top_left.y + grid.bottom_right.y)}, sweep_axis_label(y));
   draw_scale(svg, scale_top);
   return svg.str();
+}
+
+// One table for each value of the first axis.
+void add_heat_maps(DrawingRow& row, const SweepResult& r) {
+  const SweepParameter& outer = r.axes.front().parameters.front();
+  const std::size_t cells = r.cells.size() / outer.values.size();
+  constexpr std::size_t most = 12;
+  for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
+    row.drawings.push_back(
+        {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r, k * cells), "", ""});
+  if (outer.values.size() > most)
+    row.caption += fmt::format(words::pages::more_not_drawn, outer.values.size() - most, key_words(outer.key));
+}
+
+}  // namespace
+
+DrawingRow sweep_drawing(const SweepResult& r) {
+  DrawingRow row;
+  row.wide = r.axes.size() < 3;
+  row.large = !row.wide;
+  row.caption = r.axes.size() == 1 ? words::pages::stacked_caption : words::pages::balanced_share_of_cells;
+  if (r.axes.size() == 1)
+    row.drawings.push_back({"", stacked_svg(r), "", ""});
+  else if (r.axes.size() == 2)
+    row.drawings.push_back({"", heat_svg(r, 0), "", ""});
+  else
+    add_heat_maps(row, r);
+  return row;
+}
+
+std::string sweep_plot(const SweepResult& r, const std::string& title) {
+  return plot_file(title,
+                   {parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : words::plots::partial_cells)},
+                   sweep_drawing(r));
 }
 
 std::optional<Chart> peak_chart(const SweepResult& r) {

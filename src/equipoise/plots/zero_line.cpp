@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace equipoise {
 
@@ -44,21 +45,40 @@ class MapField {
   const std::vector<float>& values_;
 };
 
+// Where the line crosses an edge between two centres, and the edges that it crosses next: one or two.
+struct Crossing {
+  MapPoint at;
+  std::vector<long> next;
+};
+
+// Goes on from edge to edge until the line ends or closes. Ways that were gone are removed.
+MapLine followed(std::map<long, Crossing>& crossings, long edge) {
+  MapLine line{crossings[edge].at};
+  for (std::vector<long>* ways = &crossings[edge].next; !ways->empty(); ways = &crossings[edge].next) {
+    const long next = ways->back();
+    ways->pop_back();
+    std::vector<long>& back = crossings[next].next;
+    back.erase(std::find(back.begin(), back.end(), edge));
+    line.push_back(crossings[next].at);
+    edge = next;
+  }
+  return line;
+}
+
 }  // namespace
 
-std::vector<std::array<MapPoint, 2>> zero_line(const BasinSlice& map, const std::vector<float>& values) {
+std::vector<MapLine> zero_line(const BasinSlice& map, const std::vector<float>& values) {
   if (values.size() != map.code.size()) return {};  // the same everywhere
   return zero_line(map.x, map.y, values);
 }
 
-std::vector<std::array<MapPoint, 2>> zero_line(const SliceAxis& x, const SliceAxis& y,
-                                               const std::vector<float>& values) {
-  std::vector<std::array<MapPoint, 2>> pieces;
+std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values) {
+  std::map<long, Crossing> crossings;  // by the number of the edge
   const MapField field(x, y, values);
   constexpr int corner[5][2]{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   for (int row = -1; row < y.pixels; ++row)
     for (int column = -1; column < x.pixels; ++column) {
-      std::vector<MapPoint> crossings;
+      std::vector<long> edges;
       for (int edge = 0; edge < 4; ++edge) {
         const int c0 = column + corner[edge][0], r0 = row + corner[edge][1];
         const int c1 = column + corner[edge + 1][0], r1 = row + corner[edge + 1][1];
@@ -66,11 +86,19 @@ std::vector<std::array<MapPoint, 2>> zero_line(const SliceAxis& x, const SliceAx
         if (!std::isfinite(a) || !std::isfinite(b) || (a < 0.0) == (b < 0.0)) continue;
         const MapPoint from = field.place(c0, r0), to = field.place(c1, r1);
         const double s = a / (a - b);
-        crossings.push_back({from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])});
+        edges.push_back(2L * ((std::min(r0, r1) + 1L) * (x.pixels + 2L) + std::min(c0, c1) + 1L) + (c0 == c1));
+        crossings[edges.back()].at = {from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])};
       }
-      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) pieces.push_back({crossings[k], crossings[k + 1]});
+      for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
+        crossings[edges[k]].next.push_back(edges[k + 1]);
+        crossings[edges[k + 1]].next.push_back(edges[k]);
+      }
     }
-  return pieces;
+  std::vector<MapLine> lines;
+  for (const std::size_t ways : {1u, 2u})  // those with ends first, from an end; what is left is closed
+    for (const auto& [edge, crossing] : crossings)
+      if (crossing.next.size() == ways) lines.push_back(followed(crossings, edge));
+  return lines;
 }
 
 }  // namespace equipoise

@@ -10,11 +10,13 @@ namespace equipoise {
 
 using MapPoint = std::array<double, 2>;
 
-/// Pieces of the line on which a field is zero, by linear interpolation along the edges of every cell between four
-/// centres. Pieces beside undefined values are left out. Empty if the field is the same everywhere.
-std::vector<std::array<MapPoint, 2>> zero_line(const BasinSlice& map, const std::vector<float>& values);
-/// The same of values at the centres of the pixels of two axes, row by row.
-std::vector<std::array<MapPoint, 2>> zero_line(const SliceAxis& x, const SliceAxis& y,
-                                               const std::vector<float>& values);
+/// Points along a line; the last is the first again if the line is closed.
+using MapLine = std::vector<MapPoint>;
+
+/// The lines on which a field is zero, by linear interpolation along the edges of every cell between four centres. They
+/// break off next to undefined values. Empty if the field is the same everywhere.
+std::vector<MapLine> zero_line(const BasinSlice& map, const std::vector<float>& values);
+/// The same for values at the centres of the pixels of two axes, row by row.
+std::vector<MapLine> zero_line(const SliceAxis& x, const SliceAxis& y, const std::vector<float>& values);
 
 }  // namespace equipoise

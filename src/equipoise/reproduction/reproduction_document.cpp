@@ -29,15 +29,9 @@ DocumentCell number(const std::string& words) { return {words, Tone::plain, true
 // A row's name, on one line where there is room.
 DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
 
-std::string picture_of(const Reproduction& r, const std::string& id) {
-  for (const Picture& p : r.pictures)
-    if (p.id == id) return p.path;
-  return "";
-}
-
-DrawingRow with_picture(const std::vector<Chart>& charts, const std::string& caption, std::string picture) {
+DrawingRow with_picture(const std::vector<Chart>& charts, const std::string& caption, const std::string& id) {
   DrawingRow row = drawn(charts, caption, caption, true);
-  row.picture = std::move(picture);
+  row.picture = id;
   return row;
 }
 
@@ -135,7 +129,7 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
     d.blocks.push_back(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto chart = table_chart(t))
     d.blocks.push_back(with_picture({*chart}, fmt::format(words::paper::table_figure, t.published->number),
-                                    picture_of(r, fmt::format("table-{}", t.published->number))));
+                                    fmt::format("table-{}", t.published->number)));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
@@ -175,12 +169,9 @@ void open_questions(const Reproduction& r, Document& d) {
   d.blocks.push_back(Paragraph{words::paper::questions_opening});
   const auto map = [&](const BasinSlice& m, const std::string& id, const std::string& title) {
     d.blocks.push_back(Heading{3, title, id});
-    DrawingRow row;
-    row.drawings.push_back({"", map_svg(m), "", ""});
+    DrawingRow row = map_drawing(m);
     row.caption = fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m));
-    if (m.balance_margin.size() == m.code.size()) row.caption += words::pages::lines_mean;
-    row.wide = true;
-    row.picture = picture_of(r, id);
+    row.picture = id;
     d.blocks.push_back(std::move(row));
     if (std::string said = balanced_text(m); !said.empty()) d.blocks.push_back(Paragraph{std::move(said)});
   };
@@ -188,7 +179,7 @@ void open_questions(const Reproduction& r, Document& d) {
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", words::paper::plane_of_mass);
   d.blocks.push_back(Heading{3, words::paper::whole_state_space, "future-box"});
   d.blocks.push_back(Paragraph{words::paper::box_opening});
-  d.blocks.push_back(with_picture({box_chart(*r.open)}, words::paper::box_figure, picture_of(r, "future-box")));
+  d.blocks.push_back(with_picture({box_chart(*r.open)}, words::paper::box_figure, "future-box"));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -210,7 +201,7 @@ void figures(const Reproduction& r, Document& d) {
   for (const PaperFigure& f : r.figures) {
     d.blocks.push_back(Heading{3, f.title, f.id});
     if (!f.choice.empty()) d.blocks.push_back(Paragraph{f.choice, Tone::open});
-    d.blocks.push_back(with_picture(figure_charts(f), f.caption, picture_of(r, f.id)));
+    d.blocks.push_back(with_picture(figure_charts(f), f.caption, f.id));
   }
 }
 
@@ -233,9 +224,9 @@ void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::opt
 void settings(const Reproduction& r, const std::string& explorer, Document& d) {
   d.blocks.push_back(Heading{2, "Settings", "settings"});
   d.blocks.push_back(Paragraph{fmt::format("Made by: {}", r.command)});
-  d.blocks.push_back(Paragraph{fmt::format(words::paper::cost_of_page, version_string, r.threads,
-                                           plural(r.threads), r.cpu_target, r.ensembles, r.starts, r.seconds,
-                                           r.cpu_seconds, r.run_seconds, r.run_cpu_seconds)});
+  d.blocks.push_back(
+      Paragraph{fmt::format(words::paper::cost_of_page, version_string, r.threads, plural(r.threads), r.cpu_target,
+                            r.ensembles, r.starts, r.seconds, r.cpu_seconds, r.run_seconds, r.run_cpu_seconds)});
   d.blocks.push_back(Paragraph{words::paper::settings});
   DocumentTable table{
       {"study", "law", "starts", "undecided (95 %)", "lost", "seed", "CPU s", "command"}, {}, "", true, {4, 5}};

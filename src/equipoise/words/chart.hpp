@@ -170,6 +170,7 @@ inline constexpr char csv_partial[] = "# equipoise {}: chart{}\n";
 inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";
 
 // Pictures.
+inline constexpr char curves_of_change[] = "Curves on which balance and locked states change";
 inline constexpr char legend_soft[] = "balance is lost softly";
 inline constexpr char legend_abrupt[] = "balance is lost abruptly";
 inline constexpr char legend_hopf[] = "a swing begins";

@@ -193,7 +193,7 @@ inline constexpr char stopped_map[] =
 inline constexpr char plays_no_part[] = "in the study; its values of what varies here are not used";
 // Axes, angles that stay.
 inline constexpr char start_at_every_point[] = "One start at every point: {}; {}{}.";
-inline constexpr char lines_mean[] = " Lines: where balance ceases to exist (dashed), where its stability changes.";
+inline constexpr char darker_is_later[] = " Darker pixels were decided later.";
 inline constexpr char one_of_points[] = " One of {0} x {0} points is drawn.";
 inline constexpr char of_the_points[] = "of the points";
 inline constexpr char points_on_grid[] = "Points lie on a grid; the interval is that of as many random ones.";

@@ -5,7 +5,6 @@ namespace equipoise::words::plots {
 
 // Titles.
 inline constexpr char partial_early[] = " (PARTIAL: stopped early)";
-inline constexpr char where_rotor_ends[] = "Where the rotor can end: ";
 // Key, percentage, what starts do, whether partial.
 inline constexpr char largest_at_which[] = "Largest {} at which {:.4g} % of starts {}{}";
 // Objectives, whether partial.
@@ -14,8 +13,6 @@ inline constexpr char partial_cells[] = " (PARTIAL: cells are missing)";
 inline constexpr char angles_drawn[] = ", ball angles drawn at every point";
 inline constexpr char stopped_early[] = "PARTIAL: stopped early";
 inline constexpr char others_filled_in[] = "{:.0f} % of the pixels computed, the others filled in";
-inline constexpr char one_of_pixels[] = "one of {0} x {0} pixels drawn";
-inline constexpr char darker_is_later[] = "; the darker, the later decided";
 
 // Axes.
 inline constexpr char final_speed[] = "final rotor speed Ω / √(k/M)";
@@ -35,13 +32,12 @@ inline constexpr char initial_velocity[] = "initial {}' / (race radius x √(k/M
 // Label, lowest, highest.
 inline constexpr char axis_from_to[] = "{} from {:.4g} to {:.4g}";
 inline constexpr char share_of_starts[] = "share of starts, %";
-inline constexpr char share_of_starts_percent[] = "share of starts (%)";
-inline constexpr char rotor_displacement[] = "rotor displacement r, smallest to largest (units of the race radius R)";
+inline constexpr char rotor_displacement[] = "rotor displacement r / race radius";
 inline constexpr char trajectories_followed[] = "trajectories followed";
 
 // Legends.
 inline constexpr char balance_ends[] = "balance ceases to exist";
-inline constexpr char dashed_unstable[] = "dashed: unstable";
+inline constexpr char unstable[] = "unstable";
 inline constexpr char balanced_interval[] = "balanced: 95 % interval";
 inline constexpr char balance_changes[] = "stability of balance changes";
 inline constexpr char balanced_share[] = "balanced share";
@@ -55,6 +51,10 @@ inline constexpr char worst_of[] = "worst of {} starts";
 inline constexpr char typical_half_lower[] = "typical start, half peak lower";
 inline constexpr char at_the_end[] = " at the end";
 
+// Below drawings.
+inline constexpr char smallest_to_largest[] =
+    "Every motion from its smallest to its largest displacement: a band where it attracts.";
+
 // What drawings show, for those who cannot see them.
 inline constexpr char shares_by_outcome[] = "Shares of starts by outcome, with their intervals";
 inline constexpr char distribution_of[] = "Distribution of the {}";
@@ -64,6 +64,7 @@ inline constexpr char balls_and_centre[] = ": balls in the race and the way of t
 inline constexpr char balls_and_shaft[] = ": balls in their races and the way of the shaft";
 inline constexpr char outcome_at_points[] = "Outcome of the start at every point of the plane";
 inline constexpr char shares_along[] = "Shares of starts by outcome along the parameter";
+inline constexpr char where_rotor_ends[] = "Where the rotor can end";
 inline constexpr char share_over_two[] = "Balanced share of the starts over two parameters";
 
 // Faults.

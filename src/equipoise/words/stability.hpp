@@ -110,7 +110,8 @@ inline constexpr char made_with[] = "{} points; {}, {:.0f} points/s; equipoise {
 // Pictures.
 inline constexpr char legend[] = "balance {}, {}";
 inline constexpr char legend_not_computed[] = "not computed, {}";
-inline constexpr char darker_is_faster[] = "darker: faster";
+inline constexpr char darker_is_faster[] = "The darker, the faster deviations die out or grow.";
+inline constexpr char what_balance_does[] = "What balance does over the plane";
 inline constexpr char of_spread_balls[] = "; balls spread evenly, one balanced state of many";
 inline constexpr char line_hopf[] = "a pair crosses (Hopf)";
 inline constexpr char line_zero[] = "a real eigenvalue crosses";
