@@ -135,9 +135,9 @@ std::vector<Border> borders_of(const StabilityPlane& plane) {
 
 // What balance is, with the part of the plane.
 std::string legend_words(BalanceKind kind, double part) {
-  const std::string percent = part < 0.0005 ? "< 0.1 %" : fmt::format("{:.1f} %", 100.0 * part);
-  return kind == BalanceKind::not_computed ? fmt::format(words::stability::legend_not_computed, percent)
-                                           : fmt::format(words::stability::legend, balance_words(kind), percent);
+  return kind == BalanceKind::not_computed
+             ? fmt::format(words::stability::legend_not_computed, part_words(part))
+             : fmt::format(words::stability::legend, balance_words(kind), part_words(part));
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include "equipoise/echo/given_value.hpp"
 #include "equipoise/plots/map_words.hpp"
 #include "equipoise/plots/plane_frame.hpp"
-#include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
 #include "equipoise/words/plots.hpp"
 
@@ -92,7 +91,7 @@ std::string map_svg(const BasinSlice& map) {
   std::vector<LegendEntry> legend;
   for (const OutcomeShare& c : map.codes)
     if (c.share.count > 0)
-      legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), percent(c.share.share, 1))});
+      legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), part_words(c.share.share))});
   const std::vector<Border> borders{
       {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, words::plots::balance_ends},
       {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, words::plots::balance_changes}};

@@ -16,6 +16,9 @@ inline constexpr SvgPoint plane_top_left{58.0, 10.0},
 inline constexpr double below_plane = plane_bottom_right.y + 42.0;  ///< where the legend begins
 inline constexpr int most_drawn_pixels = 640;                       ///< along one side: as many as a page is wide
 
+/// A part of the plane: "12.3 %", "< 0.1 %".
+std::string part_words(double part);
+
 /// Lines of one meaning.
 struct Border {
   std::vector<MapLine> lines;
