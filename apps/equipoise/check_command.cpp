@@ -7,11 +7,12 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/explain/study_check.hpp"
+#include "equipoise/sweeps/sweep_axis.hpp"
 #include "equipoise/sweeps/sweep_plan.hpp"
+#include "help.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
 
 namespace equipoise::app {
 

@@ -147,14 +147,13 @@ struct Change {
 };
 
 // What 10 K more or less make of the drag; nothing beyond the law of the oil.
-std::optional<double> drag_factor(const BallDetails& balls, double kelvin, const OilAt& oil_at, const StopFlag* stop) {
+std::optional<double> drag_factor(const BallDetails& balls, double kelvin, const OilAt& oil_at) {
   if (!balls.oil_kelvin) return std::nullopt;
   const auto viscosity = oil_at(*balls.oil_kelvin + kelvin);
   return viscosity ? std::optional(*viscosity / *balls.oil_viscosity) : std::nullopt;
 }
 
-std::vector<Change> changes_of(const Study& study, const BallDetails& balls, const OilAt& oil_at,
-                               const StopFlag* stop) {
+std::vector<Change> changes_of(const Study& study, const BallDetails& balls, const OilAt& oil_at) {
   constexpr double part = 0.2, kelvin = 10.0;
   std::vector<Change> changes;
   const auto add = [&](const Estimate& estimate, double factor, Change change) {
