@@ -265,6 +265,22 @@ TEST(DataSheet, KnowsOilsByTheirGrade) {
   EXPECT_GT(drawn_study(warm, std::vector{20.0}).parameters.drag[0], 2.0 * beta);
 }
 
+// 12 is typed for 12 %, and would be 1200 %.
+TEST(DataSheet, RefusesDampingRatiosThatAreMeantAsPercentages) {
+  const auto said = [](const std::string& ratio) {
+    return refusal_of(with(constant_machine, "damping = \"400 N s/m\"", "damping_ratio = " + ratio), {});
+  };
+  EXPECT_TRUE(holds(said("12"), "damping_ratio = 12: must be at most 1, or a percentage; did you mean \"12 %\"?"))
+      << said("12");
+  EXPECT_TRUE(holds(said("[0.1, 1.5]"), "did you mean \"1.5 %\"?")) << said("[0.1, 1.5]");
+  for (const char* ratio : {"0.12", "1", "\"120 %\"", "\"12 %\""})
+    EXPECT_EQ(
+        parse_study(with(constant_machine, "damping = \"400 N s/m\"", std::string("damping_ratio = ") + ratio), "m")
+            .parameters.balls,
+        2)
+        << ratio;
+}
+
 TEST(DataSheet, RefusesOilsThatItDoesNotKnow) {
   const auto said = [&](const std::string& oil) {
     return refusal_of(oiled, {"balancer.ball_material=steel", "balancer.oil=" + oil});
@@ -273,11 +289,13 @@ TEST(DataSheet, RefusesOilsThatItDoesNotKnow) {
     EXPECT_TRUE(holds(said(oil), words)) << said(oil);
   };
   expect("{ grade = 'ISO VG 33', at = '40 degC' }", "did you mean \"ISO VG 32\"?");
+  expect("{ grade = 'SAE 10W-30', at = '40 degC' }", "grade = \"SAE 10W-30\": must be \"ISO VG\"");
   expect("{ grade = 'olive', at = '40 degC' }", "must be \"ISO VG\" with a class of ISO 3448 from 2 to 3200");
   expect("{ grade = 'silicone', at = '40 degC' }", "must be \"ISO VG\"");
   expect("{ grade = 'silicone 5 cSt', at = '40 degC' }", "from 100 to 100000 cSt");
   expect("{ grade = 'ISO VG 5', at = '40 degC' }", "give viscosity_100");
-  expect("{ grade = 'ISO VG 32', at = '40 degC', viscosity_100 = '40 cSt' }", "less than the viscosity at 40 degC, 32 cSt");
+  expect("{ grade = 'ISO VG 32', at = '40 degC', viscosity_100 = '40 cSt' }",
+         "less than the viscosity at 40 degC, 32 cSt");
   expect("{ grade = 'silicone 1000 cSt', at = '25 degC', viscosity_100 = '40 cSt' }", "applies to mineral oils only");
   expect("{ grade = 'ISO VG 32', at = '-60 degC' }", "must be from -20 to 150 degC");
   expect("{ grade = 'ISO VG 32', at = '300 degC' }", "must be from -20 to 150 degC");

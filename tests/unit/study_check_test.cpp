@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/explain/study_check.hpp"
+#include "equipoise/reports/explain_report.hpp"
 #include "equipoise/trajectory/simulate.hpp"
+#include "../support/explained.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {
@@ -40,6 +42,14 @@ TEST(StudyCheck, SaysWhatItUnderstood) {
                     "at most 0.75 times what there is: balance is impossible"));
   EXPECT_TRUE(holds(check_of(ramp_machine, {"rotor.eccentricity=0 mm"}).balls, "there is nothing to cancel"));
   EXPECT_TRUE(holds(check_of(constant_speed).machine, "2.4 omega_c"));
+  // One ratio and one unbalance for one machine, as explain has them.
+  const std::vector<std::string> unequal{"rotor.stiffness=['40 kN/m', '56 kN/m']"},
+      offset{"balancer.race_offset=['0.05 mm', '0 mm']"};
+  EXPECT_TRUE(holds(check_of(ramp_machine, unequal).machine, "; runs at 3000 rpm, 4.62 times the higher"));
+  EXPECT_TRUE(holds(explain_text(explained(ramp_machine, unequal)), "3000 rpm, 4.62 times the higher critical speed"));
+  EXPECT_TRUE(holds(check_of(ramp_machine, offset).unbalance, "; the off-centre race makes it 1.8254 kg mm"));
+  EXPECT_TRUE(holds(explain_text(explained(ramp_machine, offset)), "unbalance 1.8254 kg mm"));
+  EXPECT_FALSE(holds(c.unbalance, "race"));
 }
 
 // Held against the rotor itself, without balls and from rest, after ten times a run-up without losses.

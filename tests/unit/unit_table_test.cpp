@@ -110,6 +110,24 @@ TEST(UnitTable, MultipliesAndDivides) {
                 {"rad/min", 1.0 / 60.0, "rad/s"}});
 }
 
+TEST(UnitTable, TakesCommonSpellings) {
+  expect_worth({{"Nm", 1.0, "N m"},
+                {"kNm", 1e3, "N m"},
+                {"mNm", 1e-3, "N m"},
+                {"Nmm", 1e-3, "N m"},
+                {"Ns/m", 1.0, "N s/m"},
+                {"Nms", 1.0, "N m s"},
+                {"Nm/(rad/s)", 1.0, "N m s"},
+                {"mPas", 1e-3, "Pa s"},
+                {"gmm", 1e-6, "kg m"},
+                {"kgmm", 1e-3, "kg m"},
+                {"gcm", 1e-5, "kg m"},
+                {"deg", pi / 180.0, "rad"},
+                {"lbm", 0.45359237, "kg"},
+                {"RPM", pi / 30.0, "rad/s"},
+                {"U/min", pi / 30.0, "rad/s"}});
+}
+
 TEST(UnitTable, TellsWhatMeasuresSomethingElse) {
   EXPECT_EQ(table_unit("kg")->worth_in(*table_unit("N")), 0.0);
   EXPECT_EQ(table_unit("oz")->worth_in(*table_unit("ozf")), 0.0);
@@ -120,7 +138,8 @@ TEST(UnitTable, TellsWhatMeasuresSomethingElse) {
 }
 
 TEST(UnitTable, RefusesWhatItDoesNotHave) {
-  for (const char* text : {"furlong", "kfoot", "kmin", "mmm", "kkg", "xN", "Nm", "N furlong", "deg", "oz_force", "ton"})
+  for (const char* text :
+       {"furlong", "kfoot", "kmin", "mmm", "kkg", "xN", "kgm", "N furlong", "kdeg", "oz_force", "ton"})
     EXPECT_FALSE(table_unit(text).has_value()) << text;
 }
 

@@ -184,6 +184,19 @@ TEST(Units, SayWhatIsWrong) {
       "a second)");
 }
 
+// What is meant has the dimension that is wanted.
+TEST(Units, HintAtUnitsOfTheSameDimension) {
+  const auto problem = [](const char* text, Dimension d) { return measure(text, {d}).problem; };
+  EXPECT_NE(problem("30 dgree", Dimension::angle).find("did you mean \"degree\"?"), std::string::npos);
+  EXPECT_NE(problem("40 dgC", Dimension::temperature).find("did you mean \"degC\"?"), std::string::npos);
+  EXPECT_EQ(problem("22 lbg", Dimension::mass).find("lbf"), std::string::npos);
+  EXPECT_NE(problem("22 lbg", Dimension::force).find("did you mean \"lbf\"?"), std::string::npos);
+  EXPECT_EQ(problem("300 mmg", Dimension::unbalance).find("did you mean"), std::string::npos);
+  EXPECT_NEAR(measure("40 C", {Dimension::temperature}).value, 313.15, 1e-12);
+  EXPECT_NEAR(measure("104 F", {Dimension::temperature}).value, 313.15, 1e-12);
+  EXPECT_NE(problem("40 C", Dimension::mass), "");
+}
+
 // None is in proportion: a reciprocal, an offset, a logarithm, a pure number.
 TEST(Units, RefuseWhatIsNotInProportion) {
   EXPECT_NE(measure("3 Hz", {Dimension::time}).problem, "");

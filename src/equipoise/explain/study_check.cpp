@@ -77,7 +77,9 @@ std::string machine_line(const Explanation& e) {
   if (e.run_up && !e.run_up->shaken)
     line += fmt::format(words::study_check::may_stall, speed_of(s, *e.speed), speed_of(s, e.run_up->stalls_at));
   else if (e.speed)
-    line += fmt::format(words::study_check::runs_at, speed_of(s, *e.speed), std::abs(*e.speed) / critical);
+    line += fmt::format(words::study_check::runs_at, speed_of(s, *e.speed), std::abs(*e.speed) / critical,
+                        e.critical_with_balls[0] == e.critical_with_balls[1] ? words::study_check::that
+                                                                             : words::study_check::the_higher);
   else
     line += words::study_check::no_speed_held;
   return line;
@@ -98,6 +100,8 @@ std::string unbalance_line(const Explanation& e) {
           fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
                       grade_text(*grade), speed_of(s, *e.speed));
   }
+  if (!e.tilt && e.unbalance != eccentricity)
+    line += fmt::format(words::study_check::with_the_race, quantity(s, e.unbalance, Dimension::unbalance));
   return line;
 }
 

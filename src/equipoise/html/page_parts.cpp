@@ -150,7 +150,7 @@ class Derived {
               words::pages::and_with_them;
     if (e_.speed)
       text += fmt::format(words::pages::final_speed, shown_.text(*e_.speed, Dimension::speed),
-                          std::fabs(*e_.speed) / std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]));
+                          std::fabs(*e_.speed) / std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]));
     return text;
   }
 

@@ -151,10 +151,10 @@ class Text {
                           words::reports::with_balls_in_race
                     : ""));
     if (!e_.speed) return item(words::reports::final_speed, "none: " + e_.speed_words);
-    const double lowest = std::min(e_.critical_with_balls[0], e_.critical_with_balls[1]);
+    const double highest = std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]);
     item(words::reports::final_speed,
          fmt::format(words::reports::times_the_critical, either(*e_.speed, Dimension::speed),
-                     std::abs(*e_.speed) / lowest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "lower ",
+                     std::abs(*e_.speed) / highest, e_.critical_alone[0] == e_.critical_alone[1] ? "" : "higher ",
                      balls ? words::reports::and_with_balls : ""));
     if (!e_.speed_words.empty()) item("", e_.speed_words);
     if (e_.run_up) run_up(*e_.run_up);

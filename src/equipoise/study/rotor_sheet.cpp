@@ -301,6 +301,13 @@ class RotorReader {
     put("stiffness", from, kappa_);
   }
 
+  // 12 for "12 %". Stated as a percentage a ratio may be above 1.
+  void refuse_percentage(const StudyValue& given) const {
+    if (given.number() > 1.0)
+      reader_.fail("damping_ratio", fmt::format(words::machine::ratio_is_percentage, given.number()));
+    if (const auto* each = given.array()) std::ranges::for_each(*each, [&](const auto& v) { refuse_percentage(v); });
+  }
+
   void read_damping() {
     const std::string from = reader_.exactly_one({{"damping", words::machine::damping},
                                                   {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
@@ -308,6 +315,7 @@ class RotorReader {
                                                   {"quality_factor", words::machine::quality_factor}});
     if (from == "damping")
       return put("damping", from, reader_.one_or_each(from, 2, each_direction), Dimension::damping);
+    if (from == "damping_ratio") refuse_percentage(*document_.root.find_path("rotor.damping_ratio"));
     const Range range = key_table("rotor").find(from, true)->range;
     std::vector<double> zeta = reader_.TableReader::one_or_each(from, range, 2, each_direction);
     for (std::size_t i = 0; i < 2; ++i) {

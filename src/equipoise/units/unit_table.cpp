@@ -35,7 +35,7 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
     litre{1e-3, 0, 3, 0, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
 
-constexpr std::array<NamedUnit, 85> units{{
+constexpr std::array<NamedUnit, 96> units{{
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
@@ -117,6 +117,18 @@ constexpr std::array<NamedUnit, 85> units{{
     {"cycle", turn, Form::word},
     {"P", {0.1, 1, -1, -1, 0}, Form::alone},
     {"cP", {0.1 * 1e-2, 1, -1, -1, 0}, Form::alone},
+    // Products that are often written without a blank.
+    {"Nm", joule, Form::symbol},
+    {"Nmm", {0.001, 1, 2, -2, 0}, Form::symbol},
+    {"Ns", {1.0, 1, 1, -1, 0}, Form::symbol},
+    {"Nms", {1.0, 1, 2, -1, 0}, Form::symbol},
+    {"Pas", {1.0, 1, -1, -1, 0}, Form::symbol},
+    {"gmm", {0.001 * 0.001, 1, 1, 0, 0}, Form::symbol},
+    {"gcm", {0.001 * 0.01, 1, 1, 0, 0}, Form::symbol},
+    {"deg", degree, Form::alone},
+    {"lbm", pound, Form::alone},
+    {"RPM", rpm, Form::alone},
+    {"U", turn, Form::alone},  // U/min
     {"arcmin", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},
     {"arcsec", {pi / 180.0 / 3600.0, 0, 0, 0, 1}, Form::alone},
     {"′", {pi / 180.0 / 60.0, 0, 0, 0, 1}, Form::alone},

@@ -61,12 +61,16 @@ struct TemperatureScale {
   std::string_view name;
   double kelvin, zero;  // of one degree; of 0 degrees
 };
-constexpr std::array<TemperatureScale, 6> temperature_scales{{{"degC", 1.0, 273.15},
-                                                              {"\u00B0C", 1.0, 273.15},
-                                                              {"\u2103", 1.0, 273.15},
-                                                              {"degF", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                              {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
-                                                              {"K", 1.0, 0.0}}};
+constexpr std::array<TemperatureScale, 10> temperature_scales{{{"degC", 1.0, 273.15},
+                                                               {"C", 1.0, 273.15},
+                                                               {"celsius", 1.0, 273.15},
+                                                               {"\u00B0C", 1.0, 273.15},
+                                                               {"\u2103", 1.0, 273.15},
+                                                               {"degF", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"fahrenheit", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"K", 1.0, 0.0}}};
 
 // One `unit` in the dimension's SI unit; 0 if it measures something else. The table treats angles as pure numbers, so a
 // frequency would otherwise pass for a speed.
@@ -87,12 +91,22 @@ std::string wanted_text(const std::vector<Dimension>& wanted) {
   return text;
 }
 
-// " (did you mean "rpm"?)" of names that differ in small and capital letters, or in one letter of three or more.
-std::string unit_hint(const std::string& name) {
+bool measures(const std::string& unit, Dimension wanted) {
+  if (const auto known = table_unit(unit)) return factor(*known, unit, wanted) != 0.0;
+  return wanted == Dimension::temperature;  // the usual ones beside the table
+}
+
+// " (did you mean "rpm"?)" of names that differ in small and capital letters, or in one letter of three or more. Where
+// the name is all of the unit, of those that measure what is wanted.
+std::string unit_hint(const std::string& name, bool alone, const std::vector<Dimension>& wanted) {
   static const std::vector<std::string> usual{"kg",  "mm",  "um",  "rpm", "rad",    "Hz",    "min",    "kN",
                                               "MN",  "Pa",  "mPa", "cSt", "degree", "degC",  "inch",   "gram",
                                               "lbf", "kgf", "ozf", "psi", "metre",  "meter", "newton", "second"};
-  const std::string near = nearest_name(name, usual);
+  std::vector<std::string> fitting;
+  for (const std::string& unit : usual)
+    if (!alone || std::any_of(wanted.begin(), wanted.end(), [&](Dimension d) { return measures(unit, d); }))
+      fitting.push_back(unit);
+  const std::string near = nearest_name(name, fitting);
   return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
 }
 
@@ -243,7 +257,8 @@ Measured measure(const std::string& text, const std::vector<Dimension>& wanted) 
   }
   for (const std::string& name : checked.names) {
     if (table_unit(name)) continue;
-    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(name), unit_hint(name), must_be);
+    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(name),
+                                 unit_hint(name, checked.names.size() == 1, wanted), must_be);
     return result;
   }
   const std::optional<TableUnit> unit = table_unit(checked.text);

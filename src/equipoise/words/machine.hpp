@@ -8,6 +8,7 @@ inline constexpr char stiffness[] = "a stiffness greater than 0, such as \"48 kN
 inline constexpr char natural_frequency[] = "of the rotor without balls, such as \"8 Hz\" or \"480 rpm\"";
 inline constexpr char static_sag[] = "under its own weight, such as \"3 mm\"";
 inline constexpr char damping[] = "a damping coefficient of 0 or more, such as \"200 N s/m\"";
+inline constexpr char ratio_is_percentage[] = "must be at most 1, or a percentage; did you mean \"{:.6g} %\"?";
 inline constexpr char logarithmic_decrement[] = "a plain number, per cycle of free vibration, such as 0.3";
 inline constexpr char quality_factor[] = "a plain number, sqrt(k M)/c, such as 8";
 inline constexpr char eccentricity[] = "a length of 0 or more, such as \"0.2 mm\"";

@@ -256,7 +256,7 @@ inline constexpr char with_balls_held[] = ", {} with them held";
 inline constexpr char one_forward_whirl[] =
     "the gyroscopic moment of this disc leaves no second critical speed of forward whirl";
 inline constexpr char final_speed[] = "final speed";
-// Speed, times, "lower ", " with balls".
+// Speed, times, "higher ", " with balls".
 inline constexpr char times_the_critical[] = "{}, {:.3g} times the {}critical speed{}";
 inline constexpr char and_with_balls[] = " with balls";
 // Time, speed, inertia.

@@ -11,7 +11,9 @@ inline constexpr char supports_of[] = "supports of ";
 inline constexpr char with_critical_speed[] = ", critical speed {}";
 // After critical speeds, unless there are no balls.
 inline constexpr char with_its_balls[] = " with its balls";
-inline constexpr char runs_at[] = "; runs at {}, {:.3g} times that";
+inline constexpr char runs_at[] = "; runs at {}, {:.3g} times {}";
+inline constexpr char that[] = "that";
+inline constexpr char the_higher[] = "the higher";
 // The speed where the motor's torque vanishes, that where unbalance takes all of it.
 inline constexpr char may_stall[] =
     "; made to run at {}, but may stall at {}, where its own unbalance takes all that the motor gives";
@@ -20,6 +22,8 @@ inline constexpr char runs_at_highest[] = "; runs at {}, {:.3g} times the highes
 inline constexpr char no_speed_held[] = "; no speed is held in the end";
 inline constexpr char centre_of_mass[] = ", its centre of mass {} from the shaft";
 inline constexpr char static_and_couple[] = "{} static and {} couple";
+inline constexpr char with_the_race[] =
+    "; the off-centre race makes it {} at the final speed, which the balls have to cancel";
 inline constexpr char no_couple[] = "; x of the model points at 0 degrees";
 inline constexpr char couple_direction[] = "; x of the model points along the couple, at {:.3g} degrees";
 inline constexpr char grade_at_speed[] = "; {} at {}";
