@@ -18,10 +18,12 @@
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/text/below_resonance.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/study_check.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -99,8 +101,9 @@ std::string unbalance_line(const Explanation& e) {
   if (s.scales) {
     line += fmt::format(words::study_check::centre_of_mass, quantity(s, eccentricity, Dimension::length));
     if (const auto grade = e.speed ? own_balance_grade(s, *e.speed) : std::nullopt)
-      line += fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
-                          grade_text(*grade), speed_of(s, *e.speed));
+      line +=
+          fmt::format(fmt::runtime(e.tilt ? words::study_check::grade_in_planes : words::study_check::grade_at_speed),
+                      grade_text(*grade), speed_of(s, *e.speed));
   }
   return line;
 }
@@ -209,7 +212,7 @@ constexpr std::array<Estimate, 5> estimates{{
 // What a change is judged by, each a number that is better if larger.
 struct Measures {
   bool can_balance = false, stable = false;
-  bool unstable = false;  // known to be; of some studies neither is known
+  bool unstable = false;          // known to be; of some studies neither is known
   std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
   std::optional<double> settles;  // rate of the approach to balance
   std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
@@ -374,7 +377,8 @@ class Assumptions {
 const char* const medians_assumed = words::study_check::values_at_medians;
 
 std::string StudyCheck::text() const {
-  return fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
+  const std::string first = leave_out.empty() ? "" : fmt::format(words::text::leave_out, leave_out) + "\n";
+  return first + fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
 StudyCheck check_study(const std::string& toml_text, const std::string& name,
@@ -384,6 +388,7 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name,
   const study::Document document = study::parse_document(toml_text, name, overrides);
   const Explanation e = explain(medians, balls);
   StudyCheck check;
+  check.leave_out = below_resonance_words(study);
   check.machine = machine_line(e);
   check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
   check.balls = balls_line(e);
