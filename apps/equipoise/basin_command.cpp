@@ -115,6 +115,7 @@ int run_basin(const BasinArguments& a) {
     options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();
+  if (!a.start_index && gathers_transients(study, options)) say_to_leave_out(study, a.quiet);
   ProgressLine progress(a.quiet);
   progress.listen(options);
   if (a.start_index) return print_replay(study, options, *a.start_index, progress);

@@ -12,6 +12,8 @@
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
+#include "equipoise/text/below_resonance.hpp"
+#include "equipoise/words/text.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -27,6 +29,11 @@ WrittenPage write_machine_page(const StudySource& source, const Study& study, co
   if (changes) page.tried = changes_asked_for(page.content.basin, options);
   write_file(path, machine_html(page.content, page.tried));
   return page;
+}
+
+void say_to_leave_out(const Study& study, bool quiet) {
+  const std::string why = quiet ? "" : below_resonance_words(study);
+  if (!why.empty()) say(equipoise::words::text::leave_out, why);
 }
 
 namespace {
@@ -49,6 +56,7 @@ int run_report(const ReportArguments& a) {
   options.stop = &stop_flag();
   const std::string text = read_study_text(a.study), name = display_text(a.study);
   const Study study = parse_study(text, name, overrides);
+  say_to_leave_out(study, a.quiet);
   ProgressLine progress(a.quiet);
   progress.listen(options);
   const WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.output);

@@ -10,6 +10,9 @@
 
 namespace equipoise::app {
 
+/// Says before anything is computed that no balancer can help, if so.
+void say_to_leave_out(const Study& study, bool quiet);
+
 /// What a page shows.
 struct WrittenPage {
   MachinePage content;

@@ -89,9 +89,9 @@ class Design(Case):
             self.refused("design", study, *arguments, words=[words])
 
     def test_what_cannot_be_met_is_said_and_ends_with_3(self):
-        done = run("design", self.study(more="[design.require]\nspin_up_time = { below = 30.0 }\n"), "--quiet")
+        done = run("design", self.study(more="[design.require]\nspin_up_time = { above = 1000.0 }\n"), "--quiet")
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("No candidate keeps all requirements: spin_up_time must be below 30 and is at best", " ".join(done.stdout.split()))
+        self.assertIn("No candidate keeps all requirements: spin_up_time must be above 1000 and is at best", " ".join(done.stdout.split()))
 
     def test_study_without_a_design_gets_one_that_can_be_pasted(self):
         with open(ROW, encoding="ascii") as file:

@@ -17,6 +17,8 @@
 #include "equipoise/decision/verdict.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/reports/basin_report.hpp"
+#include "equipoise/study/below_resonance.hpp"
+#include "equipoise/text/below_resonance.hpp"
 
 namespace equipoise {
 namespace verdict_test {
@@ -87,6 +89,9 @@ TEST(Verdict, ByLimitsIsTheShareThatKeepsThem) {
   EXPECT_EQ(decided(true, {.kept = 900}), Decision::change);
   EXPECT_EQ(decided(true, {.kept = 1000, .bare_keeps = true}), Decision::not_needed);
   EXPECT_EQ(decided(true, {.kept = 900, .bare_keeps = true}), Decision::do_not_fit);
+  EXPECT_EQ(decided(true, {.kept = 955, .bare_keeps = true}), Decision::not_needed);
+  for (const std::uint64_t kept : {900, 955, 1000})
+    EXPECT_EQ(verdict_of(with_numbers(true, {.kept = kept, .bare_keeps = true}))->change, "Leave the balancer out.");
   EXPECT_EQ(decided(true, {.kept = 400, .end = 2.0}), Decision::do_not_fit);
   EXPECT_EQ(decided(true, {.kept = 400, .end = 0.5}), Decision::change);
   // A limit on the way is kept: its peaks may be what they are, and are told.
@@ -104,6 +109,45 @@ TEST(Verdict, WithoutLimitsComparesWithTheBareRotor) {
   EXPECT_EQ(decided(false, {.end = 0.51}), Decision::change);
   EXPECT_EQ(decided(false, {.end = 1.01}), Decision::do_not_fit);
   EXPECT_EQ(decided(false, {.end = 0.1, .peak = 2.9}), Decision::caution);
+}
+
+// Rotors between 50 and 250 g mm: the loudest tenth of them is no measure for the others, nor is the median for it.
+TEST(Verdict, ComparesStartsWithTheirOwnRotors) {
+  BasinOptions options;
+  options.transients = true;
+  const BasinResult drawn = basin(
+      parse_study(with(machine, "\"300 g mm\"", "{ uniform = [\"50 g mm\", \"250 g mm\"] }"), "machine"), options);
+  ASSERT_FALSE(drawn.without_balls->bare.one);
+  ASSERT_EQ(drawn.without_balls->bare.first.size(), drawn.starts);
+  ASSERT_EQ(drawn.transients->first.size(), drawn.starts);
+  const auto with_balls = [&](double velocity, double peak, bool limited = false) {  // times each rotor's own
+    BasinResult r = drawn;
+    TransientGroup& all = r.transients->groups.front();
+    const TransientGroup& bare = r.without_balls->bare.figures;
+    for (const auto& [figure, times] :
+         {std::pair{&TransientRow::rms_velocity, velocity}, std::pair{&TransientRow::peak_radial, peak}}) {
+      SampleSummary& s = all.figures[figure_place(figure)] = bare.figures[figure_place(figure)];
+      for (QuantileEstimate& q : s.quantiles) q = {times * q.value, times * q.low, times * q.high};
+    }
+    all.sure_end_velocity = all.figures[figure_place(&TransientRow::rms_velocity)].quantiles;
+    for (std::size_t i = 0; i < r.starts; ++i) {
+      const PairedStart& own = r.without_balls->bare.first[i];
+      r.transients->first[i] = {false, 1.0, static_cast<float>(peak * own.peak_radial),
+                                static_cast<float>(velocity * own.rms_velocity)};
+    }
+    if (limited) all.within[static_cast<std::size_t>(Within::at_end)] = wilson_share(1000, 1000);
+    return *verdict_of(r);
+  };
+  EXPECT_EQ(with_balls(0.49, 1.0).decision, Decision::fit);
+  EXPECT_EQ(with_balls(0.51, 1.0).decision, Decision::change);
+  EXPECT_EQ(with_balls(1.01, 1.0).decision, Decision::do_not_fit);
+  EXPECT_TRUE(holds(with_balls(0.49, 1.0).because, "it is at most 0.49 times that of the same rotor without balls"));
+  // The peak that one start in ten exceeds is 1.7 times the median's.
+  EXPECT_EQ(with_balls(0.1, 1.03, true).decision, Decision::fit) << with_balls(0.1, 1.03, true).words;
+  EXPECT_EQ(with_balls(0.1, 2.0, true).decision, Decision::caution);
+  BasinResult open = drawn;
+  for (PairedStart& start : open.transients->first) start.undecided = true;
+  EXPECT_EQ(verdict_of(open)->decision, Decision::open);
 }
 
 // Starts that were seen for too short a time may still come to rest or to anything else, however they move by then.
@@ -140,6 +184,58 @@ TEST(Verdict, AsksForTorqueWhereTheRotorStallsWithoutBalls) {
     EXPECT_EQ(holds(verdict.change, "stalls even without balls: give its motor more torque"), long_enough);
     EXPECT_EQ(holds(verdict.change, "a longer numerics.horizon may tell"), !long_enough);
   }
+}
+
+// Known before a start is; and trajectories shake more with balls than without, whatever the balls and supports are.
+TEST(Verdict, LeavesTheBalancerOutBelowTheCriticalSpeed) {
+  const std::string slow = with(machine, "1800 rpm", "420 rpm");  // of 477 rpm
+  BasinResult nothing;
+  nothing.study = parse_study(slow, "machine");
+  nothing.transients.emplace();
+  ASSERT_TRUE(verdict_of(nothing));
+  EXPECT_TRUE(holds(verdict_of(nothing)->words, "below its critical speed of 476.97")) << verdict_of(nothing)->words;
+  EXPECT_EQ(verdict_of(nothing)->change, "Leave the balancer out.");
+  EXPECT_TRUE(usual_changes(nothing.study).empty());
+  EXPECT_FALSE(below_resonance_words(nothing.study).empty());
+  for (const std::vector<std::string>& overrides :
+       std::vector<std::vector<std::string>>{{"balancer.balls=1"},
+                                             {"balancer.balls=2", "speed.final=150 rpm", "speed.run_up=1 s"},
+                                             {"balancer.balls=3", "rotor.stiffness=['10 kN/m', '14 kN/m']"},
+                                             {"rotor.damping_ratio=0.3"},
+                                             {"rotor.unbalance=3 g mm"}}) {
+    const Study study = parse_study(slow, "machine", overrides);
+    ASSERT_TRUE(runs_below_resonance(study));
+    BasinOptions options;
+    options.transients = true;
+    const BasinResult r = basin(study, options);
+    for (std::size_t q = 0; q < reported_quantiles.size(); ++q)
+      EXPECT_GT(r.transients->groups.front().figure(&TransientRow::rms_velocity).quantiles[q].value,
+                r.without_balls->bare.figures.figure(&TransientRow::rms_velocity).quantiles[q].value)
+          << overrides.front();
+    EXPECT_EQ(verdict_of(r)->decision, Decision::do_not_fit);
+    EXPECT_TRUE(changes_asked_for(r).empty());
+  }
+}
+
+TEST(BelowResonance, IsClaimedOnlyWhereItIsSure) {
+  const auto below = [](const std::vector<std::string>& overrides) {
+    return runs_below_resonance(parse_study(machine, "machine", overrides));
+  };
+  EXPECT_FALSE(below({}));
+  EXPECT_TRUE(below({"speed.final=470 rpm"}));
+  EXPECT_FALSE(below({"speed.final=480 rpm"}));
+  EXPECT_TRUE(below({"speed.final=-470 rpm"}));
+  EXPECT_TRUE(below({"speed.final=470 rpm", "rotor.unbalance={uniform=['0 g mm','300 g mm']}"}));
+  EXPECT_TRUE(below({"speed.final={uniform=['400 rpm','470 rpm']}"}));
+  EXPECT_FALSE(below({"speed.final={uniform=['400 rpm','490 rpm']}"}));
+  EXPECT_TRUE(below({"speed.final=400 rpm", "rotor.stiffness={uniform=['8 kN/m','10 kN/m']}"}));
+  EXPECT_FALSE(below({"speed.final=450 rpm", "rotor.stiffness={uniform=['8 kN/m','10 kN/m']}"}));
+  // Each alone keeps it below, both together do not.
+  EXPECT_FALSE(
+      below({"speed.final={uniform=['380 rpm','440 rpm']}", "rotor.stiffness={uniform=['8 kN/m','10 kN/m']}"}));
+  EXPECT_FALSE(below({"speed.final=420 rpm", "balancer.race_offset=['0.2 mm','0 mm']"}));
+  EXPECT_FALSE(below({"speed.final=420 rpm", "balancer.rolling=0.01"}));
+  EXPECT_FALSE(below({"speed.final=420 rpm", "balancer.balls=0"}));
 }
 
 TEST(Verdict, AsksForTheShareThatLimitsState) {
@@ -213,6 +309,7 @@ TEST(Changes, AreAskedForByVerdictsOfNoUse) {
   EXPECT_TRUE(changes_asked_for(stopped).empty());
   EXPECT_TRUE(changes_asked_for(with_numbers(true, {.kept = 1000})).empty());
   EXPECT_TRUE(changes_asked_for(with_numbers(true, {.kept = 955})).empty());  // not judged yet
+  EXPECT_TRUE(changes_asked_for(with_numbers(true, {.kept = 900, .bare_keeps = true})).empty());
   // Others are tried: the first report of it ends that here.
   struct Asked {};
   RunOptions options;

@@ -10,6 +10,7 @@
 #include "equipoise/answers/answer.hpp"
 #include "equipoise/answers/quantities.hpp"
 #include "equipoise/plots/sweep_layers.hpp"
+#include "equipoise/reports/result_tables.hpp"
 #include "equipoise/reports/sweep_report.hpp"
 #include "equipoise/result_files/basin_file.hpp"
 #include "equipoise/types/fate.hpp"
@@ -69,9 +70,9 @@ TEST(SweepAnswer, SaysWhereItBalancesMostAndLeast) {
 // Where limits are stated, by the starts that keep them all; not so if one cell does not tell.
 TEST(SweepAnswer, ComparesCellsByTheLimitsThatStartsKeep) {
   SweepResult r = sweep_of(constant_speed, {cell_of(60), cell_of(20)});
-  const auto keep = [&](std::size_t cell, std::uint64_t starts) {
+  const auto keep = [&](std::size_t cell, std::uint64_t starts, Within when = Within::both) {
     auto group = std::make_shared<TransientGroup>();
-    group->within[static_cast<std::size_t>(Within::both)] = wilson_share(starts, 100);
+    group->within[static_cast<std::size_t>(when)] = wilson_share(starts, 100);
     r.cells[cell]->transients = group;
   };
   keep(0, 20);
@@ -84,6 +85,12 @@ TEST(SweepAnswer, ComparesCellsByTheLimitsThatStartsKeep) {
             "speed 2 ω_c: in 13.3 to 28.9 % (95 % confidence in each cell).");
   EXPECT_TRUE(holds(sweep_text(r), "answer   Every limit is kept most often")) << sweep_text(r);
   EXPECT_TRUE(holds(sweep_text(r), "keep all limits"));
+  for (const Within one_kind : {Within::at_end, Within::on_the_way}) {
+    keep(0, 20, one_kind);
+    keep(1, 60, one_kind);
+    EXPECT_TRUE(holds(answer_sentence(r), "Every limit is kept most often at final speed 3 ω_c"));
+    EXPECT_TRUE(holds(sweep_text(r), "keep all limits"));
+  }
 }
 
 TEST(SweepAnswer, BeginsWithWhatIsDrawnUnlessItIsVaried) {
@@ -130,12 +137,16 @@ CapacityResult capacity_of(const std::vector<CapacityCell>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) given.push_back(std::to_string(k + 2));
   if (cells.size() > 1) r.axes = {speeds(given)};
   r.cells.assign(cells.begin(), cells.end());
+  r.open.resize(cells.size());
   return r;
 }
 
+CapacityTrial trial(double value, std::uint64_t kept) { return {value, wilson_share(kept, 1000), {}, false, {}}; }
+
 TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
-  const CapacityCell inside{{}, 213.2, 201.0, 220.0, false, false};
-  const CapacityCell always{{}, {}, 400.0, 400.0, true, false}, never{{}, {}, 20.0, 20.0, false, true};
+  const CapacityCell inside{{trial(201.0, 1000), trial(220.0, 0)}, 213.2, 201.0, 220.0, false, false};
+  const CapacityCell always{{trial(400.0, 1000)}, {}, 400.0, 400.0, true, false},
+      never{{trial(20.0, 0)}, {}, 20.0, 20.0, false, true};
   EXPECT_EQ(answer_sentence(capacity_of({inside})),
             "Up to unbalance 213.2 g mm, 95 % of starts end balanced: shown up to 201, shown to be fewer from 220 on "
             "(95 % confidence).");
@@ -149,6 +160,27 @@ TEST(CapacityAnswer, TellsTheBoundaryOrWhatLiesBeyond) {
   EXPECT_EQ(answer_sentence(capacity_of({inside, never, always})),
             "The largest unbalance at which 95 % of starts end balanced is more than 400 g mm at final speed 4 ω_c; it "
             "is least at final speed 3 ω_c: less than 20 g mm (95 % confidence).");
+}
+
+// The share is near 95 % at both ends.
+TEST(CapacityAnswer, DoesNotSayShownOfWhatNoTrialShows) {
+  const CapacityCell vague{{trial(20.0, 960), trial(400.0, 940)}, 213.2, 20.0, 400.0, false, false},
+      likely{{trial(20.0, 940)}, {}, 20.0, 400.0, false, true},
+      inside{{trial(201.0, 1000), trial(220.0, 0)}, 213.2, 201.0, 220.0, false, false};
+  EXPECT_EQ(answer_sentence(capacity_of({vague})),
+            "Up to unbalance 213.2 g mm, 95 % of starts end balanced: likely, but not shown.");
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({likely})), "95 % of starts end balanced: likely, but not shown."));
+  EXPECT_TRUE(holds(answer_sentence(capacity_of({inside, likely})), "likely less than 20 g mm"));
+}
+
+TEST(CapacityTable, TellsOnlyEndsThatATrialShows) {
+  const auto row = [](const CapacityCell& cell) {
+    const DocumentTable table = capacity_table(capacity_of({cell}), key_itself);
+    return table.rows.at(0).at(0).text + " | " + table.rows.at(0).at(1).text;
+  };
+  EXPECT_EQ(row({{trial(20.0, 0)}, {}, 20.0, 20.0, false, true}), "below 20 | ? and 20");
+  EXPECT_EQ(row({{trial(400.0, 1000)}, {}, 400.0, 400.0, true, false}), "above 400 | 400 and ?");
+  EXPECT_EQ(row({{trial(201.0, 1000), trial(220.0, 0)}, 213.2, 201.0, 220.0, false, false}), "213.2 | 201 and 220");
 }
 
 TEST(MapAnswer, TellsThePartThatBalances) {

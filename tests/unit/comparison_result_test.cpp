@@ -84,6 +84,39 @@ TEST(Comparison, UndecidedStartsLeaveItOpen) {
   EXPECT_NE(verdict(r).find("Open"), std::string::npos);
 }
 
+// All starts end balanced in both, but the second's velocity exceeds its limit in 41 of 100.
+TEST(Comparison, IsDecidedByLimitsWhereBothStateThem) {
+  BasinOutcomes first = ensemble(std::vector<short>(1000, 1));
+  for (auto& figures : first.transients) figures.assign(1000, 0.001f);
+  first.study.limits.velocity = 0.01;
+  BasinOutcomes second = first;
+  const auto exceed = [&](float TransientRow::*figure) {
+    for (std::size_t i = 0; i < 410; ++i) second.transients[figure_place(figure)][i] = 0.02f;
+  };
+  exceed(&TransientRow::rms_velocity);
+  const ComparisonResult r = compare(first, second);
+  ASSERT_TRUE(r.limits);
+  EXPECT_EQ(r.limits->first.count, 1000u);
+  EXPECT_EQ(r.limits->second.count, 590u);
+  EXPECT_TRUE(verdict(r).starts_with("The second keeps every limit less often, by -41.0")) << verdict(r);
+  EXPECT_TRUE(verdict(compare(second, first)).starts_with("The second keeps every limit more often, by +41.0"));
+  EXPECT_TRUE(verdict(compare(first, first)).starts_with("No difference in starts within all limits is shown"));
+  EXPECT_NE(comparison_text(r).find("starts within all limits"), std::string::npos);
+  // Undecided starts may still come below it.
+  for (std::size_t i = 0; i < 410; ++i) second.outcome[i] = undecided_code;
+  const ComparisonResult open = compare(first, second);
+  EXPECT_GE(open.limits->surely_high, 0.0);
+  EXPECT_TRUE(verdict(open).starts_with("Open: the difference in starts within all limits is")) << verdict(open);
+  // A peak stays exceeded, however these starts end.
+  second.study.limits.displacement = first.study.limits.displacement = 0.01;
+  exceed(&TransientRow::peak_radial);
+  EXPECT_TRUE(verdict(compare(first, second)).starts_with("The second keeps every limit less often"));
+  second.study.limits.velocity = 0.03;
+  EXPECT_TRUE(verdict(compare(first, second)).starts_with("The second keeps its own limits less often"));
+  second.study.limits = {};
+  EXPECT_FALSE(compare(first, second).limits);
+}
+
 TEST(Comparison, MatchesMotionsByIdentifierElseByName) {
   auto [first, second] = pair();
   second.names[1].name = "balanced, stuck";

@@ -262,7 +262,12 @@ TEST(DesignWords, SayWhatToBuyAndWhetherItIsWorthIt) {
   EXPECT_EQ(design_verdict(r).words,
             "Leave it as it is: nothing found is shown to be better. Best found: 3 balls of 12 mm, "
             "ISO VG 46.");
+  r.front[0].as_it_is = true;
+  EXPECT_EQ(design_verdict(r).words, "Leave it as it is: nothing found is shown to be better.");
+  EXPECT_EQ(design_verdict(r).because.find("as it is"), std::string::npos);
   r.feasible = false;
+  EXPECT_EQ(design_verdict(r).words, "Nothing tried is shown to keep all requirements; nearest: as it is.");
+  r.front[0].as_it_is = false;
   EXPECT_EQ(design_verdict(r).words,
             "Nothing tried is shown to keep all requirements; nearest: 3 balls of 12 mm, ISO VG 46.");
   r.partial = true;

@@ -174,8 +174,7 @@ TEST(BasinText, ShowsBoundsWhereStartsAreUndecided) {
   const std::string open = basin_text(result_of(constant_speed, 734, 266)),
                     closed = basin_text(result_of(constant_speed, 1000, 0));
   EXPECT_TRUE(holds(open, "bounds"));
-  EXPECT_TRUE(holds(open, "No start diverged or failed (each at most 29.42 %, however the undecided starts end)."))
-      << open;                                       // Wilson's upper bound of 266 in 1000
+  EXPECT_TRUE(holds(open, "No start diverged or failed while followed (each below 0.38 %).")) << open;
   EXPECT_TRUE(holds(open, "above 70.6 %")) << open;  // balanced
   EXPECT_FALSE(holds(closed, "bounds"));
   const auto json = nlohmann::json::parse(basin_json(result_of(constant_speed, 734, 266)));

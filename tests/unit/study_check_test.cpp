@@ -52,6 +52,20 @@ TEST(StudyCheck, SaysWhatItUnderstood) {
   EXPECT_FALSE(holds(c.unbalance, "race"));
 }
 
+TEST(StudyCheck, SaysFirstThatNoBalancerHelpsBelowTheCriticalSpeed) {
+  const std::string slow = check_of(ramp_machine, {"speed.final=500 rpm"}).text();
+  EXPECT_TRUE(
+      slow.starts_with("Leave the balancer out: the rotor runs at 500 rpm, below its critical speed of 600.95 "
+                       "rpm with balls: there balls gather on the heavy side and add to the unbalance.\n"))
+      << slow;
+  EXPECT_TRUE(check_of(ramp_machine, {"speed.final=500 rpm", "rotor.eccentricity={uniform=['0.1 mm','0.2 mm']}"})
+                  .text()
+                  .starts_with("Leave the balancer out: the rotor runs below its critical speed with balls, whatever"));
+  EXPECT_TRUE(holds(check_of(ramp_machine, {"speed.final=500 rpm", "rotor.gravity=9.81 m/s2"}).leave_out,
+                    "there balls cancel no unbalance"));
+  EXPECT_TRUE(check_of(ramp_machine, {"speed.final=700 rpm"}).leave_out.empty());
+}
+
 // Held against the rotor itself, without balls and from rest, after ten times a run-up without losses.
 TEST(StudyCheck, SaysWhereAMotorMayStall) {
   const std::string driven = R"([rotor]

@@ -193,7 +193,7 @@ Json judge(const Json& args) {
   if (const auto verdict = verdict_of(r, tried)) {
     json["verdict"] = verdict_json(*verdict, tried);
     json["verdict"]["tone"] = name_of(tone_of(verdict->decision));
-    if (asks_for_changes(verdict->decision))
+    if (verdict->asks_for_changes())
       for (const Change& change : usual_changes(uncertain)) json["possible"].push_back(change.words);
     if (!tried.empty()) json["changes"] = table_json(changes_table(r, tried));
   }

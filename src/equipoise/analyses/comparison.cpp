@@ -10,8 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/columns/limits_of_start.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/types/fate.hpp"
 #include "equipoise/units/units.hpp"
@@ -92,6 +95,7 @@ class Comparison {
     first_ = places(0, first);
     second_ = places(1, second);
     compare_figures(first, second);
+    compare_limits(first, second);
   }
 
   ComparisonResult run() {
@@ -127,7 +131,59 @@ class Comparison {
     }
   }
 
+  // What undecided starts may still come to bounds the shares; a peak that exceeded a limit stays one.
+  void compare_limits(const BasinOutcomes& first, const BasinOutcomes& second) {
+    const auto compared = [](const BasinOutcomes& o) { return o.study.limits.any() && !o.transients[0].empty(); };
+    if (!compared(first) || !compared(second)) return;
+    const Kept before = kept(first), after = kept(second);
+    ComparedLimits& l = result_.limits.emplace();
+    l.first = share(before.seen);
+    l.second = share(after.seen);
+    l.difference = difference(before.seen, after.seen);
+    l.surely_low = difference(before.most, after.least).low;
+    l.surely_high = difference(before.least, after.most).high;
+    l.alike = same_limits(first.study, second.study);
+  }
+
  private:
+  struct Kept {
+    std::vector<bool> seen, least, most;
+  };
+
+  // Of common starts both lists stay in step, so that there a lost start keeps nothing; elsewhere it is left out.
+  Kept kept(const BasinOutcomes& o) const {
+    Kept result;
+    const bool driven = o.study.speed.driven();
+    const double final_speed = std::fabs(o.study.speed_profile().final_speed());
+    for (std::size_t i = 0; i < (result_.common ? result_.starts : o.outcome.size()); ++i) {
+      TransientRow row;
+      for (std::size_t k = 0; k < transient_figures.size(); ++k)
+        row.*transient_figures[k].value = o.transients[k].empty() ? NAN : o.transients[k][i];
+      const bool lost = std::isnan(row.peak_radial), open = o.outcome[i] == undecided_code;
+      if (lost && !result_.common) continue;
+      const LimitsOfStart of = limits_of_start(o.study.limits, row,
+                                               !driven                ? final_speed
+                                               : o.mean_speed.empty() ? NAN
+                                                                      : std::fabs(o.mean_speed[i]));
+      result.seen.push_back(!lost && of.both());
+      result.least.push_back(!lost && of.both() && !open);
+      result.most.push_back(!lost && (of.both() || (open && of.on_the_way)));
+    }
+    return result;
+  }
+
+  // In the units that they are shown in.
+  static bool same_limits(const Study& a, const Study& b) {
+    const auto shown = [](const Study& s, const std::optional<double>& limit, study::Dimension d) {
+      return limit ? fmt::format("{:.6g}", *limit * study::shown_unit(d, s.scales).size) : "";
+    };
+    return std::all_of(transient_limits.begin(), transient_limits.end(),
+                       [&](const TransientLimit& l) {
+                         return shown(a, a.limits.*l.limit, l.told_in()) == shown(b, b.limits.*l.limit, l.told_in());
+                       }) &&
+           shown(a, a.limits.settled, study::Dimension::length) == shown(b, b.limits.settled, study::Dimension::length);
+  }
+
   // Each start's outcome as a place in the common list. With common starts, only for those that both studies have.
   std::vector<std::size_t> places(int study, const BasinOutcomes& o) const {
     std::vector<std::size_t> result(result_.common ? result_.starts : o.outcome.size());
@@ -149,9 +205,13 @@ class Comparison {
     const std::vector<bool> before = are(first_, place), after = are(second_, place);
     const BasinOutcomes::Name& name = names_.all()[place];
     ComparedShare s{name.name, name.alias, share(before), share(after), {}};
-    s.difference =
-        result_.common ? paired_difference(compare_starts(before, after)) : independent_difference(s.first, s.second);
+    s.difference = difference(before, after);
     return s;
+  }
+
+  ShareDifference difference(const std::vector<bool>& before, const std::vector<bool>& after) const {
+    return result_.common ? paired_difference(compare_starts(before, after))
+                          : independent_difference(share(before), share(after));
   }
 
   // Undecided starts of one study or the other may all come to balance.

@@ -91,11 +91,23 @@ std::string sought_value(const CapacityResult& r, double value) {
   return value_words(r.key, fmt::format("{:.4g}{}{}", value, r.unit.empty() ? "" : " ", r.unit));
 }
 
-// "213 g mm (surely between 201 and 220)".
+// "shown up to 201, shown to be fewer from 220 on".
+std::string shown_words(const CapacityResult& r, const CapacityCell& cell) {
+  const auto low = cell.shown_low(r.at_least), high = cell.shown_high(r.at_least);
+  if (!low && !high) return words::answers::not_shown;
+  std::string words = low ? fmt::format(words::answers::shown_up_to, *low) : "";
+  if (high) words += (low ? ", " : "") + fmt::format(words::answers::fewer_from, *high);
+  return words;
+}
+
+// "213 g mm (between 201 and 220)".
 std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
-  if (cell.never) return words::answers::less_than + sought_value(r, r.from);
-  if (cell.always) return words::answers::more_than + sought_value(r, r.to);
-  return fmt::format(words::answers::surely_between, sought_value(r, *cell.value), cell.low, cell.high);
+  const auto low = cell.shown_low(r.at_least), high = cell.shown_high(r.at_least);
+  const auto likely = [](bool shown) { return shown ? "" : words::answers::likely; };
+  if (cell.never) return likely(high == r.from) + (words::answers::less_than + sought_value(r, r.from));
+  if (cell.always) return likely(low == r.to) + (words::answers::more_than + sought_value(r, r.to));
+  if (low && high) return fmt::format(words::answers::surely_between, sought_value(r, *cell.value), *low, *high);
+  return fmt::format("{} ({})", sought_value(r, *cell.value), shown_words(r, cell));
 }
 
 // Also orders capacities beyond the range.
@@ -106,17 +118,19 @@ double rank(const CapacityResult& r, const CapacityCell& cell) {
 
 std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
   const std::string what = key_words(r.key);
-  if (cell.never) return fmt::format(words::answers::nowhere, what, sought_value(r, r.from), starts, r.asked());
-  if (cell.always) return fmt::format(words::answers::up_to_the_end, what, sought_value(r, r.to), starts, r.asked());
-  return fmt::format(words::answers::up_to, what, sought_value(r, *cell.value), starts, r.asked(), cell.low, cell.high);
+  const std::string shown =
+      shown_words(r, cell) +
+      (cell.shown_low(r.at_least) || cell.shown_high(r.at_least) ? words::answers::confidence : "");
+  if (cell.never) return fmt::format(words::answers::nowhere, what, sought_value(r, r.from), starts, r.asked(), shown);
+  if (cell.always)
+    return fmt::format(words::answers::up_to_the_end, what, sought_value(r, r.to), starts, r.asked(), shown);
+  return fmt::format(words::answers::up_to, what, sought_value(r, *cell.value), starts, r.asked(), shown);
 }
 
 }  // namespace
 
 const Share* kept_share(const SweepCell& cell) {
-  if (!cell.transients) return nullptr;
-  const auto& share = cell.transients->within[static_cast<std::size_t>(Within::both)];
-  return share ? &*share : nullptr;
+  return cell.transients && cell.transients->kept() ? &*cell.transients->kept() : nullptr;
 }
 
 std::string answer_sentence(const SweepResult& r) {
@@ -144,7 +158,7 @@ std::string answer_sentence(const CapacityResult& r) {
   const std::string starts = fmt::format(words::answers::share_of_starts, 100.0 * r.at_least);
   const auto title = [&](std::size_t cell) { return cell_words(r.axes, cell); };
   if (cells.size() == 1) {
-    std::string text = lone_capacity(r, *r.cells[cells.front()], starts) + words::answers::confidence;
+    std::string text = lone_capacity(r, *r.cells[cells.front()], starts);
     if (!r.axes.empty()) text += words::answers::at_cell + title(cells.front());
     return after_what_is_drawn(keys, text + ".");
   }

@@ -103,8 +103,7 @@ std::vector<TriedChange> try_changes(const Study& study, const RunOptions& optio
 std::vector<TriedChange> changes_asked_for(const BasinResult& result, const RunOptions& options) {
   if (result.partial) return {};
   const auto verdict = verdict_of(result);
-  return verdict && asks_for_changes(verdict->decision) ? try_changes(result.study, options)
-                                                        : std::vector<TriedChange>{};
+  return verdict && verdict->asks_for_changes() ? try_changes(result.study, options) : std::vector<TriedChange>{};
 }
 
 }  // namespace equipoise

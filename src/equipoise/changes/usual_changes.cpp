@@ -9,6 +9,7 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/study/below_resonance.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/decision.hpp"
@@ -122,7 +123,7 @@ class Changes {
 }  // namespace
 
 std::vector<Change> usual_changes(const Study& study) {
-  if (!study.uncertain.empty() || study.parameters.balls == 0) return {};
+  if (!study.uncertain.empty() || study.parameters.balls == 0 || runs_below_resonance(study)) return {};
   return Changes(study).all();
 }
 

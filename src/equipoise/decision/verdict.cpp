@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "equipoise/decision/times_bare.hpp"
 #include "equipoise/decision/verdict_json.hpp"
 #include "equipoise/base/percent_text.hpp"
+#include "equipoise/text/below_resonance.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
 #include "equipoise/words/decision.hpp"
@@ -22,29 +24,26 @@ namespace {
 constexpr std::size_t median = 0, ninety = 1;
 static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
 
-// Of the limits stated: on the way and at the end, or one of the two where no limit is on the other.
-const std::optional<Share>& kept_of(const TransientGroup& group) {
-  const auto share = [&](Within w) -> const std::optional<Share>& { return group.within[static_cast<std::size_t>(w)]; };
-  return share(Within::both)     ? share(Within::both)
-         : share(Within::at_end) ? share(Within::at_end)
-                                 : share(Within::on_the_way);
-}
-
 class Judge {
  public:
   explicit Judge(const BasinResult& r)
-      : r_(r), with_(r.transients->groups.front()), bare_(r.without_balls->bare), none_(bare_.figures) {}
+      : r_(r),
+        with_(r.transients->groups.front()),
+        bare_(r.without_balls->bare),
+        none_(bare_.figures),
+        times_(times_bare(r)) {}
 
   BalancerVerdict verdict(std::span<const TriedChange> tried) {
-    if (const auto& kept = kept_of(with_))
+    if (const auto& kept = with_.kept())
       by_limits(*kept);
     else
       by_comparison();
-    verdict_.change = verdict_.decision == Decision::fit          ? words::decision::nothing_to_change
-                      : verdict_.decision == Decision::not_needed ? words::decision::leave_it_out
-                      : verdict_.decision == Decision::open       ? more_starts()
-                      : !tried.empty()                            ? best_words(tried)
-                                                                  : words::decision::search_for_better;
+    if (const std::string below = below_resonance_words(r_.study); !below.empty()) leave_out(below);
+    verdict_.change = verdict_.leave_out                    ? words::decision::leave_it_out
+                      : verdict_.decision == Decision::fit  ? words::decision::nothing_to_change
+                      : verdict_.decision == Decision::open ? more_starts()
+                      : !tried.empty()                      ? best_words(tried)
+                                                            : words::decision::search_for_better;
     return std::move(verdict_);
   }
 
@@ -52,6 +51,11 @@ class Judge {
   void say(Decision decision, std::string words) {
     verdict_.decision = decision;
     verdict_.words = std::move(words);
+  }
+
+  void leave_out(const std::string& below) {
+    say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below));
+    verdict_.leave_out = true;
   }
 
   // "98.2 % (97.9 to 98.5 %)"
@@ -63,26 +67,30 @@ class Judge {
 
   void by_limits(const Share& kept) {
     const double needed = required();
-    const auto& bare = kept_of(none_);
+    const auto& bare = none_.kept();
     const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
+    verdict_.leave_out = bare_keeps;
     verdict_.because = fmt::format(words::decision::share_keeps_limits, share_words(kept));
     if (with_.within[0] && with_.within[1] && kept.share < needed)
       verdict_.because += fmt::format(words::decision::share_on_the_way_and_at_end,
                                       percent_text(with_.within[1]->share), percent_text(with_.within[0]->share));
     verdict_.because += bare_words(bare) + ".";
     const std::string asked = percent_text(needed);
-    if (kept.least >= needed) {
-      if (bare_keeps)
+    if (bare_keeps) {
+      if (kept.least >= needed)
         say(Decision::not_needed, words::decision::not_needed);
-      else if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
+      else if (kept.most < needed)
+        say(Decision::do_not_fit, words::decision::do_not_fit);
+      else
+        say(Decision::not_needed, words::decision::not_needed_whatever_balls_do);
+    } else if (kept.least >= needed) {
+      if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
         say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
         say(Decision::fit, fmt::format(words::decision::fit, asked) +
                                (more.empty() ? "" : fmt::format(words::decision::on_the_way, more)));
     } else if (kept.most < needed) {
-      if (bare_keeps)
-        say(Decision::do_not_fit, words::decision::do_not_fit);
-      else if (worse_at_end())
+      if (worse_at_end())
         say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_as_it_is, asked));
       else
         say(Decision::change, fmt::format(words::decision::change_it, asked));
@@ -101,41 +109,39 @@ class Judge {
   }
 
   void by_comparison() {
-    const SampleSummary& bare = bare_end();
     const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
-    const QuantileEstimate &most = with_.sure_end_velocity[ninety], &half = with_.sure_end_velocity[median];
-    const double without = bare.quantiles[median].value;
+    const QuantileEstimate &most = with_.sure_end_velocity[ninety], &times = times_.end_velocity[ninety];
+    const double without = none_.figure(&TransientRow::rms_velocity).quantiles[ninety].value;
     const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
     const std::string low = number(most.low), high = number(most.high);
-    verdict_.because =
-        fmt::format(words::decision::velocity_at_end, number(most.value), unit.name,
-                    low == high ? "" : fmt::format(words::decision::interval, low, high), number(without));
-    if (most.high <= quieter_end * without) {
+    verdict_.because = fmt::format(
+        words::decision::velocity_at_end, number(most.value), unit.name,
+        low == high ? "" : fmt::format(words::decision::interval, low, high), number(without),
+        bare_.one ? "" : fmt::format(words::decision::times_its_own_rotor, fmt::format("{:.2g}", times.value)));
+    if (times.high <= quieter_end) {
       if (const std::string more = larger_peaks(); !more.empty())
         say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
       else
         say(Decision::fit, words::decision::fit_half_the_vibration);
-    } else if (half.low >= without) {
+    } else if (worse_at_end()) {
       say(Decision::do_not_fit, words::decision::do_not_fit_more_vibration);
-    } else if (most.low > quieter_end * without) {
+    } else if (times.low > quieter_end) {
       say(Decision::change, words::decision::change_too_much_vibration);
     } else {
       say(Decision::open, words::decision::not_decided_vibration);
     }
   }
 
-  const SampleSummary& bare_end() const { return none_.figure(&TransientRow::rms_velocity); }
+  bool worse_at_end() const { return times_.end_velocity[median].low > 1.0; }
 
-  bool worse_at_end() const { return with_.sure_end_velocity[median].low > bare_end().quantiles[median].value; }
-
-  // "its peak is 26.6 mm in 90 % of starts, 18.2 mm without balls"; empty if it is not surely larger.
+  // "the peak reaches 26.6 mm in one start of ten, 18.2 mm without balls"; empty if it is not surely larger.
   std::string larger_peaks() const {
-    const QuantileEstimate& peak = with_.figure(&TransientRow::peak_radial).quantiles[ninety];
-    const double bare = none_.figure(&TransientRow::peak_radial).quantiles[median].value;
-    if (!(peak.low > larger_peak * bare)) return "";
+    if (!(times_.peak.low > larger_peak)) return "";
     const study::ShownUnit unit = study::shown_unit(study::Dimension::length, r_.study.scales);
-    return fmt::format(words::decision::peak_and_without_balls, peak.value * unit.size, unit.name, bare * unit.size,
-                       unit.name);
+    const auto most = [&](const TransientGroup& group) {
+      return group.figure(&TransientRow::peak_radial).quantiles[ninety].value * unit.size;
+    };
+    return fmt::format(words::decision::peak_and_without_balls, most(with_), unit.name, most(none_), unit.name);
   }
 
   // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
@@ -176,14 +182,19 @@ class Judge {
   const TransientGroup& with_;
   const OneBodyRuns& bare_;
   const TransientGroup& none_;
+  const TimesBare times_;
   BalancerVerdict verdict_;
 };
 
 }  // namespace
 
 std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
-  if (!tells_without_balls(r) || r.without_balls->bare.figures.starts == 0) return std::nullopt;
-  return Judge(r).verdict(tried);
+  if (tells_without_balls(r) && r.without_balls->bare.figures.starts > 0) return Judge(r).verdict(tried);
+  // Known before a start is.
+  const std::string below = r.transients ? below_resonance_words(r.study) : "";
+  if (below.empty()) return std::nullopt;
+  return BalancerVerdict{Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below),
+                         words::decision::by_linear_theory, words::decision::leave_it_out, true};
 }
 
 std::optional<TriedChange> tried_change(std::string words, const BasinResult& r) {
@@ -194,7 +205,7 @@ std::optional<TriedChange> tried_change(std::string words, const BasinResult& r)
                      r.study,
                      r.starts,
                      verdict->decision,
-                     kept_of(all),
+                     all.kept(),
                      all.sure_end_velocity[ninety],
                      all.figure(&TransientRow::peak_radial).quantiles[ninety],
                      r.seconds,

@@ -22,23 +22,25 @@ enum class Decision {
 inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
                                                            "change", "do_not_fit", "open"};
 
-/// Whether a change of the balancer is worth trying: not for one that does what is asked, is not needed or is not
-/// judged yet.
-constexpr bool asks_for_changes(Decision d) {
-  return d == Decision::caution || d == Decision::change || d == Decision::do_not_fit;
-}
-
 /// The least share of starts that have to keep all limits where [limits] states no `share`.
 inline constexpr double usual_required_share = 0.95;
 
 /// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
 /// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
-/// the end is at most half of that without balls. Peaks count as larger from a tenth on.
+/// the end is at most half of that without balls. Starts are compared with their own rotors (decision/times_bare.hpp).
+/// Peaks count as larger from a tenth on. Below the critical speed no limit or start is asked.
 struct BalancerVerdict {
   Decision decision = Decision::open;
-  std::string words;    ///< "Fit it.", with a reason
-  std::string because;  ///< the deciding number with its interval, and that without balls
-  std::string change;   ///< the most useful change; a hint where none was tried
+  std::string words;       ///< "Fit it.", with a reason
+  std::string because;     ///< the deciding number with its interval, and that without balls
+  std::string change;      ///< the most useful change; a hint where none was tried
+  bool leave_out = false;  ///< the machine needs none, or none can help
+
+  /// Whether a change of the balancer is worth trying: not for one that does what is asked or is not judged yet.
+  bool asks_for_changes() const {
+    return !leave_out &&
+           (decision == Decision::caution || decision == Decision::change || decision == Decision::do_not_fit);
+  }
 };
 
 /// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
@@ -46,13 +48,13 @@ inline constexpr double larger_peak = 1.1, quieter_end = 0.5;
 
 /// One change of the balancer, tried on starts of its own.
 struct TriedChange {
-  std::string words;                   ///< "twice the drag"
-  Study study;                         ///< with it
-  std::uint64_t starts = 0;            ///< tried
-  Decision decision = Decision::open;  ///< on it
-  std::optional<Share> kept;           ///< of starts that keep every limit; empty without limits
-  QuantileEstimate end_velocity;       ///< RMS, 90 % of starts below; R omega_c
-  QuantileEstimate peak;               ///< displacement, 90 % of starts below; R
+  std::string words;                        ///< "twice the drag"
+  Study study;                              ///< with it
+  std::uint64_t starts = 0;                 ///< tried
+  Decision decision = Decision::open;       ///< on it
+  std::optional<Share> kept;                ///< of starts that keep every limit; empty without limits
+  QuantileEstimate end_velocity;            ///< RMS, 90 % of starts below; R omega_c
+  QuantileEstimate peak;                    ///< displacement, 90 % of starts below; R
   double seconds = 0.0, cpu_seconds = 0.0;  ///< search included
 };
 /// What is told of a result with the change, if it can be judged.

@@ -13,6 +13,7 @@
 #include "equipoise/ensembles/ensemble_runner.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/start_runs/checks.hpp"
+#include "equipoise/study/below_resonance.hpp"
 #include "equipoise/sweeps/cell_desk.hpp"
 #include "equipoise/toml/toml_tree.hpp"
 
@@ -47,7 +48,7 @@ StudyValue without_lines(const StudyValue& value) {
 CandidateRunner::CandidateRunner(const DesignProblem& problem, const RunOptions& options)
     : problem_(problem), options_(options) {
   const Study study = problem_.study_of({}, problem_.first_look(), problem_.study().sampling.seed);
-  if (!study.uncertain.empty()) return;
+  if (!study.uncertain.empty() || runs_below_resonance(study)) return;
   BasinOptions run;
   run.threads = thread_count(options.threads);
   run.stop = options_.stop;
@@ -91,7 +92,7 @@ std::optional<DesignSample> CandidateRunner::run(const WantedSample& wanted, int
     return none;
   }
   const bool hopeless_unbalanced = !problem_.by_outcome() || (problem_.requires_balance() && !study->speed.driven());
-  if (hopeless_unbalanced && study->uncertain.empty() && !balances(*study, met)) {
+  if (hopeless_unbalanced && (runs_below_resonance(*study) || (study->uncertain.empty() && !balances(*study, met)))) {
     if (stopped()) return std::nullopt;
     return sample_without_balance(problem_.figures(), wanted.starts, *study, wanted.settings);
   }

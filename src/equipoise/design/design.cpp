@@ -18,6 +18,7 @@
 #include "equipoise/running/cpu_time.hpp"
 #include "equipoise/running/parallel.hpp"
 #include "equipoise/running/reporting.hpp"
+#include "equipoise/study/below_resonance.hpp"
 
 namespace equipoise {
 
@@ -37,7 +38,10 @@ constexpr std::uint64_t most_starts = 100'000, fewest_starts_of_cheap = 500;
 class DesignRun {
  public:
   DesignRun(const DesignProblem& problem, const DesignOptions& options)
-      : problem_(problem), options_(options), standing_(problem.figures(), problem.objectives(), problem.limits()) {
+      : problem_(problem),
+        options_(options),
+        standing_(problem.figures(), problem.objectives(), problem.limits()),
+        own_(problem.as_it_is()) {
     result_.study = problem.study();
     result_.variables = problem.variables();
     for (const FigureSource& f : problem.figures()) result_.figures.push_back(f.figure);
@@ -66,11 +70,12 @@ class DesignRun {
     ensembles_->end();
     result_.trajectories = ensembles_->trajectories();
     result_.resumed = ensembles_->resumed();
+    leave_out();
     if (result_.chosen) {
       const DesignCandidate& best = result_.front[*result_.chosen];
       result_.feasible = standing_.violation(best.best_known(), Side::worst) == 0.0;
       result_.limited_by = design_limits_reached(problem_, standing_, best);
-      result_.best_study = to_toml(problem_.tree_of(best.settings));
+      result_.best_study = to_toml(problem_.tree_of(best.changes()));
     }
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.cpu_seconds = cpu_seconds() - cpu_begin;
@@ -79,6 +84,22 @@ class DesignRun {
   }
 
  private:
+  // Below the critical speed no balanced state attracts, so that all that require balance have been found wanting.
+  void leave_out() {
+    if (!result_.chosen || !problem_.requires_balance()) return;
+    const auto below = [&](const std::vector<DesignSetting>& settings) {
+      return runs_below_resonance(problem_.study_of(settings, problem_.first_look(), result_.search_seed));
+    };
+    result_.leave_out = below({}) && below(result_.front[*result_.chosen].changes());
+    if (!result_.leave_out) return;
+    result_.front.clear();
+    result_.chosen.reset();
+    result_.before.reset();
+    result_.margins.clear();
+    result_.trajectories = 0;
+    result_.partial = false;
+  }
+
   std::uint64_t part(double share) const {
     return static_cast<std::uint64_t>(share * static_cast<double>(result_.budget));
   }
@@ -99,6 +120,7 @@ class DesignRun {
     result_.history = race.history();
     std::vector<DesignCandidate> candidates = race.candidates();
     result_.candidates = candidates.size();
+    if (!candidates.empty() && candidates.front().as_it_is) own_ = candidates.front();
     result_.partial = ensembles_->stopped();
     const bool cut = ensembles_->out_of_time() && !result_.partial;
     ensembles_->after_search();
@@ -181,7 +203,7 @@ class DesignRun {
   void follow_on(std::vector<DesignCandidate>& finalists, std::uint64_t starts) {
     std::vector<WantedSample> wanted;
     for (const DesignCandidate& c : finalists)
-      wanted.push_back({c.settings, std::max(starts, c.search.starts), result_.search_seed});
+      wanted.push_back({c.changes(), std::max(starts, c.search.starts), result_.search_seed});
     const std::vector<DesignSample> larger = ensembles_->run(wanted);
     for (std::size_t k = 0; k < larger.size(); ++k) finalists[k].search = larger[k];
   }
@@ -204,7 +226,7 @@ class DesignRun {
         if (rivals.size() < 2 || samples[k]->starts > fewest || starts == fewest || starts > left) continue;
         left -= starts;
         raised.push_back(k);
-        wanted.push_back({finalists[k].settings, starts, result_.search_seed});
+        wanted.push_back({finalists[k].changes(), starts, result_.search_seed});
       }
       if (raised.empty()) return;
       const std::vector<DesignSample> larger = ensembles_->run(wanted);
@@ -212,43 +234,50 @@ class DesignRun {
     }
   }
 
-  // In the time that is left: the study as it is on the search's starts; then it and the best one on as many fresh
-  // starts as a first look has.
+  // In the time that is left: the study as it is and the best one on as many fresh starts as a first look has.
   void check_best() {
     if (!result_.chosen) return;
-    DesignCandidate best = result_.front[*result_.chosen];
-    const std::uint64_t starts = problem_.first_look(), seed = result_.held_out_seed;
-    result_.before = ensembles_->run({{{}, starts, result_.search_seed, false}}).front();
-    const std::vector<DesignSample> own =
-        ensembles_->run({{{}, starts, seed, true}, {best.settings, starts, seed, true}});
-    result_.before = own[0];
-    best.held_out = own[1];
+    const DesignCandidate best = result_.front[*result_.chosen];
+    if (!own_.search.figures.empty()) result_.before = own_.search;
     result_.front = {best};
+    result_.chosen = 0;
+    judge_front(problem_.first_look());
+    keep_first();
+  }
+
+  // The study as it is and the front on starts that the search did not see.
+  void judge_front(std::uint64_t starts) {
+    std::vector<WantedSample> wanted{{{}, starts, result_.held_out_seed, true}};
+    for (const DesignCandidate& c : result_.front) wanted.push_back({c.changes(), starts, result_.held_out_seed, true});
+    const std::vector<DesignSample> samples = ensembles_->run(wanted);
+    result_.before = samples.front();
+    for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];
+  }
+
+  // The search's choice stands, unless it turns out to miss a requirement. A choice by the held-out starts would look
+  // better on them than it is. The study itself is always there to fall back on.
+  void keep_first() {
+    std::vector<DesignCandidate>& front = result_.front;
+    if (std::none_of(front.begin(), front.end(), [](const DesignCandidate& c) { return c.as_it_is; })) {
+      front.push_back(own_);
+      front.back().held_out = result_.before;
+    }
+    std::stable_sort(front.begin(), front.end(), [&](const DesignCandidate& a, const DesignCandidate& b) {
+      return standing_.violation(*a.held_out, Side::worst) < standing_.violation(*b.held_out, Side::worst);
+    });
+    front.resize(1);
     result_.chosen = 0;
   }
 
   // Judges the front on starts that the search did not see, beside the original study.
   void check() {
     if (result_.front.empty()) return;
-    const std::uint64_t starts = each(part(for_check), result_.front.size() + 1);
-    std::vector<WantedSample> wanted{{{}, starts, result_.held_out_seed, true}};
-    for (const DesignCandidate& c : result_.front) wanted.push_back({c.settings, starts, result_.held_out_seed, true});
-    const std::vector<DesignSample> samples = ensembles_->run(wanted);
-    result_.before = samples.front();
-    for (std::size_t k = 0; k < result_.front.size(); ++k) result_.front[k].held_out = samples[k + 1];
+    judge_front(each(part(for_check), result_.front.size() + 1));
     tell(nullptr);
-    if (one_objective()) {
-      // The search's choice stands, unless it turns out to miss a requirement. A choice by the held-out starts would
-      // look better on them than it is.
-      std::stable_sort(
-          result_.front.begin(), result_.front.end(), [&](const DesignCandidate& a, const DesignCandidate& b) {
-            return standing_.violation(*a.held_out, Side::worst) < standing_.violation(*b.held_out, Side::worst);
-          });
-      result_.front.resize(1);
-      result_.chosen = 0;
-    } else {
+    if (one_objective())
+      keep_first();
+    else
       take_front(std::vector<DesignCandidate>(result_.front), false);
-    }
   }
 
   void move() {
@@ -276,6 +305,7 @@ class DesignRun {
   const DesignProblem& problem_;
   const DesignOptions& options_;
   DesignStanding standing_;
+  DesignCandidate own_;  // the study itself, as the search knows it
   DesignResult result_;
   std::unique_ptr<DesignFile> file_;
   std::unique_ptr<DesignEnsembles> ensembles_;

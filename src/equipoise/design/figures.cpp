@@ -97,14 +97,6 @@ std::optional<FigureSource> limits_source(const std::string& name, const Study& 
   return std::nullopt;
 }
 
-// Of all limits where no limit is on the other part: those on the way or at the end alone.
-const std::optional<Share>& share_within(const TransientGroup& all, Within part) {
-  const auto of = [&](Within w) -> const std::optional<Share>& { return all.within[static_cast<std::size_t>(w)]; };
-  return part != Within::both || of(Within::both) ? of(part)
-         : of(Within::at_end)                     ? of(Within::at_end)
-                                                  : of(Within::on_the_way);
-}
-
 std::optional<FigureSource> plain_source(const std::string& name, const Study& study) {
   FigureSource source;
   source.figure.up = source.figure.share = name == "balanced" || name == "passed";
@@ -236,7 +228,9 @@ DesignSample sample_of(const std::vector<FigureSource>& sources, const BasinResu
                        const std::vector<DesignSetting>& settings) {
   const auto estimate = [](const Share& s) { return DesignEstimate{s.share, s.low, s.high}; };
   const auto kept = [&](Within part) {  // undecided starts may still come to it, or lose it
-    const Share share = share_within(basin.transients->groups.front(), part).value_or(Share{});
+    const TransientGroup& all = basin.transients->groups.front();
+    const Share share =
+        (part == Within::both ? all.kept() : all.within[static_cast<std::size_t>(part)]).value_or(Share{});
     return DesignEstimate{share.share, share.least, share.most};
   };
   DesignSample sample;

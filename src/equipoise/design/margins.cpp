@@ -25,6 +25,7 @@ struct Movable {
   std::vector<StudyValue> choices;
   std::vector<double> numbers;
   std::size_t setting = 0;
+  StudyValue at;                 // the chosen value
   const char* member = nullptr;  // for a spin-up: times or speeds
   std::size_t entry = 0;
 
@@ -47,25 +48,20 @@ struct Movable {
   }
 };
 
-const StudyValue& value_in(const DesignCandidate& chosen, const Movable& m) {
-  const StudyValue& value = chosen.settings[m.setting].value;
-  return m.member ? (*value.find(m.member)->array())[m.entry] : value;
-}
-
 // A point keeps a tenth of the time to its neighbours, so that pieces do not vanish.
 void add_points(const DesignVariable& v, std::size_t setting, const StudyValue& table, std::vector<Movable>& movables) {
   const StudyValue::Array& times = *table.find("times")->array();
   const auto last = times.size() - 1;
   for (std::size_t k = 1; k <= last; ++k) {
     const auto time = [&](std::size_t place) { return number_of(times[place]); };
-    Movable t{{}, false, false, {}, {}, setting, "times", k};
+    Movable t{{}, false, false, {}, {}, setting, times[k], "times", k};
     t.margin.key = fmt::format("{}.times[{}]", v.key, k);
     t.margin.unit = v.spin_up->time_unit;
     t.margin.low = time(k) - 0.9 * (time(k) - time(k - 1));
     t.margin.high = k < last ? time(k) + 0.9 * (time(k + 1) - time(k)) : v.spin_up->until;
     if (t.margin.high > t.margin.low) movables.push_back(t);
     if (k == last) break;
-    Movable s{{}, false, false, {}, {}, setting, "speeds", k};
+    Movable s{{}, false, false, {}, {}, setting, (*table.find("speeds")->array())[k], "speeds", k};
     s.margin.key = fmt::format("{}.speeds[{}]", v.key, k);
     s.margin.unit = v.unit;
     s.margin.low = v.low;
@@ -74,15 +70,25 @@ void add_points(const DesignVariable& v, std::size_t setting, const StudyValue& 
   }
 }
 
+bool within(const DesignVariable& v, const StudyValue& value) {
+  const auto same = [&](const StudyValue& choice) { return text_of(choice) == text_of(value); };
+  if (!v.choices.empty()) return std::any_of(v.choices.begin(), v.choices.end(), same);
+  const double number = unit_of_value(value) == v.unit ? number_in_unit(value, v.unit) : NAN;
+  return number >= v.low && number <= v.high;
+}
+
 std::vector<Movable> movables_of(const DesignProblem& problem, const DesignCandidate& chosen) {
   std::vector<Movable> movables;
   for (std::size_t k = 0; k < problem.variables().size(); ++k) {
     const DesignVariable& v = problem.variables()[k];
+    const StudyValue& value = chosen.settings[k].value;
     if (v.spin_up) {
-      add_points(v, k, chosen.settings[k].value, movables);
+      if (!chosen.as_it_is) add_points(v, k, value, movables);
       continue;
     }
-    Movable m{{}, v.logarithmic, v.whole, v.choices, v.numbers, k, nullptr, 0};
+    Movable m{{}, v.logarithmic, v.whole, v.choices, v.numbers, k, value, nullptr, 0};
+    // The study itself may lie off the range, or state its value in other terms.
+    if (chosen.as_it_is && !within(v, value)) continue;
     m.margin.prefix = v.prefix;
     m.margin.key = v.key;
     m.margin.unit = v.unit;
@@ -90,15 +96,15 @@ std::vector<Movable> movables_of(const DesignProblem& problem, const DesignCandi
     m.margin.high = v.high;
     movables.push_back(m);
   }
-  for (Movable& m : movables) m.margin.value = allowed_number(m.choices, m.numbers, value_in(chosen, m));
+  for (Movable& m : movables) m.margin.value = allowed_number(m.choices, m.numbers, m.at);
   return movables;
 }
 
-std::vector<StudyValue> values_around(const Movable& m, const StudyValue& chosen) {
+std::vector<StudyValue> values_around(const Movable& m) {
   std::vector<StudyValue> values;
   const auto add = [&](const StudyValue& value) {
     const auto same = [&](const StudyValue& other) { return text_of(other) == text_of(value); };
-    if (!same(chosen) && std::none_of(values.begin(), values.end(), same)) values.push_back(value);
+    if (!same(m.at) && std::none_of(values.begin(), values.end(), same)) values.push_back(value);
   };
   if (m.ordered()) {
     for (const double part : margin_parts)
@@ -110,6 +116,7 @@ std::vector<StudyValue> values_around(const Movable& m, const StudyValue& chosen
 }
 
 std::vector<DesignSetting> settings_with(const DesignCandidate& chosen, const Movable& m, const StudyValue& value) {
+  if (chosen.as_it_is) return {{m.margin.key, value}};
   std::vector<DesignSetting> settings = chosen.settings;
   StudyValue& setting = settings[m.setting].value;
   if (!m.member) {
@@ -181,12 +188,12 @@ std::size_t margin_points(const DesignProblem& problem) { return 2 * margin_part
 std::vector<DesignMargin> design_margins(const DesignProblem& problem, const DesignStanding& standing,
                                          DesignEnsembles& ensembles, const DesignCandidate& chosen,
                                          std::uint64_t starts, std::uint64_t seed) {
-  const DesignSample here = ensembles.run({{chosen.settings, starts, seed}}).front();
+  const DesignSample here = ensembles.run({{chosen.changes(), starts, seed}}).front();
   if (here.figures.empty()) return {};
   const MarginJudge judge(problem, standing, here);
   std::vector<DesignMargin> margins;
   for (Movable& m : movables_of(problem, chosen)) {
-    const std::vector<StudyValue> values = values_around(m, value_in(chosen, m));
+    const std::vector<StudyValue> values = values_around(m);
     std::vector<WantedSample> wanted;
     for (const StudyValue& value : values) wanted.push_back({settings_with(chosen, m, value), starts, seed});
     const std::vector<DesignSample> samples = ensembles.run(wanted);
@@ -225,6 +232,7 @@ std::vector<std::string> design_limits_reached(const DesignProblem& problem, con
   for (std::size_t k = 0; k < problem.variables().size(); ++k) {
     const DesignVariable& v = problem.variables()[k];
     if (v.spin_up || (!v.choices.empty() && v.numbers.empty())) continue;
+    if (chosen.as_it_is && !within(v, chosen.settings[k].value)) continue;
     const double value = allowed_number(v.choices, v.numbers, chosen.settings[k].value);
     const double part =
         v.logarithmic ? std::log(value / v.low) / std::log(v.high / v.low) : (value - v.low) / (v.high - v.low);

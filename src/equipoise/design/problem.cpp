@@ -19,9 +19,9 @@
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/start_runs/checks.hpp"
 #include "equipoise/study/table_reader.hpp"
-#include "equipoise/units/unit_table.hpp"
 #include "equipoise/units/units.hpp"
 #include "equipoise/words/design_study.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -41,24 +41,13 @@ const StudyValue::Table& table_of(const Document& document, const std::string& n
   return *table->table();
 }
 
-// The number of a value; NaN if it is not a number or has another unit.
-double number_in(const StudyValue& value, const std::string& unit) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const std::string written = unit_of_value(value);
-  if (!value.is_number() && written.empty()) return none;
-  if (written == unit) return number_of(value);
-  if (written.empty() || unit.empty()) return none;
-  const auto from = study::table_unit(written), to = study::table_unit(unit);
-  return from && to ? number_of(value) * from->worth_in(*to) : none;
-}
-
 FigureSource read_figure(const Document& document, const std::string& where, const StudyValue* value,
                          const std::string& name, const Study& study, const std::vector<DesignVariable>& variables) {
   std::string problem;
   if (auto source = figure_source(name, study, variables, problem)) {
     if (source->kind == FigureSource::Kind::variable)
       if (const StudyValue* own = document.root.find_path(source->key))
-        source->own = number_in(*own, source->figure.unit);
+        source->own = number_in_unit(*own, source->figure.unit);
     return *source;
   }
   throw InputError(document.where("design", value), where, name, problem);
@@ -206,6 +195,16 @@ std::vector<DesignSetting> DesignProblem::settings_at(std::span<const double> at
     at = at.subspan(count);
   }
   return settings;
+}
+
+DesignCandidate DesignProblem::as_it_is() const {
+  DesignCandidate candidate;
+  candidate.as_it_is = true;
+  for (const DesignVariable& v : variables_) {
+    const StudyValue* own = v.spin_up ? nullptr : stated_in(tree_, v.key);
+    candidate.settings.push_back({v.key, own ? *own : StudyValue(std::string(words::text::as_it_is))});
+  }
+  return candidate;
 }
 
 StudyValue DesignProblem::tree_of(const std::vector<DesignSetting>& settings) const {

@@ -45,6 +45,9 @@ class DesignProblem {
   std::size_t dimensions() const { return dimensions_; }
   std::vector<DesignSetting> settings_at(std::span<const double> at) const;
 
+  /// The study itself among the candidates.
+  DesignCandidate as_it_is() const;
+
   /// The study with these settings as a tree; without settings the original study.
   StudyValue tree_of(const std::vector<DesignSetting>& settings) const;
   /// The same for an ensemble of the search or its check. Throws InputError if the study is invalid.

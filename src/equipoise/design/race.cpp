@@ -37,7 +37,7 @@ std::size_t Race::enter(const SearchPoint& point) {
 
 void Race::look(const std::vector<std::size_t>& places, std::uint64_t starts) {
   std::vector<WantedSample> wanted;
-  for (const std::size_t k : places) wanted.push_back({candidates_[k].settings, starts, seed_});
+  for (const std::size_t k : places) wanted.push_back({candidates_[k].changes(), starts, seed_});
   const auto take = [&] {
     for (std::size_t k = 0; k < places.size(); ++k)
       if (const DesignSample* sample = ensembles_.known(wanted[k])) candidates_[places[k]].search = *sample;
@@ -119,6 +119,10 @@ std::vector<SearchWorth> Race::judge(const std::vector<SearchPoint>& points) {
   std::vector<std::size_t> places, fresh;
   std::set<std::size_t> seen;
   const std::size_t known = candidates_.size();
+  if (known == 0) {  // the study itself comes first
+    candidates_.push_back(problem_.as_it_is());
+    fresh.push_back(0);
+  }
   for (const SearchPoint& point : points) {
     places.push_back(enter(point));
     if (places.back() >= known && seen.insert(places.back()).second) fresh.push_back(places.back());

@@ -21,7 +21,8 @@ class Race {
   Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget,
        std::uint64_t seed, std::function<void(const DesignCandidate*)> told);
 
-  /// As a Judge: throws SearchOver when the budget is spent, when nothing new is proposed, or when stopped.
+  /// As a Judge, who judges the study itself before all else: throws SearchOver when the budget is spent, when nothing
+  /// new is proposed, or when stopped.
   std::vector<SearchWorth> judge(const std::vector<SearchPoint>& points);
 
   /// All candidates that were examined, each with its largest sample.

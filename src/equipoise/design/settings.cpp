@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/toml/toml_tree.hpp"
+#include "equipoise/units/unit_table.hpp"
 
 namespace equipoise {
 
@@ -53,6 +55,16 @@ std::string unit_of_value(const StudyValue& value) {
   return value.string() ? std::string(behind_number(*value.string(), number)) : "";
 }
 
+double number_in_unit(const StudyValue& value, const std::string& unit) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::string written = unit_of_value(value);
+  if (!value.is_number() && written.empty()) return none;
+  if (written == unit) return number_of(value);
+  if (written.empty() || unit.empty()) return none;
+  const auto from = study::table_unit(written), to = study::table_unit(unit);
+  return from && to ? number_of(value) * from->worth_in(*to) : none;
+}
+
 StudyValue value_of(double number, const std::string& unit, bool whole) {
   if (whole) return static_cast<std::int64_t>(std::llround(number));
   const std::string digits = fmt::format("{:.6g}", number);
@@ -92,6 +104,11 @@ std::string text_of(const std::vector<DesignSetting>& settings) {
   for (const DesignSetting& s : settings)
     text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", s.key, text_of(s.value));
   return text;
+}
+
+const StudyValue* stated_in(const StudyValue& tree, const std::string& key) {
+  const StudyValue* value = tree.find_path(key_in(tree, key));
+  return value && !value->table() && !value->array() ? value : nullptr;
 }
 
 void set_in(StudyValue& tree, const std::vector<DesignSetting>& settings) {

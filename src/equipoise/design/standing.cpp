@@ -44,6 +44,7 @@ double DesignStanding::violation(const DesignLimit& limit, const DesignSample& s
   if (sample.figures.empty()) return largest_violation;
   const auto missed = [](double by, double bound) {
     const double part = by / (bound != 0.0 ? std::fabs(bound) : 1.0);
+    if (std::isnan(part)) return largest_violation;  // a number that the study itself does not state
     return part > 0.0 ? std::min(part, largest_violation) : 0.0;
   };
   double sum = 0.0;
@@ -66,7 +67,7 @@ std::vector<double> DesignStanding::goals(const DesignSample& sample, Side side)
     if (sample.figures.empty()) continue;
     const bool up = figures_[k].figure.up;
     const double value = at(sample, k, up, side);
-    goals.push_back(std::clamp(up ? -value : value, -worst_goal, worst_goal));
+    goals.push_back(std::isnan(value) ? worst_goal : std::clamp(up ? -value : value, -worst_goal, worst_goal));
   }
   return goals;
 }

@@ -10,8 +10,11 @@
 
 #include "equipoise/base/read_number.hpp"
 #include "equipoise/columns/transient_figures.hpp"
+#include "equipoise/text/below_resonance.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/decision.hpp"
 #include "equipoise/words/design.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -176,7 +179,7 @@ std::string design_answer(const DesignResult& r) {
     text += fmt::format("{}{} {}", text.empty() ? "" : "; ", figure_words(r.figures[k]),
                         estimate_with_interval(r.figures[k], sample.figures[k]));
   std::string before;
-  if (r.before && !r.before->figures.empty())
+  if (r.before && !r.before->figures.empty() && !best.as_it_is)
     before = fmt::format(
         words::design::as_it_is, r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
         estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
@@ -206,6 +209,7 @@ std::string things_chosen(const Study& study, const std::vector<DesignSetting>& 
   std::string words = balls_chosen(study, settings);
   for (const DesignSetting& s : settings) {
     if (s.key == "balancer.balls" || s.key == "balancer.ball_diameter" || s.key == "balancer.mass") continue;
+    if (setting_text(s.value) == words::text::as_it_is) continue;  // the study states none
     const Thing* thing = known_thing(s.key);
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thing ? thing->before : thing_of(s.key) + " ",
                          setting_text(s.value));
@@ -214,16 +218,20 @@ std::string things_chosen(const Study& study, const std::vector<DesignSetting>& 
 }
 
 DesignVerdict design_verdict(const DesignResult& r) {
+  if (r.leave_out)
+    return {fmt::format(words::text::leave_out, below_resonance_words(r.study)), words::decision::by_linear_theory,
+            words::design::nothing_to_choose};
   DesignVerdict verdict;
   const std::string partial = r.partial ? "PARTIAL: " : "";
   if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
     return {design_answer(r), words::design::none_followed, words::design::not_known};
-  const DesignSample& now = r.front[*r.chosen].best_known();
-  const std::string things = things_chosen(r.study, r.front[*r.chosen].settings);
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& now = best.best_known();
+  const std::string things = best.as_it_is ? words::text::as_it_is : things_chosen(r.study, best.settings);
   const bool alone = r.limits.empty();
-  if (as_good_before(r, now))
-    verdict.words =
-        fmt::format(words::design::leave_as_it_is, partial, alone ? "" : words::design::keeps_all_and, things);
+  if (best.as_it_is ? r.feasible : as_good_before(r, now))
+    verdict.words = fmt::format(words::design::leave_as_it_is, partial, alone ? "" : words::design::keeps_all_and,
+                                best.as_it_is ? "" : fmt::format(words::design::best_found, things));
   else if (r.feasible)
     verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : words::design::all_are_kept);
   else
@@ -231,7 +239,7 @@ DesignVerdict design_verdict(const DesignResult& r) {
   verdict.because = design_answer(r);
   if (verdict.because.starts_with(all_kept)) verdict.because.erase(0, all_kept.size());  // the verdict says so
   if (r.margins.empty()) {
-    verdict.margins = words::design::margins_unknown;
+    verdict.margins = best.as_it_is && !r.partial ? words::design::states_no_number : words::design::margins_unknown;
   } else {
     const std::string words = margins_words(r);
     verdict.margins = words.empty()

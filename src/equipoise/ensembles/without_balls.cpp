@@ -108,6 +108,7 @@ OneBodyRuns counted(const OneBodyTask& task, std::span<const OneBodyRun> runs) {
   }
   const TransientResult all = tally.result(Catalogue());
   result.figures = all.groups.front();
+  result.first = all.first;
   result.lost = all.lost;
   result.runs = runs.size();
   return result;

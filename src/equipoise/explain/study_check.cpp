@@ -18,11 +18,13 @@
 #include "equipoise/results/left_grade.hpp"
 #include "equipoise/study/physical.hpp"
 #include "equipoise/study/table_reader.hpp"
+#include "equipoise/text/below_resonance.hpp"
 #include "equipoise/text/carrying_text.hpp"
 #include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/study_check.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -250,7 +252,8 @@ class Assumptions {
 const char* const medians_assumed = words::study_check::values_at_medians;
 
 std::string StudyCheck::text() const {
-  return fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
+  const std::string first = leave_out.empty() ? "" : fmt::format(words::text::leave_out, leave_out) + "\n";
+  return first + fmt::format(words::study_check::lines, machine, unbalance, balls, fmt::join(assumed, "; "), most);
 }
 
 StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,
@@ -260,6 +263,7 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name, co
   const study::Document document = study::parse_document(toml_text, name, overrides);
   const Explanation e = explain(medians, balls, stop);
   StudyCheck check;
+  check.leave_out = below_resonance_words(study);
   check.machine = machine_line(e);
   check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
   check.balls = balls_line(e) + weight_words(e);

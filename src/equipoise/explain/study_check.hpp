@@ -9,13 +9,14 @@
 namespace equipoise {
 
 struct StudyCheck {
+  std::string leave_out;                  ///< why no balancer can help, if that is known at once
   std::string machine, unbalance, balls;  ///< as understood, in the study's units
   /// What the study does not state and what matters, each a few words: "balls free from t = 0".
   std::vector<std::string> assumed;
   /// Which of the estimated quantities matters most, and how that was judged.
   std::string most;
 
-  std::string text() const;  ///< at most five lines
+  std::string text() const;  ///< at most six lines
 };
 
 /// Among what is assumed of a study with uncertain values: what follows without simulation takes them so.

@@ -87,6 +87,7 @@ std::vector<Chart> spin_up_charts(const DesignResult& r) {
     const auto& shape = r.variables[k].spin_up;
     if (!shape) continue;
     const StudyValue& value = best->settings[k].value;
+    if (!value.find("times")) return {};  // of the study itself
     ChartSeries speeds{"speed", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
     for (const StudyValue& t : *value.find("times")->array()) speeds.x.push_back(leading_number(t));
     for (const StudyValue& s : *value.find("speeds")->array()) speeds.y.push_back(leading_number(s));

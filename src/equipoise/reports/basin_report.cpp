@@ -150,32 +150,36 @@ DocumentTable outcome_table(const BasinResult& r) {
 }
 
 // "No start was undecided, diverged or failed (each below 0.19 %)." "No start came to: co-drifting, chaotic; locked;
-// and none diverged or failed (...)." With undecided starts: what they could still be.
+// and none diverged or failed (...)." What undecided starts may still come to has a bound of its own.
 std::string none_words(const BasinResult& r) {
-  const bool physical = r.study.scales.has_value();
+  const bool physical = r.study.scales.has_value(), open = r.undecided.count > 0;
   std::vector<std::string> motions, ends;
-  const Share* none = nullptr;
-  for (const OutcomeShare& a : r.attractors)
-    if (a.share.count == 0 && a.id != balanced_id) motions.push_back(reader_title(a, physical));
+  const Share *of_motions = nullptr, *of_ends = nullptr;
+  for (const OutcomeShare& a : r.attractors) {
+    if (a.share.count > 0 || a.id == balanced_id) continue;
+    motions.push_back(reader_title(a, physical));
+    of_motions = &a.share;
+  }
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
-    none = r.of(o.id);
+    of_ends = r.of(o.id);
     ends.push_back(o.id == stalled_code
                        ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
                    : o.id == undecided_code ? words::reports::was_undecided
                                             : o.name);
   }
-  if (!none) return "";
+  if (!of_ends) return "";
+  const auto each = [](std::size_t count) { return count > 1 ? "each " : ""; };
   // Names of motions may hold commas.
   std::string text = words::reports::no_start;
-  if (!motions.empty())
-    text += fmt::format("{}{}{}", words::reports::came_to, fmt::join(motions, "; "), words::reports::and_none);
+  if (!motions.empty()) text += fmt::format("{}{}", words::reports::came_to, fmt::join(motions, "; "));
+  if (!motions.empty() && open)
+    text += fmt::format(words::reports::at_most_whatever_undecided, each(motions.size()),
+                        percent(of_motions->most, digits_for(*of_motions)));
+  if (!motions.empty()) text += words::reports::and_none;
   for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "" : k + 1 < ends.size() ? ", " : " or ") + ends[k];
-  const std::string each = motions.size() + ends.size() > 1 ? "each " : "";
-  // The upper end of undecided starts is none's own: what they come to may be one of these.
-  if (none->most > none->high)
-    return text + fmt::format(words::reports::at_most_whatever_undecided, each, percent(none->most, digits_for(*none)));
-  return text + fmt::format(" ({}{}).", each, interval(*none));
+  return text + fmt::format("{} ({}{}).", open ? words::reports::while_followed : "",
+                            each(open ? ends.size() : motions.size() + ends.size()), interval(*of_ends));
 }
 
 std::string outcome_text(const BasinResult& r, const TextStyle& style) {

@@ -55,25 +55,30 @@ DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
                       {column_title(words(r.key), r.unit), "between", words::reports::undecided_at_most, "trials"});
   table.spare = {table.header.size() - 1};
   table.caption = words::reports::between_means;
-  const auto end = [](const std::optional<double>& value) { return value ? four_digits(*value) : std::string("?"); };
+  bool unknown = false;
+  const auto end = [&](const std::optional<double>& value) {
+    unknown = unknown || !value;
+    return value ? four_digits(*value) : std::string("?");
+  };
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    const auto add_row = [&](const std::string& value, const auto& of, const std::string& undecided,
-                             std::size_t trials) {
+    const auto add_row = [&](const std::string& value, const OpenCapacity& of, const std::string& undecided) {
       std::vector<DocumentCell> row = parameter_values(r.axes, index);
       for (const std::string& text :
-           {value, fmt::format("{} and {}", end(of.low), end(of.high)), undecided, fmt::format("{}", trials)})
+           {value, fmt::format("{} and {}", end(of.low), end(of.high)), undecided, fmt::format("{}", of.trials)})
         row.push_back(number_cell(text));
       table.rows.push_back(std::move(row));
     };
-    if (const auto& open = r.open[index]) add_row("open", *open, "-", open->trials);
+    if (const auto& open = r.open[index]) add_row("open", *open, "-");
     if (!r.cells[index]) continue;
-    const std::vector<CapacityTrial>& trials = r.cells[index]->trials;
+    const CapacityCell& cell = *r.cells[index];
     Share open;
-    for (const CapacityTrial& t : trials)
+    for (const CapacityTrial& t : cell.trials)
       if (t.undecided.share >= open.share) open = t.undecided;
-    add_row(capacity_value_text(r, *r.cells[index]), *r.cells[index], share_cell(open).text, trials.size());
+    add_row(capacity_value_text(r, cell), {cell.shown_low(r.at_least), cell.shown_high(r.at_least), cell.trials.size()},
+            share_cell(open).text);
   }
   if (!r.complete()) table.caption += words::reports::open_means;
+  if (unknown) table.caption += words::reports::unknown_means;
   return table;
 }
 

@@ -52,14 +52,20 @@ DocumentTable figures_table(const ComparisonResult& r) {
 
 std::string verdict(const ComparisonResult& r) {
   if (r.starts == 0) return words::reports::nothing_to_compare;
-  if (!r.balanced) return words::reports::neither_balances;
-  const ShareDifference& d = r.shares[*r.balanced].difference;
+  if (!r.limits && !r.balanced) return words::reports::neither_balances;
+  const ShareDifference& d = r.limits ? r.limits->difference : r.shares[*r.balanced].difference;
+  const double low = r.limits ? r.limits->surely_low : r.surely_low,
+               high = r.limits ? r.limits->surely_high : r.surely_high;
+  const char* does = !r.limits         ? words::reports::balances
+                     : r.limits->alike ? words::reports::keeps_every_limit
+                                       : words::reports::keeps_its_own_limits;
+  const char* starts = r.limits ? words::reports::starts_within_all_limits : words::reports::balanced_starts;
   const std::string by = fmt::format(words::reports::by_points, points(d.difference), interval_text(d));
-  if (r.surely_low > 0.0) return fmt::format(words::reports::second_more_often, by);
-  if (r.surely_high < 0.0) return fmt::format(words::reports::second_less_often, by);
+  if (low > 0.0) return fmt::format(words::reports::second_more_often, does, by);
+  if (high < 0.0) return fmt::format(words::reports::second_less_often, does, by);
   if (d.low > 0.0 || d.high < 0.0)
-    return fmt::format(words::reports::difference_open, by, points(r.surely_low), points(r.surely_high));
-  return fmt::format(words::reports::no_difference, interval_text(d));
+    return fmt::format(words::reports::difference_open, starts, by, points(low), points(high));
+  return fmt::format(words::reports::no_difference, starts, interval_text(d));
 }
 
 std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
@@ -69,12 +75,13 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
                        style);
   DocumentTable table{
       {"outcome", "first", "second", "difference", words::reports::interval_in_points}, {}, "", false, {}};
-  for (const ComparedShare& s : r.shares) {
-    if (s.first.count == 0 && s.second.count == 0) continue;
-    table.rows.push_back(
-        row_of("lnnnn", {reader_title(s, r.first.scales.has_value()), percent(s.first.share, 2),
-                         percent(s.second.share, 2), points(s.difference.difference), interval_text(s.difference)}));
-  }
+  const auto row = [&](const std::string& name, const auto& s) {
+    table.rows.push_back(row_of("lnnnn", {name, percent(s.first.share, 2), percent(s.second.share, 2),
+                                          points(s.difference.difference), interval_text(s.difference)}));
+  };
+  if (r.limits) row(words::reports::starts_within_all_limits, *r.limits);
+  for (const ComparedShare& s : r.shares)
+    if (s.first.count > 0 || s.second.count > 0) row(reader_title(s, r.first.scales.has_value()), s);
   text += table_text(table, style) + "\n";
   if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
   std::string notes;
@@ -122,6 +129,15 @@ std::string comparison_json(const ComparisonResult& r) {
   for (const ChangedFate& c : r.changes)
     json["changes"].push_back({{"from", c.from}, {"to", c.to}, {"starts", c.starts}});
   json["balanced_surely"] = {{"low", r.surely_low}, {"high", r.surely_high}};
+  if (r.limits)
+    json["limits"] = {{"difference", r.limits->difference.difference},
+                      {"low", r.limits->difference.low},
+                      {"high", r.limits->difference.high},
+                      {"surely_low", r.limits->surely_low},
+                      {"surely_high", r.limits->surely_high},
+                      {"first", share_json(r.limits->first)},
+                      {"second", share_json(r.limits->second)},
+                      {"alike", r.limits->alike}};
   json["verdict"] = verdict(r);
   json["partial"] = r.partial;
   json["first"] = study_json(r.first);

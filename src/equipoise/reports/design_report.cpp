@@ -32,7 +32,8 @@ DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"
 
 DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
   const DesignSample& sample = c.best_known();
-  DesignOut out{{"things", things_chosen(r.study, c.settings)},
+  DesignOut out{{"as_it_is", c.as_it_is},
+                {"things", things_chosen(r.study, c.settings)},
                 {"variables", DesignOut::object()},
                 {"objectives", DesignOut::object()},
                 {"constraints", DesignOut::object()}};
@@ -222,10 +223,12 @@ std::string design_json(const DesignResult& r) {
   if (r.before && !r.before->figures.empty()) {
     DesignCandidate as_it_is;
     as_it_is.search = *r.before;
+    as_it_is.as_it_is = true;
     json["before"] = candidate_out(r, as_it_is);
     json["before"]["held_out"] = r.chosen && r.front[*r.chosen].held_out.has_value();
   }
   json["feasible"] = r.feasible;
+  json["leave_out"] = r.leave_out;
   json["trajectories"] = r.trajectories;
   json["budget"] = r.budget;
   json["candidates"] = r.candidates;

@@ -28,6 +28,12 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   result.own_starts = file.attribute("own_starts");
   result.outcome.resize(starts);
   file.read(file.variable("outcome", NC_SHORT, {starts}), {0}, {starts}, result.outcome.data());
+  if (file.has_variable("mean_speed")) {
+    result.mean_speed.resize(starts);
+    file.read(file.variable("mean_speed", NC_FLOAT, {starts}), {0}, {starts}, result.mean_speed.data());
+    for (float& speed : result.mean_speed)
+      if (speed == io::missing_figure) speed = std::numeric_limits<float>::quiet_NaN();
+  }
   std::vector<bool> lost(starts);
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];

@@ -20,7 +20,8 @@ struct BasinOutcomes {
   std::map<short, Name> names;  ///< of all outcomes that occur
   /// If they were gathered: figures of start i, as in StartArrays; of starts that were lost none is a number.
   std::array<std::vector<float>, transient_figures.size()> transients;
-  std::string own_starts;  ///< for the caller's own starts: their number and checksum
+  std::vector<float> mean_speed;  ///< of start i, if its rotor is driven
+  std::string own_starts;         ///< for the caller's own starts: their number and checksum
   bool partial = false;
 };
 

@@ -36,6 +36,18 @@ struct CapacityCell {
   double low = 0.0, high = 0.0;
   bool always = false;  ///< as large up to the end of the range: the capacity lies beyond
   bool never = false;   ///< smaller from the start of the range
+
+  /// `low` and `high` as far as a trial shows them.
+  std::optional<double> shown_low(double at_least) const {
+    for (const CapacityTrial& t : trials)
+      if (t.value <= low && !t.unstable && t.balanced.least >= at_least) return low;
+    return std::nullopt;
+  }
+  std::optional<double> shown_high(double at_least) const {
+    for (const CapacityTrial& t : trials)
+      if (t.value >= high && t.most() < at_least) return high;
+    return std::nullopt;
+  }
 };
 
 /// What a stopped run knows of a cell's boundary, as CapacityCell::low and high; empty if no value tried shows it. More

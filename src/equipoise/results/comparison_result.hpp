@@ -20,6 +20,14 @@ struct ComparedShare {
   ShareDifference difference;  ///< second less first
 };
 
+/// Starts that keep every limit of their own study, those lost left out as everywhere.
+struct ComparedLimits {
+  Share first, second;
+  ShareDifference difference;                   ///< second less first
+  double surely_low = -1.0, surely_high = 1.0;  ///< at 95 % whatever undecided starts would come to
+  bool alike = true;                            ///< both studies state the same limits
+};
+
 /// Common starts that ended as `from` in the first study and as `to` in the second.
 struct ChangedFate {
   std::string from, to;
@@ -47,7 +55,8 @@ struct ComparisonResult {
   std::optional<std::size_t> balanced;  ///< index of balance in `shares`
   /// For its difference: bounds at 95 % whatever undecided starts would come to.
   double surely_low = -1.0, surely_high = 1.0;
-  std::vector<ComparedFigure> figures;  ///< if both have transients, in units that both are told in
+  std::optional<ComparedLimits> limits;  ///< if both studies state limits and have transients
+  std::vector<ComparedFigure> figures;   ///< if both have transients, in units that both are told in
   bool partial = false;
 };
 

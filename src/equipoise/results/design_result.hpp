@@ -60,11 +60,14 @@ struct DesignSample {
 };
 
 struct DesignCandidate {
-  std::vector<DesignSetting> settings;
+  std::vector<DesignSetting> settings;   ///< one for each variable
   DesignSample search;                   ///< on the starts that the search saw
   std::optional<DesignSample> held_out;  ///< on starts that it did not see
+  bool as_it_is = false;                 ///< the study itself: where it states no such value, words stand in its place
 
   const DesignSample& best_known() const { return held_out ? *held_out : search; }
+  /// What is set in the study.
+  std::vector<DesignSetting> changes() const { return as_it_is ? std::vector<DesignSetting>{} : settings; }
 };
 
 /// The chosen candidate with one of its numbers changed.
@@ -118,6 +121,7 @@ struct DesignResult {
   std::vector<DesignStep> history;
   std::string best_study;     ///< the chosen study as TOML
   bool partial = false;       ///< stopped: the front rests only on the search's starts
+  bool leave_out = false;     ///< no balancer can help the machine, so that nothing is in `front`
   std::uint64_t resumed = 0;  ///< ensembles read from an earlier run's file
   std::string proposed;       ///< of a study that states no [design]: the one that was used, as TOML
   std::string identity;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "equipoise/results/transient_result.hpp"
 
@@ -15,6 +16,7 @@ struct OneBodyRuns {
   std::uint64_t stalled = 0;  ///< of driven rotors: that their motor does not bring up to speed
   std::uint64_t open = 0;     ///< without a steady motion while followed; their figures at the end are the last seen
   std::uint64_t lost = 0;     ///< that diverged or failed
+  std::vector<PairedStart> first{};  ///< runs that have the rotors of the ensemble's first starts
 };
 
 /// Displacements of each count from its own place of rest. Depends on the study and on how many starts there are.
@@ -22,7 +24,7 @@ struct WithoutBalls {
   OneBodyRuns bare;  ///< no balls
   OneBodyRuns held;  ///< balls held where they start: the first starts
 };
-/// Starts whose balls are held: enough for a median to a few per cent of its spread.
-inline constexpr std::uint64_t most_held_starts = 256;
+/// Starts whose balls are held.
+inline constexpr std::uint64_t most_held_starts = most_paired_starts;
 
 }  // namespace equipoise

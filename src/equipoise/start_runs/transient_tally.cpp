@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/columns/limits_of_start.hpp"
 #include "equipoise/columns/watched_shaft.hpp"
 #include "equipoise/types/outcomes.hpp"
 
@@ -45,6 +46,8 @@ TransientTally::TransientTally(const Study& study, const Sampler& sampler)
 
 void TransientTally::add(const Fate& fate, const TransientRow& row) {
   const double weight = sampler_.weight(seed_, total_++);
+  if (first_.size() < most_paired_starts)
+    first_.push_back({fate.outcome == Outcome::undecided, weight, row.peak_radial, row.rms_velocity});
   if (std::isnan(row.peak_radial)) {
     ++lost_;
     return;
@@ -67,23 +70,14 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
   count_limits(fate, row, weight, line);
 }
 
-// What is not known, such as the speed of a start that was not watched for long enough, is no limit kept.
 void TransientTally::count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
   const bool open = fate.outcome == Outcome::undecided;
   const double speed = driven_ ? std::fabs(fate.mean_speed) : final_speed_;
-  bool end = !(limits_.settled && row.peak_radial_at_end > *limits_.settled), way = true;
+  const LimitsOfStart of = limits_of_start(limits_, row, speed);
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
-    const TransientLimit& l = transient_limits[k];
-    const auto& limit = limits_.*l.limit;
-    if (!limit) continue;
-    const auto beyond = [&](float TransientRow::*figure) {
-      return !(row.*figure * (l.by_speed ? speed : 1.0) <= *limit);
-    };
-    const bool exceeds = beyond(l.value), ends_beyond = beyond(l.end);
-    line.exceeding[k].add(exceeds, open && (l.at_end || !exceeds), weight);  // a peak stays exceeded
-    line.exceeding_at_end[k].add(ends_beyond, open, weight);
-    end = end && !ends_beyond;
-    way = way && (l.at_end || !exceeds);
+    const bool stays = !transient_limits[k].at_end && of.exceeded[k];  // of a peak
+    line.exceeding[k].add(of.exceeded[k], open && !stays, weight);
+    line.exceeding_at_end[k].add(of.exceeded_at_end[k], open, weight);
   }
   for (std::size_t k = 0; k < standard_levels.size(); ++k) {
     if (!levels_[k]) continue;
@@ -91,9 +85,9 @@ void TransientTally::count_limits(const Fate& fate, const TransientRow& row, dou
     const bool exceeds = !(row.*l.value <= *levels_[k]);
     line.beyond[k].add(exceeds, open && (l.at_end || !exceeds), weight);
   }
-  line.within[static_cast<std::size_t>(Within::at_end)].add(end, open, weight);
-  line.within[static_cast<std::size_t>(Within::on_the_way)].add(way, open && way, weight);
-  line.within[static_cast<std::size_t>(Within::both)].add(way && end, open && way, weight);
+  line.within[static_cast<std::size_t>(Within::at_end)].add(of.at_end, open, weight);
+  line.within[static_cast<std::size_t>(Within::on_the_way)].add(of.on_the_way, open && of.on_the_way, weight);
+  line.within[static_cast<std::size_t>(Within::both)].add(of.both(), open && of.on_the_way, weight);
 }
 
 // Whether some limit is stated that has to be kept then.
@@ -180,7 +174,7 @@ std::array<QuantileEstimate, reported_quantiles.size()> TransientTally::sure_end
 }
 
 TransientResult TransientTally::result(const Catalogue& catalogue) const {
-  TransientResult result{settings_, lost_, {}};
+  TransientResult result{settings_, lost_, {}, first_};
   Line all;
   for (const auto& [key, line] : lines_) all.merge(line);
   result.groups.push_back(group(all));

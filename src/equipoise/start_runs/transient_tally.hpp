@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "equipoise/attractors/catalogue.hpp"
 #include "equipoise/results/transient_result.hpp"
@@ -85,6 +86,7 @@ class TransientTally {
   double final_speed_;  // of a prescribed one
   bool driven_;
   std::uint64_t seed_, total_ = 0, lost_ = 0;
+  std::vector<PairedStart> first_;
   std::map<std::pair<int, int>, Line> lines_;  // by outcome and attractor
 };
 

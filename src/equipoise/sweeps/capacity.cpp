@@ -60,9 +60,7 @@ std::vector<std::string> settings(const SweepPlan& plan, const CapacityOptions& 
 Share asked_share(const BasinResult& result, const std::string& by) {
   if (by == "balanced") return result.attractors.front().share;
   const TransientGroup& all = result.transients->groups.front();
-  if (by == "limits")
-    for (const Within w : {Within::both, Within::at_end, Within::on_the_way})
-      if (const auto& share = all.within[static_cast<std::size_t>(w)]) return *share;
+  if (by == "limits") return all.kept().value();
   for (std::size_t k = 0; k < transient_limits.size(); ++k)
     if (by == transient_limits[k].name && all.exceeded[k]) return complement(*all.exceeded[k]);
   throw std::logic_error(words::sweeps::no_such_limit);

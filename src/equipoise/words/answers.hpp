@@ -46,9 +46,14 @@ inline constexpr char undecided_up_to[] = "; up to {} stay undecided, at {}";
 
 // Capacity, the largest value of a quantity. Quantity, value, starts, what is asked of them.
 inline constexpr char surely_between[] = "{} (between {:.4g} and {:.4g})";
-inline constexpr char nowhere[] = "At {} {}, where the range begins, fewer than {} {}";
-inline constexpr char up_to_the_end[] = "Up to {} {}, the end of the range, {} {}";
-inline constexpr char up_to[] = "Up to {} {}, {} {}: shown up to {:.4g}, shown to be fewer from {:.4g} on";
+inline constexpr char nowhere[] = "At {} {}, where the range begins, fewer than {} {}: {}";
+inline constexpr char up_to_the_end[] = "Up to {} {}, the end of the range, {} {}: {}";
+inline constexpr char up_to[] = "Up to {} {}, {} {}: {}";
+// How sure that is.
+inline constexpr char shown_up_to[] = "shown up to {:.4g}";
+inline constexpr char fewer_from[] = "shown to be fewer from {:.4g} on";
+inline constexpr char likely[] = "likely ";
+inline constexpr char not_shown[] = "likely, but not shown";
 inline constexpr char share_of_starts[] = "{:.4g} % of starts";
 inline constexpr char confidence[] = " (95 % confidence)";
 inline constexpr char at_cell[] = ", at ";

@@ -8,6 +8,7 @@ namespace equipoise::words::decision {
 
 // Verdicts where the study has limits. {}: the share that must keep them.
 inline constexpr char not_needed[] = "Not needed: the rotor keeps every limit without a balancer too.";
+inline constexpr char not_needed_whatever_balls_do[] = "Not needed: without balls the rotor keeps every limit.";
 // {}: what grows.
 inline constexpr char fit_if_it_may_shake[] = "Fit it only if more vibration on the way is acceptable: {}.";
 inline constexpr char fit[] = "Fit it: at least {} of starts keep every limit.";
@@ -19,6 +20,9 @@ inline constexpr char do_not_fit_as_it_is[] =
     "without balls.";
 inline constexpr char change_it[] = "Change it: too few starts keep every limit; {} are asked.";
 inline constexpr char not_decided[] = "Not decided yet: whether {} of starts keep every limit.";
+
+// Below the critical speed, whatever the limits are. Why.
+inline constexpr char do_not_fit_because[] = "Do not fit it: {}.";
 
 // Verdicts where it has none: vibration at the end is compared.
 inline constexpr char fit_half_the_vibration[] = "Fit it: in 90 % of starts it ends with at most half the vibration.";
@@ -37,10 +41,15 @@ inline constexpr char rotor_alone_too[] = "; the rotor without balls keeps them 
 inline constexpr char rotor_alone_not[] = "; the rotor without balls does not";
 // Most in 90 % of starts, unit, interval or nothing, value without balls.
 inline constexpr char velocity_at_end[] =
-    "RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}.";
+    "RMS velocity at the end in 90 % of starts at most {} {}{}; without balls {}{}.";
+// Times.
+inline constexpr char times_its_own_rotor[] =
+    ". In 90 % of starts it is at most {} times that of the same rotor without balls";
 inline constexpr char interval[] = " ({} to {})";
 inline constexpr char peak_and_without_balls[] =
     "the peak reaches {:.3g} {} in one start of ten, {:.3g} {} without balls";
+// Where no start was followed.
+inline constexpr char by_linear_theory[] = "By linear theory; no start has to be followed for that.";
 
 // What to change.
 inline constexpr char nothing_to_change[] = "Nothing has to change.";

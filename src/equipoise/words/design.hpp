@@ -31,11 +31,14 @@ inline constexpr char speed_at_time[] = "{}{} at {}";
 // The verdict. "PARTIAL: " or nothing stands first.
 inline constexpr char none_followed[] = "No candidate was followed to its end.";
 inline constexpr char not_known[] = "Not known. A longer --within, or fewer values to choose from, may tell more.";
-inline constexpr char leave_as_it_is[] = "{}Leave it as it is: {}nothing found is shown to be better. Best found: {}.";
+inline constexpr char leave_as_it_is[] = "{}Leave it as it is: {}nothing found is shown to be better.{}";
+inline constexpr char best_found[] = " Best found: {}.";
+inline constexpr char nothing_to_choose[] = "There is nothing to choose.";
 inline constexpr char keeps_all_and[] = "it keeps all requirements, and ";
 inline constexpr char all_are_kept[] = ": all requirements are kept";
 inline constexpr char nearest[] = "{}Nothing tried is shown to keep all requirements; nearest: {}.";
 inline constexpr char margins_unknown[] = "How far each number may be off was not worked out: time ran out.";
+inline constexpr char states_no_number[] = "The study states none of these numbers, so that none was changed alone.";
 inline constexpr char nothing_misses[] = "Each number was changed alone: no value tried fails what the design keeps.";
 inline constexpr char surely_no_worse[] = ": shown to be no worse.";
 inline constexpr char requirements_kept[] = ": requirements kept.";

@@ -73,7 +73,8 @@ inline constexpr char and_none[] = "; and none ";
 inline constexpr char was_undecided[] = "was undecided";
 inline constexpr char no_start[] = "No start ";
 // "each " or nothing, share.
-inline constexpr char at_most_whatever_undecided[] = " ({}at most {}, however the undecided starts end).";
+inline constexpr char at_most_whatever_undecided[] = " ({}at most {}, however the undecided starts end)";
+inline constexpr char while_followed[] = " while followed";
 inline constexpr char bounds_hold[] =
     "Intervals hold only if the undecided starts end elsewhere; bounds are 95 % limits that hold however they end.";
 // Unit of a dimensionless study, or nothing.
@@ -112,8 +113,8 @@ inline constexpr char undecided_at_most[] = "undecided at most";
 inline constexpr char between_means[] =
     "Between: at the first value the share is large enough with 95 % confidence, however the undecided starts end; at "
     "the second it is too small with 95 % confidence.";
-inline constexpr char open_means[] =
-    " Of an open one the capacity is not known between the two values; ?: no value tried says so.";
+inline constexpr char open_means[] = " Of an open one the capacity is not known between the two values.";
+inline constexpr char unknown_means[] = " ?: no value tried says so.";
 // Key, percentage, what starts do, range searched.
 inline constexpr char largest_at_which[] = "The largest {} at which {:.4g} % of starts {}, searched from {}.\n\n";
 inline constexpr char located_to[] =
@@ -186,12 +187,18 @@ inline constexpr char nothing_to_compare[] =
 inline constexpr char neither_balances[] = "No start of either ends balanced.";
 // Difference, interval.
 inline constexpr char by_points[] = "by {} points ({})";
-// By how much.
-inline constexpr char second_more_often[] = "The second balances more often, {}.";
-inline constexpr char second_less_often[] = "The second balances less often, {}.";
-// By how much, surely lowest, surely highest.
-inline constexpr char difference_open[] = "Open: the difference is {}, but undecided starts could undo it ({} to {}).";
-inline constexpr char no_difference[] = "No difference in balanced starts is shown: {} points.";
+// What the second does: "balances", and by how much.
+inline constexpr char second_more_often[] = "The second {} more often, {}.";
+inline constexpr char second_less_often[] = "The second {} less often, {}.";
+inline constexpr char balances[] = "balances";
+inline constexpr char keeps_every_limit[] = "keeps every limit";
+inline constexpr char keeps_its_own_limits[] = "keeps its own limits";
+// Of which starts, by how much, surely lowest, surely highest.
+inline constexpr char difference_open[] =
+    "Open: the difference in {} is {}, but undecided starts could undo it ({} to {}).";
+inline constexpr char no_difference[] = "No difference in {} is shown: {} points.";
+inline constexpr char balanced_starts[] = "balanced starts";
+inline constexpr char starts_within_all_limits[] = "starts within all limits";
 inline constexpr char interval_in_points[] = "95 % interval, points";
 // Starts, of, share, interval.
 inline constexpr char common_end_differently[] = "{} of {} common starts end differently: {} ({})\n";

@@ -241,6 +241,14 @@ inline constexpr char no_steady_motion[] =
 // As above, without the speed.
 inline constexpr char motion_lost[] = "{} the rotor's motion is lost{}";
 inline constexpr char with_balls_held[] = "with balls held";
+
+// Why to leave the balancer out below the critical speed. Speed, critical speed, what balls do there.
+inline constexpr char leave_out[] = "Leave the balancer out: {}.";
+inline constexpr char below_resonance[] = "the rotor runs at {}, below its critical speed of {} with balls: there {}";
+inline constexpr char below_resonance_whatever_is_drawn[] =
+    "the rotor runs below its critical speed with balls, whatever is drawn: there {}";
+inline constexpr char balls_add_to_unbalance[] = "balls gather on the heavy side and add to the unbalance";
+inline constexpr char balls_cancel_nothing[] = "balls cancel no unbalance";
 inline constexpr char balls_held_title[] = "balls held";
 
 }  // namespace equipoise::words::text
