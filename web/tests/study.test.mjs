@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
 import {
   LONGEST,
   STILL,
@@ -119,4 +120,31 @@ check("a machine in physical units, opened from a file: units, menus, a study th
   assert.match(study.bytes.toString(), /\[rotor\]/);
   assert.equal(study.name, "study.toml");
   assert.match(await page.textContent("#terminal pre"), /^equipoise basin /);
+});
+
+check("a link cannot ask for what takes the page down", async () => {
+  const endless = "study=table-2-omega-2.4&sweep=balancer.drag~0~1~1e9~1e9~";
+  const bomb = deflateRawSync(Buffer.alloc(64 << 20, 32)).toString("base64").replaceAll("+", "-").replaceAll("/", "_");
+  for (const hash of [endless, `toml=${bomb}`]) {
+    const page = await openPage(browser, { ...STILL, hash });
+    assert.deepEqual(page.errors, []);
+    assert.equal(await page.$("#sweep-chart svg"), null);
+    await closePage(page);
+  }
+});
+
+check("the page runs its own scripts alone, and reaches nothing", async () => {
+  const page = await openPage(browser, STILL);
+  const reached = await page.evaluate(async () => {
+    const script = document.createElement("script");
+    script.textContent = "window.injected = true";
+    document.body.append(script);
+    const answer = await fetch("data:,x").then(
+      () => true,
+      () => false,
+    );
+    return [window.injected === true, answer];
+  });
+  assert.deepEqual(reached, [false, false]);
+  await closePage(page);
 });
