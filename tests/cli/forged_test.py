@@ -11,8 +11,8 @@ import struct
 from forged import checksum, dimension, forge, replaced
 from program import EASY, Case, content, main, picture_of, run, text_of
 
-# A name as long as that of the motion it replaces, with what means something to a shell, a terminal or a page.
-NAME, COMMAND = b"balanced", b"\n!>P\x1b<&\""
+# A name (CBOR: eight letters) as long as that of the motion it replaces, with what means something to a shell, a terminal or a page.
+NAME, COMMAND = b"\x68balanced", b"\x68\n!>P\x1b<&\""
 
 
 class Forged(Case):

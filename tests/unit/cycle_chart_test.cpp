@@ -324,7 +324,7 @@ TEST(CycleChart, TheScriptForJuliaHasStatesAtWhichTheEquationsRest) {
   ChartSettings settings = cycle_settings(1.9, 1.95, 0.016, 0.026);
   settings.cycles = false;
   const BifurcationChart chart = bifurcation_chart(charted_rotor(), settings);
-  const std::string picture = chart_julia(chart);
+  const std::string script = chart_julia(chart);
   EXPECT_TRUE(holds(script, "const keys_of_study = (\"speed.speed\", \"balancer.drag\")"));
   const auto rows_after = [&](const std::string& name) {
     std::istringstream text(script.substr(script.find("const " + name + " = ")));
