@@ -6,12 +6,22 @@ import os
 import pathlib
 import subprocess
 
+import numpy as np
 import pytest
 
 import equipoise as eq
 
 root = pathlib.Path(__file__).resolve().parents[2]
 studies = root / "studies"
+
+
+def described_alike(dataset, stored):
+    """Every variable of a dataset is in the file, along the same dimensions, of the same type, described alike."""
+    for name, own in dataset.variables.items():
+        kept = stored.variables[name]
+        assert (own.dims, own.dtype) == (kept.dims, kept.dtype), name
+        described = [{key: np.asarray(value).tolist() for key, value in v.attrs.items() if key != "_FillValue"} for v in (own, kept)]
+        assert described[0] == described[1], name
 
 
 @pytest.fixture(scope="session")

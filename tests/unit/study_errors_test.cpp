@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "../support/refusals.hpp"
@@ -158,7 +159,7 @@ TEST(BadInput, OverridesThatAreNotKeyAndValueAreQuotedWhole) {
   const std::string form = "must be key=value, for example rotor.eccentricity=0.02";
   for (const std::string item : {"", "=", "=3", "rotor", "rotor.eccentricity", "rotor.eccentricity=", ".x=3",
                                  "rotor.=3", "a..b=1", "rotor.eccentricity= "})
-    expect_override_rejected(item, std::string(overrides_name) + " " + item, "", "", form);
+    expect_override_rejected(item, fmt::format("{} {}", overrides_name, item), "", "", form);
 }
 
 TEST(BadInput, OverridesAreOneTomlValue) {
