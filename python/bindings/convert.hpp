@@ -39,7 +39,7 @@ py::array_t<T> array_of(std::vector<T> values, std::vector<py::ssize_t> shape = 
 /// A column as xarray and NetCDF describe it.
 inline py::dict attributes_of(const Column& column) {
   py::dict attributes;
-  attributes["units"] = column.unit();
+  attributes["units"] = column.cf_units();
   attributes["long_name"] = column.long_name();
   return attributes;
 }

@@ -15,6 +15,7 @@
 #include "equipoise/ensembles/write_basin.hpp"
 #include "equipoise/html/given_machine.hpp"
 #include "equipoise/html/machine_html.hpp"
+#include "equipoise/io/netcdf.hpp"
 #include "equipoise/kernels/cpu_target.hpp"
 #include "equipoise/reports/basin_report.hpp"
 #include "equipoise/reports/comparison_report.hpp"
@@ -268,6 +269,7 @@ void bind_ensembles(py::module_& module) {
     return names;
   });
   module.def("grounds_of_decision", &grounds_of_decision);
+  module.def("flag_word", &io::flag_word, py::arg("name"));
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
       .def("verdict", [](const Compared& c) { return verdict(c.result); })
       .def("study", [](const Compared& c) {

@@ -24,6 +24,7 @@
 #include "equipoise/sweeps/capacity.hpp"
 #include "equipoise/sweeps/sweep.hpp"
 #include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/words/files.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 
@@ -116,12 +117,16 @@ py::dict summary_of(const Map& kept) {
     codes.append(py::make_tuple(c.id, c.name, c.alias, c.share.share, c.share.low, c.share.high, c.share.count));
   figures["box_dimension"] = figure(map.figures.box_dimension);
   figures["uncertainty_exponent"] = figure(map.figures.uncertainty_exponent);
+  py::list local;
+  for (const LocalExponent& e : map.figures.local_exponents) local.append(py::make_tuple(e.from, e.to, e.value));
+  figures["local_exponents"] = local;
   figures["basin_entropy"] = figure(map.figures.basin_entropy);
   figures["boundary_basin_entropy"] = figure(map.figures.boundary_basin_entropy);
   figures["balanced_radius"] = map.figures.balanced_radius;
   summary["codes"] = codes;
   summary["figures"] = figures;
   add_axes(summary, map);
+  summary["left_out"] = map.pixels_left_out;
   summary["complete"] = map.complete;
   summary["seconds"] = map.seconds;
   return summary;
@@ -249,9 +254,11 @@ void bind_planes(py::module_& module) {
   module.attr("not_computed_code") = not_computed_code;
   module.def("pixel_numbers", [] {
     py::dict columns;
+    columns["outcome"] = attributes_of(Column{"outcome", words::files::outcome_of_pixel});
     for (const PixelNumber& n : pixel_numbers) columns[n.name] = attributes_of(n);
     return columns;
   });
+  module.def("axis_units", [](const std::string& key) { return SliceAxis{key}.angle() ? "radian" : "1"; });
   bind_kept<BasinSlice>(module, "Map", &map_text, &map_json)
       .def("arrays", &arrays_of)
       .def("summary", &summary_of)

@@ -16,7 +16,7 @@ from ._arguments import LARGEST_SEED, MOST_STARTS, checked_study, flag, real, re
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .errors import UndecidedWarning
-from .results import Result, optional
+from .results import Result, flags, numbered, optional
 from .state import Frame, State, StateLike, starts_of
 from .study import Study
 
@@ -239,9 +239,14 @@ class BasinResult(Result):
         for name, (along, attributes) in self._columns.items():
             values = kept[name].reshape(self.starts, -1) if along else kept[name]
             data[name] = (("start", along) if along else ("start",), values, {**attributes})
-        codes = sorted(self.names)
-        data["outcome"][2].update(flag_values=codes, flag_meanings=" ".join(self.names[c].replace(" ", "_") for c in codes))
-        coordinates: dict[str, Any] = {"ball": np.arange(1, self.study.balls + 1)}
+        attractors = {o["id"]: o["name"] for o in self.data["outcomes"]}
+        none = {code: name for code, name in NO_ATTRACTOR.items() if name != "stalled" or self.study.driven}
+        data["outcome"][2].update(flags({**attractors, **none}, np.int16))
+        data["decided_by"][2].update(flags(dict(enumerate(self.decided_by_names)), np.int8))
+        coordinates: dict[str, Any] = {
+            "start": ("start", *numbered(self.starts, "index of the start")),
+            "ball": ("ball", *numbered(self.study.balls, "number of the ball", 1)),
+        }
         if "drawn" in data:
             units = self.study.uncertain
             coordinates["uncertain_value"] = list(units)

@@ -16,7 +16,7 @@ from ._arguments import checked_study, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Range, path_text, range_text
-from .results import Result, WithPage, optional
+from .results import Result, WithPage, flags, optional
 from .study import Study
 
 if TYPE_CHECKING:
@@ -57,7 +57,8 @@ class MapResult(Result, WithPage):
     time : ndarray (ny, nx), float32
         Study time at which the outcome was known; nan where it was filled in.
     r_max : ndarray (ny, nx), float32
-        Of the final motion, in R; where rotors differ from pixel to pixel, within 5 % of it.
+        Of the final motion, in R; where rotors differ from pixel to pixel, measured on the pixel's own trajectory to 5 %,
+        nan if that did not become steady.
     x, y : ndarray
         Centres of the pixels.
     x_key, y_key : str
@@ -65,12 +66,15 @@ class MapResult(Result, WithPage):
         Where the outermost pixels end.
     names : dict[int, str]
     shares : dict[str, float]
-        Of the pixels computed.
+        Of the pixels computed, without those left out.
     errors : dict[str, tuple[float, float]]
         Of random starts in as great a number.
-    figures : dict[str, tuple[float, float, float] or float or None]
+    figures : dict[str, tuple[float, float, float] or float or list or None]
         box_dimension, uncertainty_exponent, basin_entropy, boundary_basin_entropy, each value, low, high at 95 %;
+        local_exponents, each two distances in pixels and the uncertainty exponent between them;
         balanced_radius in rad. None where the map does not show it.
+    left_out : int
+        Pixels that start alike balls in one place: shares and figures leave them out, since their measure is zero.
     complete : bool
     """
 
@@ -90,6 +94,7 @@ class MapResult(Result, WithPage):
         self.x_edges: tuple[float, float] = summary["x_edges"]
         self.y_edges: tuple[float, float] = summary["y_edges"]
         self.figures: dict[str, Any] = summary["figures"]
+        self.left_out: int = summary["left_out"]
         self.complete: bool = summary["complete"]
         self.seconds: float = summary["seconds"]
         self._codes = summary["codes"]
@@ -137,16 +142,17 @@ class MapResult(Result, WithPage):
         xarray = optional("xarray")
 
         told = _core.pixel_numbers()
-        codes = sorted(self.names)
-        flags: dict[str, Any] = {"flag_values": codes, "flag_meanings": " ".join(self.names[c].replace(" ", "_") for c in codes)}
         data = {
-            "outcome": (("y", "x"), self.outcome, {"units": "1", "long_name": "attractor", **flags}),
+            "outcome": (("y", "x"), self.outcome, {**told["outcome"], **flags(self.names, np.int16)}),
             "decision_time": (("y", "x"), self.time, told["decision_time"]),
             "r_max": (("y", "x"), self.r_max, told["r_max"]),
         }
-        x = ("x", self.x, {"long_name": self.x_key})
-        y = ("y", self.y, {"long_name": self.y_key})
-        return xarray.Dataset(data, {"x": x, "y": y}, {"study": self.study.to_toml()})
+        units = _core.axis_units
+        axes = {
+            "x": ("x", self.x, {"units": units(self.x_key), "long_name": self.x_key}),
+            "y": ("y", self.y, {"units": units(self.y_key), "long_name": self.y_key}),
+        }
+        return xarray.Dataset(data, axes, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """Outcomes by name: rows are y, columns x."""

@@ -249,6 +249,9 @@ class Mapper:
     The attractors are searched for once, when it is made; then ``mapper(state)`` takes micro- to milliseconds. Safe from
     several threads. One that is pickled, to work in another process say, searches anew there.
 
+    States are followed to ``numerics.tolerance`` (default 1e-6). Whoever tracks a border of basins to less than about 1e-5
+    gives the study a smaller one: ``Mapper(study.replace({"numerics.tolerance": 1e-12}))``.
+
     Parameters
     ----------
     study : Study

@@ -74,7 +74,11 @@ class Attractor:
     drift : ndarray (balls,)
         Mean rates of the balls in the rotating frame, in omega_c.
     spectrum : ndarray, complex
-        Floquet multipliers of a periodic motion, eigenvalues of an equilibrium; empty of others.
+        Of an equilibrium or a periodic motion; empty of others.
+    spectrum_kind : str
+        "eigenvalues" of an equilibrium; "multipliers" (Floquet) of a periodic motion and, under gravity or on unequal
+        supports, whose equations depend on the rotor's angle, of an equilibrium over one period of the equations; ""
+        if the spectrum is empty.
     exponents : ndarray
         Lyapunov exponents, falling.
     state : State
@@ -97,8 +101,8 @@ class Attractor:
         self.r_mean: float = data["radial"]["mean"]
         self.r_max: float = data["radial"]["max"]
         self.drift = np.array(data["drift"], dtype=float)
-        pairs = data.get("multipliers") or data.get("eigenvalues") or []
-        self.spectrum = np.array([complex(re, im) for re, im in pairs])
+        self.spectrum_kind: str = next((kind for kind in ("eigenvalues", "multipliers") if data.get(kind)), "")
+        self.spectrum = np.array([complex(re, im) for re, im in data.get(self.spectrum_kind, ())])
         self.exponents = np.array(data["exponents"], dtype=float)
         self.state: State = state_on(data["state"], study)
 

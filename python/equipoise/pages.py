@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import MOST_STARTS, checked_study, flag, whole
+from ._arguments import MOST_STARTS, flag, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from .ensembles import BasinResult, with_starts
 from .results import write_text
@@ -83,7 +83,7 @@ class Replay:
 
     Attributes
     ----------
-    index : int
+    index, seed : int
     state : State
         What it began with.
     drawn : dict[str, float]
@@ -101,6 +101,7 @@ class Replay:
     """
 
     index: int
+    seed: int
     state: State
     drawn: Mapping[str, float]
     outcome: str
@@ -111,9 +112,10 @@ class Replay:
 
 
 def replay(
-    study: Study,
+    study: Study | BasinResult,
     index: int,
     *,
+    seed: Optional[int] = None,
     transients: Optional[bool] = None,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -122,17 +124,25 @@ def replay(
 
     Parameters
     ----------
+    study : Study or BasinResult
+        An ensemble has the seed and the method that drew its starts.
     index : int
         Of the start, from 0; it may exceed the study's number of starts.
+    seed : int, optional
+        Of the starts; default: the study's, or the ensemble's. Name the one that :func:`basin` was told.
     transients : bool, optional
         As for :func:`basin`.
     """
-    checked_study(study)
+    if isinstance(study, BasinResult):
+        if study.data["sampling"]["method"] == "given":
+            refuse("study", study, "a study, or an ensemble whose starts were drawn", "was given its starts")
+        study = study.study
+    study = with_starts(study, None, seed)
     number = whole("index", index, 0, MOST_STARTS - 1)
     with settings(0, progress, cpu) as how:
         made = _core.replay(study._core, number, flag("transients", transients), how)
     phi: npt.NDArray[np.float64] = made["state"].pop("phi")
     return Replay(
-        number, State(phi=phi, psi_dot=study._core.initial_speed, **made["state"]), dict(zip(study.uncertain, made["drawn"])),
+        number, int(study["sampling.seed"]), State(phi=phi, psi_dot=study._core.initial_speed, **made["state"]), dict(zip(study.uncertain, made["drawn"])),
         made["outcome"], made["decided_by"], made["decision_time"], made["mean_speed"], made["transients"],
     )

@@ -11,6 +11,9 @@ from functools import cached_property
 from html import escape
 from typing import Any
 
+import numpy as np
+
+from . import _core
 from .errors import RunError
 from .study import Study
 
@@ -31,6 +34,19 @@ def optional(package: str) -> Any:
         raise ModuleNotFoundError(
             f"this needs {package}, which is not installed: pip install {package}, or pip install equipoise[all]", name=package
         ) from None
+
+
+def flags(names: Mapping[int, str], dtype: type) -> dict[str, Any]:
+    """What each number means, as files say it."""
+    return {
+        "flag_values": np.array(list(names), dtype=dtype),
+        "flag_meanings": " ".join(_core.flag_word(name) for name in names.values()),
+    }
+
+
+def numbered(count: int, meaning: str, first: int = 0) -> tuple[Any, dict[str, str]]:
+    """Values and attributes of a coordinate that counts."""
+    return np.arange(first, first + count, dtype=np.int32), {"units": "1", "long_name": meaning}
 
 
 class Answer:

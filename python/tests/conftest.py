@@ -6,6 +6,7 @@ import os
 import pathlib
 import subprocess
 
+import numpy as np
 import pytest
 
 import equipoise as eq
@@ -16,6 +17,15 @@ studies = root / "studies"
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "slow: takes seconds; ctest runs it by itself, in python.package.slow")
+
+
+def described_alike(dataset, stored):
+    """Every variable of a dataset is in the file, along the same dimensions, of the same type, described alike."""
+    for name, own in dataset.variables.items():
+        kept = stored.variables[name]
+        assert (own.dims, own.dtype) == (kept.dims, kept.dtype), name
+        described = [{key: np.asarray(value).tolist() for key, value in v.attrs.items() if key != "_FillValue"} for v in (own, kept)]
+        assert described[0] == described[1], name
 
 
 @pytest.fixture(scope="session")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import equipoise as eq
-from conftest import studies
+from conftest import described_alike, studies
 
 PAPER = studies / "paper" / "table-2-omega-2.4.toml"
 
@@ -39,6 +39,7 @@ def test_attractors(found, program):
     )["attractors"]
     balanced, v2 = found["balanced"], found["V2"]
     assert balanced.kind == "equilibrium" and balanced.r_max < 1e-12 and balanced.spectrum.real.max() < 0
+    assert (balanced.spectrum_kind, found["V1"].spectrum_kind, v2.spectrum_kind) == ("eigenvalues", "multipliers", "")
     assert [a.id for a in found] == [a.id for a in found.attractors] and len(found) == len(found.to_pandas())
     with pytest.raises(KeyError):
         found["V9"]
@@ -48,6 +49,12 @@ def test_attractors(found, program):
     again = pickle.loads(pickle.dumps(found))
     np.testing.assert_array_equal(again["V2"].path(points=300).X, path.X)
     assert "V2" in found._repr_html_() and "balanced" in repr(found)
+
+
+def test_an_equilibrium_on_unequal_supports_has_multipliers(study):
+    balanced = eq.attractors(study.replace({"rotor.stiffness": [1.0, 1.05]}), 50)["balanced"]
+    assert balanced.kind == "equilibrium" and balanced.spectrum_kind == "multipliers"
+    assert 0.5 < abs(balanced.spectrum).max() < 1.0
 
 
 def test_states_of_the_wrong_shape_are_refused(study):
@@ -99,14 +106,16 @@ def test_maps(program, tmp_path):
     assert made.outcome.shape == (30, 40) and made.x_key == "initial.phi_1" and made.x_edges == (0.0, 2 * np.pi)
     for code, name in made.names.items():
         assert np.mean(made.outcome == code) == pytest.approx(made.shares[name], abs=1e-12)
+    assert made.left_out == 0 and all(len(e) == 3 for e in made.figures["local_exponents"])
     assert set(made.figures) >= {"box_dimension", "uncertainty_exponent", "basin_entropy"}
     assert made.to_xarray().outcome.shape == (30, 40) and made.to_pandas().shape == (30, 40)
     again = pickle.loads(pickle.dumps(made))
     np.testing.assert_array_equal(again.time, made.time)
     assert "balanced" in repr(made) and "<table>" in made._repr_html_()
     made.save(tmp_path / "again.nc")
-    with xarray.open_dataset(tmp_path / "again.nc") as stored:
+    with xarray.open_dataset(tmp_path / "again.nc", mask_and_scale=False) as stored:
         np.testing.assert_array_equal(made.outcome, stored.outcome.values)
+        described_alike(made.to_xarray(), stored)
     diagonal = eq.map(study, "initial.phi_1", "speed.final", 3, y_range=(2.0, 3.0), tie="phi_2=phi_1+pi")
     assert diagonal.outcome.shape == (3, 3)
     for wrong in (dict(x="initial.phi_9"), dict(refine=3), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):

@@ -121,6 +121,13 @@ def test_a_start_alone(answer, study):
         assert alone.decided_by == answer.decided_by_names[int(answer.decided_by[index])]
         np.testing.assert_array_equal(alone.state.phi, answer.phi[index])
     assert alone.transients == {} and alone.mean_speed is None and alone.drawn == {}
+    other = eq.basin(study, 20, seed=2)
+    for alone in (eq.replay(study, 17, seed=2), eq.replay(other, 17)):
+        assert alone.seed == 2
+        np.testing.assert_array_equal(alone.state.phi, other.phi[17])
+    assert eq.replay(study, 17).seed == 1
+    with pytest.raises(eq.StudyError, match="was given its starts"):
+        eq.replay(eq.basin(study, initial=[[1.0, 4.0]]), 0)
     assert eq.replay(study, 7, transients=True).transients["peak_radial"] > 0
     with pytest.raises(eq.StudyError, match="index"):
         eq.replay(study, -1)

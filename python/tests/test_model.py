@@ -110,7 +110,7 @@ def test_a_run_becomes_tables_and_files(study, tmp_path):
 
     csv = pandas.read_csv(tmp_path / "run.csv", comment="#", index_col="t", float_precision="round_trip")
     pandas.testing.assert_frame_equal(csv, run.to_pandas(), check_exact=True)
-    assert run.to_xarray().radial.units == "R"
+    assert run.to_xarray().radial.long_name.endswith("in race radii")
     again = pickle.loads(pickle.dumps(run))
     np.testing.assert_array_equal(again.phi, run.phi)
     with pytest.raises(eq.StudyError):

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/attractors/catalogue.hpp"
+#include "../support/studies.hpp"
+#include "equipoise/study/study.hpp"
 
 namespace equipoise {
 namespace catalogue_test {
@@ -27,6 +29,21 @@ TEST(Catalogue, TellsWhatIsNewWhereverItStands) {
   list.add(attractor(10));
   EXPECT_EQ(numbers(list.attractors()), (std::vector<int>{1, 2, 4, 9, 10}));
   EXPECT_EQ(numbers(list.listed_since(earlier)), (std::vector<int>{2, 10}));
+}
+
+// A table by alias would lose one of two motions that share it.
+TEST(Catalogue, GivesThePapersNameToOneMotion) {
+  Motion captured;
+  captured.kind = MotionKind::periodic;
+  captured.speed = 2.4;
+  captured.drift_group = {0, 1};
+  captured.cluster = {0, 1};
+  captured.winding = {0, 1};
+  Catalogue list;
+  list.add({4, "one captured", "V3", {}, {}});
+  const Attractor* second = list.find(list.add(parse_study(constant_speed, "rotor").parameters, captured));
+  EXPECT_EQ(second->name, "one captured (2)");
+  EXPECT_EQ(second->alias, "");
 }
 
 }  // namespace catalogue_test

@@ -41,21 +41,19 @@ OwnRotor rotor_at(double x) {
 TEST(FeatureTrends, MotionsOfOneNameHaveOneEach) {
   FeatureTrends trends;
   const auto growing = along(0.1, 0.05, -1.0), shrinking = along(0.3, -0.1, -0.5);
-  EXPECT_EQ(trends.add(7, 2, 0.05, growing[20], growing), 0);
-  EXPECT_EQ(trends.add(7, 2, 0.05, shrinking[20], shrinking), 1);
+  EXPECT_EQ(trends.add(2, 0.05, growing[20], growing), 0);
+  EXPECT_EQ(trends.add(2, 0.05, shrinking[20], shrinking), 1);
   OwnRotor rotor = rotor_at(0.9);
   trends.place(rotor);
   // As on the middle rotor's motion.
   EXPECT_NEAR(brought_back(shown(0.145, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
   EXPECT_NEAR(brought_back(shown(0.21, -0.5), 1, rotor.shifts.data(), 2)[1], 0.25, 1e-9);
-  EXPECT_NEAR((*trends.features(7, {0.9}))[1], 0.145, 1e-9);
-  EXPECT_FALSE(trends.features(8, {0.9}));
 }
 
 TEST(FeatureTrends, TooFewThatStayMakeNone) {
   FeatureTrends trends;
   const auto all = along(0.1, 0.05, -1.0);
-  EXPECT_EQ(trends.add(7, 2, 0.05, all[20], {all[20]}), -1);
+  EXPECT_EQ(trends.add(2, 0.05, all[20], {all[20]}), -1);
   OwnRotor rotor = rotor_at(0.9);
   trends.place(rotor);
   EXPECT_TRUE(rotor.shifts.empty());
@@ -66,8 +64,10 @@ TEST(FeatureTrends, IsThatOfTheRotorsThatStayed) {
   FeatureTrends trends;
   auto mixed = along(0.1, 0.05, -1.0);
   for (int k = 30; k <= 40; ++k) mixed[k].features = shown(0.4, 0.0);
-  EXPECT_EQ(trends.add(7, 2, 0.05, mixed[10], mixed), 0);
-  EXPECT_NEAR((*trends.features(7, {0.2}))[1], 0.11, 1e-9);
+  EXPECT_EQ(trends.add(2, 0.05, mixed[10], mixed), 0);
+  OwnRotor rotor = rotor_at(0.2);
+  trends.place(rotor);
+  EXPECT_NEAR(brought_back(shown(0.11, -1.0), 0, rotor.shifts.data(), 2)[1], 0.125, 1e-9);
 }
 
 TEST(FeatureTrends, ChaosLastsWhereItDidForAllNearest) {

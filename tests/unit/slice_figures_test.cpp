@@ -49,8 +49,29 @@ TEST(SliceFigures, OfASmoothBoundary) {
   ASSERT_TRUE(f.box_dimension && f.uncertainty_exponent);
   EXPECT_NEAR(f.box_dimension->value, 1.0, 0.03);  // a circle of 154 pixels, boxes of up to 64
   EXPECT_NEAR(f.uncertainty_exponent->value, 1.0, 0.03);
+  ASSERT_EQ(f.local_exponents.size(), 6u);  // 1, 2, ... 64 pixels
+  for (const LocalExponent& e : f.local_exponents) EXPECT_NEAR(e.value, 1.0, 0.1) << e.from;
   EXPECT_LT(f.boundary_basin_entropy->high, std::log(2.0));
   EXPECT_GT(f.basin_entropy->value, 0.0);
+}
+
+// Dots of two pixels: the share of unlike pairs is the same at every distance beyond.
+TEST(SliceFigures, LocalExponentsShowWhereOnePowerEnds) {
+  const SliceFigures f = slice_figures(painted(256, [](double x, double y) -> short {
+    return std::fmod(x * 32.0, 1.0) < 0.3 && std::fmod(y * 32.0, 1.0) < 0.3 ? 1 : 2;
+  }));
+  ASSERT_GE(f.local_exponents.size(), 2u);
+  EXPECT_GT(f.local_exponents.front().value, f.local_exponents[1].value + 0.1);
+}
+
+// A pixel that is left out is no outcome and does not end the disc around balance.
+TEST(SliceFigures, LeaveOutWhatDoesNotCount) {
+  const auto disc = [](double x, double y) -> short { return std::hypot(x - 0.5, y - 0.5) < 0.3 ? 1 : 2; };
+  const SliceFigures whole = slice_figures(painted(64, disc));
+  const SliceFigures less =
+      slice_figures(painted(64, [&](double x, double y) -> short { return x == y ? left_out_code : disc(x, y); }));
+  EXPECT_NEAR(less.box_dimension->value, whole.box_dimension->value, 0.05);
+  EXPECT_EQ(less.balanced_radius, whole.balanced_radius);
 }
 
 // The ends of the middle-third Cantor set's gaps, times a line: dimension 1 + log 2 / log 3. Gaps of successive

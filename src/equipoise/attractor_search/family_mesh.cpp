@@ -255,16 +255,6 @@ std::size_t FamilyMesh::index(std::span<const double> fractions) const {
   return cells.size() - 1;
 }
 
-std::optional<double> FamilyMesh::largest_radius(const StudyFamily& family, int attractor,
-                                                 std::span<const double> fractions) const {
-  const FamilyCell& cell = cells[index(fractions)];
-  const auto own = std::find(cell.ids.begin(), cell.ids.end(), attractor);
-  if (attractor <= 0 || own == cell.ids.end()) return std::nullopt;
-  const auto features =
-      cell.search.trends.features(static_cast<int>(own - cell.ids.begin()), family.coordinates(cell.box, fractions));
-  return features ? std::optional((*features)[radius_feature]) : std::nullopt;
-}
-
 FamilyMesh search_attractor_mesh(const StudyFamily& family, const FamilyStarts& starts,
                                  const AttractorSearchSettings& settings) {
   return MeshMaker(family, starts, settings).run();

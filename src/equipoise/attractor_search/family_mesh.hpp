@@ -41,10 +41,6 @@ struct FamilyMesh {
   }
   /// The index of the cell that holds these fractions.
   std::size_t index(std::span<const double> fractions) const;
-  /// The largest r of an attractor of `catalogue` on the rotor at these fractions, to a few percent; none if it is
-  /// known only for another rotor.
-  std::optional<double> largest_radius(const StudyFamily& family, int attractor,
-                                       std::span<const double> fractions) const;
 };
 
 /// The starts that a mesh is made for.

@@ -61,8 +61,7 @@ bool lasts_beside(const OwnRotor& rotor, const std::vector<FeatureTrends::Lastin
 
 }  // namespace
 
-int FeatureTrends::add(int attractor, int balls, double agreement, const ShownFeatures& first,
-                       std::vector<ShownFeatures> others) {
+int FeatureTrends::add(int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others) {
   std::stable_sort(others.begin(), others.end(), [&](const ShownFeatures& a, const ShownFeatures& b) {
     return squared_distance(a.coordinates, first.coordinates) < squared_distance(b.coordinates, first.coordinates);
   });
@@ -82,19 +81,8 @@ int FeatureTrends::add(int attractor, int balls, double agreement, const ShownFe
   }
   const Fit fit(used, balls);
   if (fit.degree() == 0) return -1;
-  trends_.push_back({attractor, balls, fit.degree(), fit.coefficients()});
+  trends_.push_back({fit.degree(), fit.coefficients()});
   return static_cast<int>(trends_.size()) - 1;
-}
-
-std::optional<Features> FeatureTrends::features(int attractor, const std::vector<double>& coordinates) const {
-  const auto at =
-      std::find_if(trends_.begin(), trends_.end(), [&](const Trend& t) { return t.attractor == attractor; });
-  if (at == trends_.end()) return std::nullopt;
-  const Trend& trend = *at;
-  Features result{};
-  Eigen::Map<Eigen::VectorXd>(result.data(), trend.coefficients.cols()) =
-      trend.coefficients.transpose() * polynomial_terms(coordinates, trend.degree);
-  return result;
 }
 
 int FeatureTrends::add_chaos(std::vector<Lasting> tried) {

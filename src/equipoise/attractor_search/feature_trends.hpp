@@ -1,7 +1,6 @@
 // How the features of one motion change from rotor to rotor within a part of a family.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,10 +20,10 @@ struct ShownFeatures {
 /// entry of a rule then recognises the motion on all rotors, once features are brought back to the part's middle.
 class FeatureTrends {
  public:
-  /// Fits the trend of an attractor. `first` surely shows it; `others` come from rotors that began there, and some went
+  /// Fits the trend of a motion. `first` surely shows it; `others` come from rotors that began there, and some went
   /// elsewhere. `agreement`: how well windows of such a motion agree (same_motion()). Returns the row of
   /// OwnRotor::shifts that it fills, or -1 if too few stayed.
-  int add(int attractor, int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);
+  int add(int balls, double agreement, const ShownFeatures& first, std::vector<ShownFeatures> others);
   /// Whether chaos lasts for the rotor at these coordinates.
   struct Lasting {
     std::vector<double> coordinates;
@@ -32,14 +31,12 @@ class FeatureTrends {
   };
   /// Adds chaos that was followed on many rotors; returns its number.
   int add_chaos(std::vector<Lasting> tried);
-  /// The attractor's features at these coordinates: those of its first motion with a trend.
-  std::optional<Features> features(int attractor, const std::vector<double>& coordinates) const;
   /// Fills the rotor's shifts, and which chaos lasts for it.
   void place(OwnRotor& rotor) const;
 
  private:
   struct Trend {
-    int attractor, balls, degree;
+    int degree;
     Eigen::MatrixXd coefficients;  // a row each term, a column each feature
   };
   std::vector<Trend> trends_;

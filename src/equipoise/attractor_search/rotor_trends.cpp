@@ -45,8 +45,8 @@ bool add_trend(Search& s, Candidate& c) {
   for (std::size_t k = 0; k < windows.size(); ++k)
     if (windows[k].finished_window) others.push_back({own[k]->coordinates, windows[k].features});
   const OwnRotor& first = c.own ? *c.own : s.rotors.front();
-  c.trend = s.result.trends.add(c.attractor, s.balls(), agreement(c.motion->kind), {first.coordinates, c.features},
-                                std::move(others));
+  c.trend =
+      s.result.trends.add(s.balls(), agreement(c.motion->kind), {first.coordinates, c.features}, std::move(others));
   if (c.trend < 0) return true;
   for (OwnRotor& rotor : s.rotors) s.result.trends.place(rotor);
   for (OwnRotor& rotor : s.pilot.rotors()) s.result.trends.place(rotor);

@@ -50,7 +50,10 @@ int Catalogue::add(const model::Parameters& p, const Motion& motion, const std::
   MotionName name = motion_name(p, motion);
   const auto same_name = [&](const Attractor& a) { return without_number(a.name) == name.name; };
   const auto earlier = std::count_if(attractors_.begin(), attractors_.end(), same_name);
-  if (earlier > 0) name.name += fmt::format(" ({})", earlier + 1);
+  if (earlier > 0) {
+    name.name += fmt::format(" ({})", earlier + 1);
+    name.alias.clear();  // the paper's name belongs to one motion
+  }
   if (name.id == 0 || find(name.id)) {
     name.id = first_free_id;
     while (find(name.id)) ++name.id;

@@ -35,8 +35,15 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
 
 SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const PixelPlan* plan,
                              const std::map<short, OutcomeShare>& seen)
-    : map_(map), store_(store), plan_(plan), seen_(seen), figures_(map), one_rotor_(!map.balance_margin.empty()) {
+    : map_(map),
+      store_(store),
+      plan_(plan),
+      seen_(seen),
+      figures_(map),
+      invariant_(map),
+      one_rotor_(!map.balance_margin.empty()) {
   map_.codes = map_codes(seen, map.study);
+  map_.complete = true;
   map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (map_.pixels > most_pixels_in_memory)
     every_ = (std::max(map.x.pixels, map.y.pixels) + most_held_side - 1) / most_held_side;
@@ -89,8 +96,9 @@ void SliceAssembly::add_row(int row, const SlicePixel* pixels) {
   const std::size_t columns = static_cast<std::size_t>(map_.x.pixels);
   std::vector<short> codes(columns);
   for (std::size_t k = 0; k < columns; ++k) {
-    codes[k] = pixels[k].code;
+    codes[k] = invariant_.holds(static_cast<int>(k), row) ? left_out_code : pixels[k].code;
     map_.pixels_computed += pixels[k].computed;
+    map_.complete = map_.complete && pixels[k].code != not_computed_code;
   }
   for (std::size_t begin = 0, end = 0; begin < columns; begin = end) {  // rows are long runs of one code
     while (end < columns && codes[end] == codes[begin]) ++end;
@@ -115,9 +123,9 @@ void SliceAssembly::hold(const SlicePixel* pixels) {
 
 void SliceAssembly::finish() {
   const std::uint64_t missing = counts_[not_computed_code];
-  map_.complete = missing == 0;
+  map_.pixels_left_out = invariant_.count();
   for (OutcomeShare& code : map_.codes)
-    code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - missing);
+    code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - map_.pixels_left_out - missing);
   if (map_.complete && !draws_starts(map_)) map_.figures = figures_.figures();
   map_.x = thinned(map_.x, every_);
   map_.y = thinned(map_.y, every_);

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "equipoise/basin_slices/invariant_pixels.hpp"
 #include "equipoise/basin_slices/pixel_plan.hpp"
 #include "equipoise/basin_slices/pixel_store.hpp"
 #include "equipoise/basin_slices/slice_figures.hpp"
@@ -40,6 +41,7 @@ class SliceAssembly {
   const PixelPlan* plan_;
   const std::map<short, OutcomeShare>& seen_;
   SliceFigureCount figures_;
+  const InvariantPixels invariant_;
   std::map<short, std::uint64_t> counts_;
   bool one_rotor_;
   int every_ = 1;

@@ -23,7 +23,8 @@ constexpr short no_outcome = 0, mixed_outcome = std::numeric_limits<short>::max(
 constexpr int entropy_side = 5;
 
 short outcome_of_code(short code) {
-  return code == undecided_code || code == failed_code || code == not_computed_code ? no_outcome : code;
+  const bool none = code == undecided_code || code == failed_code || code == not_computed_code;
+  return none || code == left_out_code ? no_outcome : code;
 }
 
 // Outcome of two sets of pixels together.
@@ -203,7 +204,7 @@ void SliceFigureCount::add_discs(const short* codes) {
     double least = disc.touched ? disc.dx * disc.dx + disc.dy * disc.dy : std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < disc.across.size(); ++k) {
       const double dx = disc.across[k], square = dx * dx + dy * dy;
-      if (codes[k] == balanced_id || square >= least) continue;
+      if (codes[k] == balanced_id || codes[k] == left_out_code || square >= least) continue;
       least = square;
       disc.dx = dx;
       disc.dy = dy;
@@ -225,6 +226,11 @@ SliceFigures SliceFigureCount::figures() const {
   figures.box_dimension = slope(boxes);
   if (auto& d = figures.box_dimension) *d = {-d->value, -d->high, -d->low};
   figures.uncertainty_exponent = slope(uncertain);
+  for (std::size_t k = 1; k < uncertain.size(); ++k) {
+    const ScalePoint &a = uncertain[k - 1], &b = uncertain[k];
+    figures.local_exponents.push_back({static_cast<int>(a.scale), static_cast<int>(b.scale),
+                                       std::log(b.count / a.count) / std::log(b.scale / a.scale)});
+  }
   figures.basin_entropy = mean(all_);
   figures.boundary_basin_entropy = mean(boundary_);
   // From pixel centres, less half a pixel's diagonal; up to the edge of a slice that does not close on itself.

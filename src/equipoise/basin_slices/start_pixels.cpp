@@ -227,17 +227,8 @@ SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fa
   auto& name = names_[a->id];
   if (!name) name = std::make_unique<MotionName>(MotionName{a->name, a->alias, a->id < first_free_id ? a->id : 0});
   motion = name.get();
-  pixel.r_max = static_cast<float>(own ? largest_radius(own->fractions, fate, *a) : a->motion.r_max);
+  pixel.r_max = own ? fate.radius : static_cast<float>(a->motion.r_max);
   return pixel;
-}
-
-// Largest radius of the attractor for the pixel's rotor.
-double StartPixels::largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const {
-  if (a.motion.r_max == 0.0) return 0.0;
-  // A trajectory caught by a trapping region is still on its way.
-  const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
-  if (seen && !std::isnan(fate.radius)) return fate.radius;
-  return runner_->mesh().largest_radius(*runner_->family(), a.id, fractions).value_or(a.motion.r_max);
 }
 
 }  // namespace equipoise

@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <span>
 #include <vector>
 
 #include "equipoise/basin_slices/line_motions.hpp"
@@ -53,7 +52,6 @@ class StartPixels {
   // `own`: given if rotors differ between pixels.
   SlicePixel pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion);
   static void add_balance(const Study& study, SlicePixel& pixel);
-  double largest_radius(std::span<const double> fractions, const Fate& fate, const Attractor& a) const;
 
   const BasinSlice& map_;
   const RunOptions& options_;

@@ -55,8 +55,6 @@ constexpr int cycle_table_columns(int dimension) { return 2 * (dimension - 1) + 
 /// feature_count(balls) of them are used.
 using Features = std::array<double, 6 + 3 * model::max_balls>;
 constexpr int feature_count(int balls) { return 6 + 3 * balls; }
-/// Index of the largest r.
-inline constexpr int radius_feature = 1;
 /// Index of the mean psi'; the smallest and the largest follow.
 constexpr int speed_feature(int balls) { return 3 + 3 * balls; }
 

@@ -93,7 +93,6 @@ class ClassifyFate {
             : how == BatchEnd::failed   ? Outcome::failed
                                         : Outcome::undecided,
             DecidedBy::nothing, 0, t};
-    fate.radius = static_cast<float>(trackers_[slot].radius());
     Verdict verdict = verdict_[slot];
     if constexpr (smooth) {
       if (speed_place_ >= 0) fate.mean_speed = static_cast<float>(trackers_[slot].mean_speed());

@@ -139,7 +139,6 @@ void WindowTracker::begin(const ClassificationRule& rule, const OwnRotor* own) {
   rule_ = &rule;
   own_ = own;
   elapsed_ = 0.0;
-  radius_ = std::numeric_limits<double>::quiet_NaN();
   long_end_ = rule.first_long_window;
   repeats_ = chaotic_ = chaotic_repeats_ = 0;
   has_half_ = has_previous_ = false;
@@ -157,7 +156,6 @@ WindowConclusion WindowTracker::add(const WindowSums& half) {
     WindowSums whole = half_;
     extend(whole, half, balls, false);
     const Features f = features(whole, balls, rule_->interchangeable);
-    radius_ = f[radius_feature];
     extend(range_, f, feature_count(balls), fresh_range_);
     fresh_range_ = false;
     for (std::size_t b = 0; b < rule_->boxes.size(); ++b) {
@@ -203,7 +201,6 @@ WindowConclusion WindowTracker::finish_long_window() {
   const Features f = features(long_, rule_->balls, rule_->interchangeable);
   const bool repeats = has_previous_ && same_motion(previous_, f, rule_->balls, rule_->sameness);
   previous_ = f;
-  radius_ = f[radius_feature];
   previous_range_ = range_;
   has_previous_ = true;
   long_end_ *= 2.0;

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "equipoise/classification/classification_rule.hpp"
@@ -64,8 +63,6 @@ class WindowTracker {
   PilotRecord record() const;
   /// Time since the first window began.
   double elapsed() const { return elapsed_; }
-  /// The largest r over the last window, short or long; NaN before one has ended.
-  double radius() const { return radius_; }
   /// Mean psi' over the last long window. Before that since the first began; NaN before half a short one has ended.
   double mean_speed() const;
   /// The attractor at the horizon, by the last short windows or else by the last long one; 0 if neither recognises one.
@@ -85,7 +82,7 @@ class WindowTracker {
 
   const ClassificationRule* rule_ = nullptr;
   const OwnRotor* own_ = nullptr;
-  double elapsed_ = 0.0, long_end_ = 0.0, radius_ = std::numeric_limits<double>::quiet_NaN();
+  double elapsed_ = 0.0, long_end_ = 0.0;
   int repeats_ = 0, chaotic_ = 0, chaotic_repeats_ = 0;
   bool has_half_ = false, fresh_ = true, fresh_range_ = true, has_previous_ = false;
   WindowSums half_, long_;

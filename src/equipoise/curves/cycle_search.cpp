@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,14 @@ class CycleSearch {
     std::vector<CycleOrigin> origins;
     for (const ChartCurve& curve : chart_.curves)
       if (curve.kind == CurveKind::hopf) add_origins(curve, origins);
+    // A few at a time: a run that is stopped has the curves of those that it got to.
+    const std::size_t at_once = 4 * static_cast<std::size_t>(threads_);
+    for (std::size_t begin = 0; begin < origins.size() && !is_set(stop_); begin += at_once)
+      run({origins.data() + begin, std::min(at_once, origins.size() - begin)});
+  }
+
+ private:
+  void run(std::span<const CycleOrigin> origins) {
     std::vector<CycleBranch> branches(origins.size());
     in_parallel(threads_, origins.size(), [&](std::size_t k) {
       const BalancePlane own(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
@@ -47,8 +56,6 @@ class CycleSearch {
           follow(crossing, origins[k].of);
       }
   }
-
- private:
   VectorXd place(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
   // At equal distances along the curve, and beside special points, where curves of cycles begin; then across it.

@@ -35,6 +35,22 @@ std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
   return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
 }
 
+// Over which distances the exponent holds, and how it changes among them.
+std::string scales_text(const SliceFigures& f) {
+  if (!f.uncertainty_exponent) return "";
+  std::string values;
+  for (const LocalExponent& e : f.local_exponents)
+    values += fmt::format("{}{:.2f}", values.empty() ? "" : ", ", e.value);
+  return fmt::format(words::reports::exponent_scales, f.local_exponents.front().from, f.local_exponents.back().to,
+                     values);
+}
+
+MapJson local_json(const std::vector<LocalExponent>& exponents) {
+  MapJson json = MapJson::array();
+  for (const LocalExponent& e : exponents) json.push_back({{"from", e.from}, {"to", e.to}, {"value", e.value}});
+  return json;
+}
+
 MapJson figure_json(const std::optional<SliceFigure>& f) {
   return f ? MapJson{{"value", f->value}, {"low", f->low}, {"high", f->high}} : MapJson(nullptr);
 }
@@ -85,12 +101,15 @@ std::string starts_text(const BasinSlice& map) {
   return together.empty() ? text : text + "Note: " + together + ".\n";
 }
 
+// Pixels of which shares are told.
+std::uint64_t counted_pixels(const BasinSlice& map) { return map.pixels - map.pixels_left_out; }
+
 // Pixels that a stopped run did not reach.
-std::uint64_t open_pixels(const BasinSlice& map) { return map.pixels - map.codes.front().share.total; }
+std::uint64_t open_pixels(const BasinSlice& map) { return counted_pixels(map) - map.codes.front().share.total; }
 
 // After a stop: bounds whatever the open pixels come to.
 std::string part_of_map(const BasinSlice& map, const Share& share) {
-  const double all = static_cast<double>(map.pixels), count = static_cast<double>(share.count);
+  const double all = static_cast<double>(counted_pixels(map)), count = static_cast<double>(share.count);
   const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
   if (map.complete) return fmt::format("{:.2f} %", percents(count));
   return fmt::format("{:.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
@@ -100,6 +119,7 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
 std::string making_text(const BasinSlice& map) {
   std::string text;
   const double all = static_cast<double>(map.pixels);
+  if (map.pixels_left_out > 0) text += fmt::format(words::reports::pixels_left_out, map.pixels_left_out);
   if (map.block > 0)
     text += fmt::format(words::reports::pixels_filled_in, map.pixels_computed,
                         100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
@@ -127,7 +147,8 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
                                          fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
-  if (map.complete || open_pixels(map) < map.pixels) text += table_text(table, style);
+  const bool any = open_pixels(map) < counted_pixels(map);
+  if (map.complete || any) text += table_text(table, style);
   const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
                               figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
                               figure_text(words::text::basin_entropy, f.basin_entropy) +
@@ -136,11 +157,11 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
                                                                words::reports::balanced_within, *f.balanced_radius)
                                                  : "");
   std::string notes = text.ends_with("\n\n") ? "" : "\n";
-  if (!figures.empty()) notes += figures + words::reports::figures_mean;
+  if (!figures.empty()) notes += figures + scales_text(f) + words::reports::figures_mean;
   notes += making_text(map);
   if (!map.complete)
-    notes += open_pixels(map) < map.pixels ? fmt::format(words::reports::partial_map, open_pixels(map), map.pixels)
-                                           : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
+    notes += any ? fmt::format(words::reports::partial_map, open_pixels(map), counted_pixels(map))
+                 : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
   const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
   notes +=
       fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),
@@ -177,12 +198,14 @@ std::string map_json(const BasinSlice& map) {
   json = MapJson::object();
   json["figures"] = {{"box_dimension", figure_json(f.box_dimension)},
                      {"uncertainty_exponent", figure_json(f.uncertainty_exponent)},
+                     {"local_exponents", local_json(f.local_exponents)},
                      {"basin_entropy", figure_json(f.basin_entropy)},
                      {"boundary_basin_entropy", figure_json(f.boundary_basin_entropy)},
                      {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
   json["partial"] = !map.complete;
   json["pixels"] = map.pixels;
   json["pixels_open"] = open_pixels(map);
+  json["pixels_left_out"] = map.pixels_left_out;
   json["pixels_computed"] = map.pixels_computed;
   json["pixels_kept"] = map.pixels_kept;
   json["pixels_reused"] = map.pixels_reused;

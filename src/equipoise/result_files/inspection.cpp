@@ -85,13 +85,21 @@ void read_results_file(Inspection& i) {
     if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
 }
 
+// A basin may be asked for any number of starts, so its identity names none: 1 stands there, except on a grid.
+std::string study_of(const io::IdentityLines& identity) {
+  const std::string placeholder = "starts = 1\n";
+  std::string study = identity.study;
+  const std::size_t at = identity.value("angles").empty() ? std::string::npos : study.find(placeholder);
+  return at == std::string::npos ? study : study.erase(at, placeholder.size());
+}
+
 void read_unfinished(Inspection& i) {
   const io::Journal journal(i.path);
   const io::IdentityLines identity(display_lines(journal.identity()));
   i.kind = "unfinished results";
   i.complete = false;
   i.version = identity.value("version");
-  i.study = identity.study;
+  i.study = study_of(identity);
   add_question(identity, i);
   std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0;
   std::set<std::uint64_t> cells;

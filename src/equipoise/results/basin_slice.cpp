@@ -50,6 +50,7 @@ BasinSlice thinned(const BasinSlice& map, int most) {
   result.complete = map.complete;
   result.pixels = map.pixels;
   result.pixels_computed = map.pixels_computed;
+  result.pixels_left_out = map.pixels_left_out;
   return result;
 }
 

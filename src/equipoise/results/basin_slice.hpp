@@ -91,12 +91,13 @@ struct BasinSlice {
   /// are none. One value where all pixels share a rotor.
   std::vector<float> balance_growth;
   /// Attractors by identifier, then undecided, diverged, failed: of the whole map. Shares are of the computed pixels,
-  /// which form a grid: their intervals describe random ones.
+  /// which form a grid: their intervals describe random ones. Pixels of measure zero (pixels_left_out) do not count.
   std::vector<OutcomeShare> codes;
   SliceFigures figures;  ///< of the whole map, if it is complete
   bool complete = true;
   bool read_whole = false;                        ///< nothing was computed: the output held everything
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
+  std::uint64_t pixels_left_out = 0;              ///< of shares and figures: basin_slices/invariant_pixels.hpp
   std::uint64_t pixels_kept = 0;                  ///< computed pixels that earlier runs left in the output
   std::uint64_t pixels_reused = 0;                ///< computed pixels taken from another slice's file
   int threads = 1;

@@ -12,6 +12,7 @@
 #include "equipoise/mechanics/balanced_state.hpp"
 #include "equipoise/model/unbalance.hpp"
 #include "equipoise/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/start_runs/last_radius.hpp"
 #include "equipoise/start_runs/last_speed.hpp"
 #include "equipoise/start_runs/start_batch.hpp"
 
@@ -21,6 +22,9 @@ namespace {
 
 // Patience for a trajectory followed far beyond the horizon: it rests or repeats itself by now, or never will.
 constexpr double a_look = 1000.0;
+
+// Less is a rotor that rests on its axis.
+constexpr double no_radius = 1e-9;
 
 float unbalance_of(const model::System& system, const double* state) {
   return static_cast<float>(std::abs(model::unbalance(system.parameters(), state + model::index::phi(0))));
@@ -98,7 +102,7 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
 
 // Decides starts and says what each came to.
 bool StartRunner::finish(Batch& batch, Decided& decided) const {
-  if (!decide(batch) || !note_last_speeds(batch)) return false;
+  if (!decide(batch) || !note_last_speeds(batch) || !note_radii(batch)) return false;
   const std::size_t count = batch.starts.size();
   decided.fates = std::move(batch.fates);
   decided.unlisted.clear();
@@ -167,6 +171,34 @@ bool StartRunner::note_last_speeds(Batch& batch) const {
   const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon, std::move(own));
   for (std::size_t k = 0; k < speeds.size(); ++k) batch.fates[places[k]].mean_speed = static_cast<float>(speeds[k]);
   return !speeds.empty();
+}
+
+// Of listed motions, which other rotors of the family have shown. A start that is followed to its motion has that
+// one's.
+bool StartRunner::note_radii(Batch& batch) const {
+  if (!measures_radii_) return true;
+  const std::size_t size = system_.dimension();
+  std::vector<std::size_t> places;
+  std::vector<double> states;
+  std::vector<KnownTrajectory> known;
+  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
+    Fate& fate = batch.fates[i];
+    if (fate.outcome != Outcome::attracted || fate.attractor <= 0 || batch.starts.is_over(i)) continue;
+    if (mesh_.catalogue.find(fate.attractor)->motion.r_max < no_radius) {
+      fate.radius = 0.0f;
+      continue;
+    }
+    places.push_back(i);
+    states.insert(states.end(), batch.state(i), batch.state(i) + size);
+    const double window = mesh_.cells[batch.cell[i]].search.rule.first_long_window;
+    known.push_back({batch.starts.rotors[i], fate.time, window});
+  }
+  if (places.empty()) return true;
+  BatchTask task = source_->last_task();
+  task.stop = stop_;
+  const std::vector<float> radii = steady_radii(task, std::move(states), std::move(known));
+  for (std::size_t k = 0; k < radii.size(); ++k) batch.fates[places[k]].radius = radii[k];
+  return !radii.empty();
 }
 
 // Balls held by dry friction leave a different unbalance after each start.

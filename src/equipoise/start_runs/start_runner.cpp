@@ -65,6 +65,7 @@ FamilyMesh StartRunner::mesh_of(const Study& study, const StudyFamily& family,
 StartRunner::StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts,
                          const AttractorSearchSettings& settings)
     : study_(with_horizon(study)),
+      measures_radii_(true),
       stop_(settings.stop),
       system_(study.system()),
       transients_(transient_settings(study)),

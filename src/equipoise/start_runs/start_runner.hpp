@@ -72,7 +72,8 @@ class StartRunner {
   /// Spins up and searches for attractors. The study must have passed check_runnable(). Check stopped() afterwards.
   /// `transients`: gathers those of every start.
   StartRunner(const Study& study, const AttractorSearchSettings& settings, bool transients = false);
-  /// For these starts of a family, by run_family(). `study` belongs to the family; fates are in its units.
+  /// For these starts of a family, by run_family(), which also measures Fate::radius. `study` belongs to the family;
+  /// fates are in its units.
   StartRunner(const Study& study, StudyFamily family, const FamilyStarts& starts,
               const AttractorSearchSettings& settings);
 
@@ -138,6 +139,7 @@ class StartRunner {
   UnlistedStart met_again(const Batch& batch, std::size_t i, const Fate& fate) const;
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
   bool note_last_speeds(Batch& batch) const;
+  bool note_radii(Batch& batch) const;
   void note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const;
   Restlessness restlessness(double before, const Fate& fate, double begin) const;
   TransientSettings settings_of(const Batch& batch, std::size_t i) const;
@@ -145,7 +147,7 @@ class StartRunner {
   KnownEnd end_of(int attractor) const;
 
   Study study_;
-  bool gathers_ = false, few_starts_ = false;
+  bool gathers_ = false, few_starts_ = false, measures_radii_ = false;
   const StopFlag* stop_;
   const model::System system_;
   TransientSettings transients_;

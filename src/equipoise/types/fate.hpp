@@ -50,7 +50,8 @@ struct Fate {
   /// Unbalance left by balls that dry friction holds (model/unbalance.hpp); NaN for all others, and for starts read
   /// from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
-  /// The largest r over the last window of time that ended before the outcome was known; NaN if none did.
+  /// The largest r of the motion that it came to, measured on its own trajectory (start_runs/last_radius.hpp); NaN if
+  /// it was not measured.
   float radius = std::numeric_limits<float>::quiet_NaN();
   bool met = false;  ///< balls that collide: two of them touched before the outcome was known
 };

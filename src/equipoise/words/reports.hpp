@@ -375,6 +375,9 @@ inline constexpr char pixels_filled_in[] =
     "one outcome.\n";
 inline constexpr char pixels_from_output[] = "{} pixels read from the output, where an earlier run left them.\n";
 inline constexpr char pixels_from_another_map[] = "{} pixels taken from another map.\n";
+// Pixels.
+inline constexpr char pixels_left_out[] =
+    "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them out.\n";
 inline constexpr char of_the_map[] = "of the map";
 inline constexpr char box_dimension[] = "box dimension";
 inline constexpr char uncertainty_exponent[] = "uncertainty exponent";
@@ -382,6 +385,9 @@ inline constexpr char boundary_basin_entropy[] = "boundary basin entropy";
 // Its name, radius.
 inline constexpr char around_balanced[] = "{:<25} {:.3f} rad around balanced angles\n";
 inline constexpr char balanced_within[] = "all balanced within";
+// Shortest and longest distance in pixels, exponents.
+inline constexpr char exponent_scales[] =
+    "The exponent is that of distances from {} to {} pixels; from each distance to its double it is {}.\n";
 inline constexpr char figures_mean[] =
     "95 % intervals: of the line fitted through the scales, and over boxes of 5 x 5 pixels. A boundary entropy above "
     "log 2 = 0.693 indicates a fractal boundary.\n\n";
