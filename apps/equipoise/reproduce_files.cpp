@@ -53,9 +53,9 @@ void write_data(const Reproduction& r, const std::string& folder) {
 }  // namespace
 
 std::string picture_folder(const std::string& output, const std::string& report) {
-  const std::string folder = !output.empty()           ? output + "/pictures"
-                             : report.ends_with(".md") ? pictures_beside(report)
-                                                       : "";
+  std::string folder = !output.empty()           ? output + "/pictures"
+                       : report.ends_with(".md") ? pictures_beside(report)
+                                                 : "";
   if (!folder.empty()) make_folder(folder);
   return folder;
 }

@@ -62,7 +62,7 @@ class Forged(Case):
         done = run("map", *EASY, *plot, "-o", forged)
         self.harmless(done)
         self.assertIn("forged.nc", done.stderr)
-        forge(whole, forged, replaced(NAME, COMMAND))
+        forge(whole, forged, replaced(NAME[1:], COMMAND[1:]))
         self.harmless(run("map", *EASY, *plot, "-o", forged, "--plot", self.path("out.svg"), cwd=self.folder))
         self.harmless(run("inspect", forged))
 

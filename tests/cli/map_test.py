@@ -71,13 +71,13 @@ class Results(unittest.TestCase):
         self.assertEqual(outcomes["009e73"], {1})
 
     def test_table_names_and_counts(self):
-        text = run("map", ROW, "--size", "32x32", "--quiet").stdout
-        for word in ("co-drifting (V1)", "1024 pixels", "basin entropy", "of the map"):
+        text = run("map", ROW, "--size", "64x64", "--quiet").stdout
+        for word in ("co-drifting (V1)", "4096 pixels", "basin entropy", "of the map"):
             self.assertIn(word, text)
-        self.assertIn("32 pixels start alike balls in one place", text)
-        self.assertRegex(text, r"distances from 1 to 4 pixels; from each distance to its\s+double it is")
+        self.assertIn("64 pixels start alike balls in one place", text)
+        self.assertRegex(text, r"distances from 1 to 8 pixels; from each distance to its\s+double it is")
         self.assertEqual(sum(int(line.split()[-3]) for line in text.splitlines() if line.endswith(" %") and line.split()[0].lstrip("-").isdigit()),
-                         1024 - 32)
+                         4096 - 64)
 
     def test_parameters_units_and_ties(self):
         done = run("map", DRIVE, "--x", "speed.final", "--x-range", "9000 rpm:11000 rpm", "--y", "initial.phi_1", "--size", "2x2",

@@ -287,6 +287,27 @@ trajectories = 10_000
   EXPECT_TRUE(result.chosen && !result.partial);
 }
 
+// The time may be over before the search has followed the study itself, which is then judged all the same.
+TEST(Design, IsToldOfACandidateThatTheSearchDidNotReach) {
+  DesignResult result;
+  result.study = parse_study(
+      "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
+      "[speed]\nspeed = 2.4\n",
+      "study");
+  result.figures = {{"balanced", "", true, true}};
+  result.objectives = {0};
+  DesignCandidate own;
+  own.as_it_is = true;
+  own.held_out = DesignSample{100, {{0.5, 0.4, 0.6}}, {}, ""};
+  result.front = {own};
+  result.chosen = 0;
+  result.partial = true;
+  const std::string json = design_json(result);
+  EXPECT_NE(json.find("\"value\": 0.5"), std::string::npos);
+  EXPECT_EQ(json.find("on_search_starts"), std::string::npos);
+  EXPECT_NE(design_text(result, {}).find("50"), std::string::npos);
+}
+
 TEST(Design, StoppedSearchTellsWhatItHadFound) {
   StopFlag stop{false};
   DesignOptions options;

@@ -276,7 +276,8 @@ ContinuumSurvey ContinuumOfEquilibria::survey(const StopFlag* stop) const {
   for (int k = 0; k < seek && result.stable < enough && going_on(); ++k) {
     const std::size_t from = static_cast<std::size_t>(k) % std::min<std::size_t>(8, found.size());
     phi = turned(found[from].second, -twin_.turn);
-    if (!source.beside(phi, 0.3 / (1.0 + k / 64))) continue;
+    const int round = 1 + k / 64;
+    if (!source.beside(phi, 0.3 / round)) continue;
     phi = turned(phi, twin_.turn);
     const double rate = rate_at(phi.data());
     if (rate < found[from].first && !stable(found[from]))

@@ -181,7 +181,7 @@ CertificateResult prove_level(const model::System& system, const double* phi, co
   c.form = 0.5 * (form + form.transpose());  // V is the same
   c.level = level;
   c.frame = frame_of(system, c.form, level);
-  const CertificateResult result =
+  CertificateResult result =
       system.tilts() ? check_tilt(c, spare_in_search)
                      : with_proof_kind(system, [&](auto kind) { return prove<kind.value>(c, budget, stop); });
   if (!result.proved) c = {};

@@ -41,7 +41,8 @@ DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
   if (!sample.figures.empty()) {
     for (const std::size_t k : r.objectives) {
       out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
-      if (c.held_out) out["objectives"][r.figures[k].name]["on_search_starts"] = c.search.figures[k].value;
+      if (c.held_out && !c.search.figures.empty())
+        out["objectives"][r.figures[k].name]["on_search_starts"] = c.search.figures[k].value;
     }
     for (const DesignLimit& limit : r.limits) {
       const DesignEstimate& e = sample.figures[limit.figure];

@@ -222,7 +222,7 @@ std::uint64_t BasinFile::stored_next() const {
 }
 
 std::string BasinFile::loss() const {
-  const std::string bytes = state_->journal->loss();
+  std::string bytes = state_->journal->loss();
   std::uint64_t lost = 0, known = state_->stored;
   for (const auto& [first, record] : state_->later) {
     lost += first - std::min(first, known);

@@ -32,7 +32,7 @@ void add_question(const io::IdentityLines& identity, Inspection& i) {
 }
 
 std::string kind_of(const io::NetcdfFile& file) {
-  if (const std::string kind = file.attribute("kind"); !kind.empty()) return kind;
+  if (std::string kind = file.attribute("kind"); !kind.empty()) return kind;
   if (file.length("start") > 0) return "basin";
   if (file.length("x") > 0 && file.length("y") > 0) return "map";
   if (!file.attribute("parameter").empty()) return "branches";

@@ -132,7 +132,7 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
     const std::vector<double> z = when_recognised(batch, 0, batch.fates[0].time);
     const Eigen::Map<const Eigen::VectorXd> state(z.data(), static_cast<Eigen::Index>(z.size()));
     ends.push_back(look_at_undecided(system_, state));
-    if (batch.fates[0].outcome == Outcome::attracted && ends.back().what != Restlessness::chaotic)
+    if (batch.fates[0].outcome == Outcome::attracted && ends.back().what == Restlessness::regular)
       ends.back().what = Restlessness::unidentified;
     if (system_.prescribed()) continue;
     const float before = batch.fates[0].mean_speed;

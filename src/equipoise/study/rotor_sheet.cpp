@@ -305,7 +305,9 @@ class RotorReader {
   void refuse_percentage(const StudyValue& given) const {
     if (given.number() > 1.0)
       reader_.fail("damping_ratio", fmt::format(words::machine::ratio_is_percentage, given.number()));
-    if (const auto* each = given.array()) std::ranges::for_each(*each, [&](const auto& v) { refuse_percentage(v); });
+    if (const auto* each = given.array()) {
+      for (const auto& v : *each) refuse_percentage(v);
+    }
   }
 
   void read_damping() {

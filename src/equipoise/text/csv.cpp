@@ -30,7 +30,7 @@ bool is_formula(const std::string& text) {
 std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 std::string csv_text(const std::string& given) {
-  const std::string text = is_formula(given) ? "'" + given : given;
+  std::string text = is_formula(given) ? "'" + given : given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);

@@ -107,11 +107,11 @@ bool PathRegion::describe_orbit(const model::System& system, const Motion& motio
   half_ = place_reach * motion.orbit.period / count;
   const VectorXd scale = system.scale();
   std::vector<MatrixXd> forms;
-  for (int k = 0; k < count; ++k) forms.push_back(floquet_form(frame->left[static_cast<std::size_t>(2 * k)]));
+  for (int k = 0; k < count; ++k) forms.push_back(floquet_form(frame->left[2 * static_cast<std::size_t>(k)]));
   if (!normalise(forms, scale, 1)) return false;
   positions_.resize(scale.size() * count, 1);
   for (int k = 0; k < count; ++k) {
-    const VectorXd& state = frame->states[static_cast<std::size_t>(2 * k)];
+    const VectorXd& state = frame->states[2 * static_cast<std::size_t>(k)];
     const VectorXd flow = model::rate(system, state), scaled = flow.cwiseQuotient(scale);
     const VectorXd phase = scaled.cwiseQuotient(scale) / scaled.squaredNorm();
     between_ = std::max(between_, half_ * scaled.norm());
