@@ -292,7 +292,7 @@ TEST(Design, IsToldOfACandidateThatTheSearchDidNotReach) {
   DesignResult result;
   result.study = parse_study(
       "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
-      "[speed]\nspeed = 2.4\n",
+      "[speed]\nprofile = \"constant\"\nspeed = 2.4\n",
       "study");
   result.figures = {{"balanced", "", true, true}};
   result.objectives = {0};
