@@ -187,7 +187,7 @@ class GatherTransients {
   // r^2 over a step from the last sample.
   HWY_INLINE SquaredRadiusOfStep<T> curve(T h, const Sample<T> (&at)[3]) const { return {samples_of(at), h}; }
 
-  // The last three windows that have ended, the latest first, and how many have since restart().
+  // The last window that has ended, those at the last two powers of two before it, and how many have since restart().
   const std::array<TransientWindow, 3>& windows(int lane) const { return closed_[lane]; }
   int window_count(int lane) const { return count_[lane]; }
 
@@ -255,8 +255,12 @@ class GatherTransients {
     for (int lane = 0; lane < lanes; ++lane) {
       if (!(full & (1u << lane))) continue;
       const double now = element(t, lane);
-      ++count_[lane];
-      closed_[lane] = {open_window(lane, now), closed_[lane][0], closed_[lane][1]};
+      auto& [last, half, quarter] = closed_[lane];
+      if (const int n = count_[lane]++; (n & (n - 1)) == 0) {
+        quarter = half;
+        half = last;
+      }
+      last = open_window(lane, now);
       open(lane, now, element(from_.r2, lane));
     }
   }

@@ -84,14 +84,17 @@ struct KnownEnd {
 };
 
 /// Whether a trajectory whose outcome is known may end with the window `last`: its figures change no more. `before`:
-/// the windows before `last` since the decision, the nearest first; `windows`: their number, with `last`; `peak`:
-/// largest r^2 from release on.
+/// the windows at the last two powers of two below `windows`, the later first; `windows`: how many there were since the
+/// decision, with `last`; `peak`: largest r^2 from release on.
 ///
 /// With known figures, once r stays for a window in the nearer half of the way from the motion's own largest r to every
 /// limit above that, since a deviation that dies out does not double again, and a tenth of that way below the peak.
 ///
-/// Else two windows must agree to 2 % in peak and root mean square velocity, and a third must show that they do not
-/// creep: differences that shrink from d1 to d2 leave d2^2/(d1 - d2) to come. Of chaos 32 windows are enough.
+/// Else the first, second and fourth windows are compared, then the second, fourth and eighth, and so on. The last two
+/// must agree in their peaks to 5e-4, a tenth of what three digits show, and in root mean square velocity, which
+/// depends on where in a period a window ends, to 2 %. From the first to the last two the difference in peaks must have
+/// halved: over doubled times a slow approach, or a slow departure, looks the slower the earlier it is looked at. Of
+/// chaos 32 windows are enough; figures that go on rising or falling are followed for up to 1024.
 inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
                         const std::array<TransientWindow, 2>& before, const TransientWindow& last, int windows,
                         double peak) {
@@ -107,18 +110,18 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
     // The largest r of a torus or of chaos is known to about 2 %: less is no excess.
     return peak <= own * own * 1.04 || below(std::sqrt(peak), 0.9);
   }
-  constexpr int most_windows = 32;
-  if (windows * settings.window < end.wait) return false;
-  if (windows >= most_windows + static_cast<int>(end.wait / settings.window)) return true;
-  if (!(before[1].length > 0.0)) return false;
-  const auto steady = [](double a, double b, double c) {
-    constexpr double sameness = 0.04, noise = 0.002;  // of squares
-    const double d1 = std::fabs(b - a), d2 = std::fabs(c - b);
-    if (d2 > sameness * c) return false;
-    return d2 <= noise * c || d2 * d2 <= sameness * c * (d1 - d2);
-  };
+  constexpr int fewest_windows = 4, most_windows = 32, most_creeping = 1024;
+  const bool doubled = (windows & (windows - 1)) == 0;
+  if (windows * settings.window < end.wait || windows < fewest_windows || !doubled) return false;
+  constexpr double digits = 1e-3, sampling = 1e-4, turns = 0.04;  // of squares; peaks are found to `sampling`
   const auto mean = [](const TransientWindow& w) { return w.velocity / w.length; };
-  return steady(before[1].peak, before[0].peak, last.peak) && steady(mean(before[1]), mean(before[0]), mean(last));
+  const double d1 = before[0].peak - before[1].peak, d2 = last.peak - before[0].peak;
+  const double v1 = mean(before[0]) - mean(before[1]), v2 = mean(last) - mean(before[0]);
+  const double change = std::fabs(d2);
+  const bool shrinks = change <= sampling * last.peak || change <= 0.5 * std::fabs(d1);
+  if (change <= digits * last.peak && shrinks && std::fabs(v2) <= turns * mean(last)) return true;
+  const bool creeps = d1 * d2 > 0.0 && v1 * v2 > 0.0;
+  return windows >= (creeps ? most_creeping : most_windows);
 }
 
 /// The work of a drive. Energy taken back by braking is lost: the sum of each piece counts if it is positive.
