@@ -199,9 +199,9 @@ TEST(TransientWatch, FollowsAStartUntilItIsBelowItsLimitsForGood) {
 TEST(TransientWatch, MeasuresAnUnknownEndOnceItHasStoppedCreeping) {
   const TransientSettings asked;
   const KnownEnd unknown, slow{std::nullopt, 200.0};
-  // Nothing changes: three windows.
-  EXPECT_EQ((Fading{1.0, 1.0}.left(asked, unknown).followed_until), 58.0f);
-  EXPECT_EQ((Fading{1.0, 1.0}.left(asked, slow).followed_until), 218.0f);  // 13 windows of 16 are the first 200
+  // Nothing changes: four windows.
+  EXPECT_EQ((Fading{1.0, 1.0}.left(asked, unknown).followed_until), 74.0f);
+  EXPECT_EQ((Fading{1.0, 1.0}.left(asked, slow).followed_until), 266.0f);  // the first doubled time above 200
   // By exp(-t/500) two neighbouring windows differ by less than 2 % from the start, and half is still to come.
   const TransientRow creeping = Fading{1.0, 0.002}.left(asked, unknown);
   EXPECT_GT(creeping.followed_until, 500.0f);
