@@ -92,10 +92,10 @@ check("what the balls do is said in an engineer's words", async () => {
 });
 
 check("changes are tried when asked for, and the best is told", async () => {
-  const page = await ask("fan", 60, "limits.displacement=0.25 mm");
+  const page = await ask("fan", 60, "limits.displacement=0.25 mm", "limits.velocity=1 mm/s");
   await judgedOn(page, 60);
   const before = await linesOf(page);
-  assert.match(before.words, /^Do not fit it: without balls the rotor keeps every limit/);
+  assert.match(before.words, /^Change it: too few starts keep every limit/);
   await page.getByRole("button", { name: "Try changes" }).click();
   await page.waitForFunction(() => /Trying twice the drag, 1 of \d/.test(document.querySelector("#judgement").textContent));
   await page.waitForFunction(() => {

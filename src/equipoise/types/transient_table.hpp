@@ -90,11 +90,11 @@ struct KnownEnd {
 /// With known figures, once r stays for a window in the nearer half of the way from the motion's own largest r to every
 /// limit above that, since a deviation that dies out does not double again, and a tenth of that way below the peak.
 ///
-/// Else the first, second and fourth windows are compared, then the second, fourth and eighth, and so on. The last two
-/// must agree in their peaks to 5e-4, a tenth of what three digits show, and in root mean square velocity, which
-/// depends on where in a period a window ends, to 2 %. From the first to the last two the difference in peaks must have
-/// halved: over doubled times a slow approach, or a slow departure, looks the slower the earlier it is looked at. Of
-/// chaos 32 windows are enough; figures that go on rising or falling are followed for up to 1024.
+/// Else the first, second and fourth windows are compared, then the second, fourth and eighth, and so on. From doubled
+/// time to doubled time the last two must agree to 2 % in peak and in root mean square velocity, and what is left of
+/// the peak's approach must be below 5e-4, a tenth of what three digits show: differences that shrink from d1 to d2
+/// leave d2^2/(d1 - d2) to come, or less if they die out faster than 1/t. A departure from an unstable motion grows
+/// instead. Of chaos 32 windows are enough; figures that go on rising or falling are followed for up to 1024.
 inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
                         const std::array<TransientWindow, 2>& before, const TransientWindow& last, int windows,
                         double peak) {
@@ -113,13 +113,13 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
   constexpr int fewest_windows = 4, most_windows = 32, most_creeping = 1024;
   const bool doubled = (windows & (windows - 1)) == 0;
   if (windows * settings.window < end.wait || windows < fewest_windows || !doubled) return false;
-  constexpr double digits = 1e-3, sampling = 1e-4, turns = 0.04;  // of squares; peaks are found to `sampling`
+  constexpr double sameness = 0.04, digits = 1e-3, sampling = 1e-4;  // of squares; peaks are found to `sampling`
   const auto mean = [](const TransientWindow& w) { return w.velocity / w.length; };
   const double d1 = before[0].peak - before[1].peak, d2 = last.peak - before[0].peak;
   const double v1 = mean(before[0]) - mean(before[1]), v2 = mean(last) - mean(before[0]);
   const double change = std::fabs(d2);
-  const bool shrinks = change <= sampling * last.peak || change <= 0.5 * std::fabs(d1);
-  if (change <= digits * last.peak && shrinks && std::fabs(v2) <= turns * mean(last)) return true;
+  const bool done = change <= sampling * last.peak || change * change <= digits * last.peak * (std::fabs(d1) - change);
+  if (done && change <= sameness * last.peak && std::fabs(v2) <= sameness * mean(last)) return true;
   const bool creeps = d1 * d2 > 0.0 && v1 * v2 > 0.0;
   return windows >= (creeps ? most_creeping : most_windows);
 }
