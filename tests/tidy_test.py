@@ -31,9 +31,21 @@ def changed():
     return [source / n for n in names if n.startswith(("src/equipoise/", "apps/equipoise/")) and n.endswith(".cpp")]
 
 
+def mpi():
+    """Where the job's headers are, if MPI is installed."""
+    try:
+        done = subprocess.run(["mpicxx", "--showme:incdirs"], check=True, capture_output=True, text=True)
+    except (subprocess.CalledProcessError, FileNotFoundError):
+        return []
+    return [word for folder in done.stdout.split() for word in ("-isystem", folder)]
+
+
+MPI = mpi()
+
+
 def tidy(path):
     command = ["clang-tidy", "--quiet", str(path), "--", "-std=c++20", "-ffp-contract=off", f"-I{source / 'src'}",
-               f"-I{build / 'src/equipoise/include'}", f"-I{source / 'apps/equipoise'}", "-isystem", "/usr/include/eigen3"]
+               f"-I{build / 'src/equipoise/include'}", f"-I{source / 'apps/equipoise'}", "-isystem", "/usr/include/eigen3", *MPI]
     done = subprocess.run(command, capture_output=True, text=True, cwd=source)
     return path, done.returncode, done.stdout + done.stderr
 
