@@ -153,6 +153,7 @@ def kept_through_kills_and_full_disks(bench, command, rounds, moments=(0.4, 0.8)
     path, kept = bench.path("killed.nc"), 0
     for k in range(rounds):
         process = bench.start(*command.arguments, "--threads", 1 + k % 2, "-o", path)
+        wait_until(lambda: catches_signals(process), process)
         time.sleep(bench.random.uniform(*moments) * command.seconds)
         process.send_signal((signal.SIGKILL, signal.SIGTERM)[k % 2])
         ended(process)

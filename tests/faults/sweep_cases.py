@@ -4,7 +4,7 @@ import os
 import signal
 import time
 
-from harness import (Undisturbed, content, ended, expect, limited, refused, same_for_any_number_of_processes,
+from harness import (Undisturbed, catches_signals, content, ended, expect, limited, refused, same_for_any_number_of_processes,
                      wait_until)
 
 
@@ -23,6 +23,7 @@ def sweep_kills(bench):
     rounds = 4 if bench.quick else 50
     for k in range(rounds):
         process = bench.start(*sweep.arguments, "--threads", 1 + k % 2, "-o", path)
+        wait_until(lambda: catches_signals(process), process)
         time.sleep(bench.random.uniform(0.0, 0.4 * sweep.seconds))
         process.send_signal(bench.random.choice((signal.SIGKILL, signal.SIGTERM, signal.SIGINT)))
         ended(process)
