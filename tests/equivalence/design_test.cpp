@@ -290,10 +290,7 @@ trajectories = 10_000
 // The time may be over before the search has followed the study itself, which is then judged all the same.
 TEST(Design, IsToldOfACandidateThatTheSearchDidNotReach) {
   DesignResult result;
-  result.study = parse_study(
-      "[rotor]\neccentricity = 0.01\ndamping = 0.5\n[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
-      "[speed]\nprofile = \"constant\"\nspeed = 2.4\n",
-      "study");
+  result.study = parse_study(constant_speed, "study");
   result.figures = {{"balanced", "", true, true}};
   result.objectives = {0};
   DesignCandidate own;
