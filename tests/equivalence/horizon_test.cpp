@@ -1,5 +1,7 @@
 // How long starts are followed by default, what is then still undecided, and what is said about it.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "../support/parameters.hpp"
 #include "../support/refusals.hpp"
 #include "equipoise/analyses/attractors.hpp"
+#include "equipoise/attractor_search/attractor_search.hpp"
 #include "equipoise/attractor_search/cost.hpp"
 #include "equipoise/ensembles/basin.hpp"
 #include "equipoise/ensembles/basin_header.hpp"
@@ -109,6 +112,42 @@ TEST(WhyUndecided, SaysThatTrajectoriesWanderChaotically) {
   const BasinResult r = basin(study);
   ASSERT_GT(r.undecided.share, 0.2);
   EXPECT_NE(r.note.find("wandering chaotically (largest Lyapunov exponent 0.0"), std::string::npos) << r.note;
+}
+
+// Chaos past the time for which it may be a way to something else: its starts have an outcome, and those that leave it
+// between then and the end give its rate.
+TEST(LongLivedChaos, IsAnOutcomeWithALifetime) {
+  model::Parameters p = base_rotor(3, 0.074, 0.0448);
+  p.eccentricity = 0.0295;
+  p.damping = {0.361, 0.361};
+  Study study = study_of(p, 1.8376);
+  study.numerics.horizon = 14000.0;
+  study.sampling.starts = 24;
+  BasinOptions options;
+  options.keep_starts = true;
+  const BasinResult r = basin(study, options);
+  const auto chaos = std::find_if(r.attractors.begin(), r.attractors.end(),
+                                  [](const OutcomeShare& a) { return a.name == long_lived_chaos; });
+  ASSERT_NE(chaos, r.attractors.end()) << r.note;
+  EXPECT_GT(chaos->share.count, 2u);
+  ASSERT_TRUE(r.chaos);
+  const auto is_chaos = [&](int id) {  // of any kind
+    return std::any_of(r.attractors.begin(), r.attractors.end(),
+                       [id](const OutcomeShare& a) { return a.id == id && a.name.find("chao") != std::string::npos; });
+  };
+  std::uint64_t late = 0, left = 0;
+  double watched = 0.0;
+  for (std::size_t i = 0; i < r.starts; ++i) {
+    const double later = r.every_start->decision_time[i] - lasting_chaos;
+    if (r.every_start->outcome[i] <= 0 || !(later > 0.0)) continue;
+    ++late;
+    left += !is_chaos(r.every_start->outcome[i]);
+    watched += later;
+  }
+  EXPECT_EQ(r.chaos->trajectories, late);
+  EXPECT_EQ(r.chaos->escapes, left);
+  EXPECT_DOUBLE_EQ(r.chaos->watched, watched);
+  EXPECT_NE(r.note.find("long-lived chaos may end"), std::string::npos) << r.note;
 }
 
 // Rotors far below the critical speed: balls creep for 10^8 units of time. A creeping state is no motion to be listed.

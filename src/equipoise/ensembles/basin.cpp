@@ -75,6 +75,7 @@ class BasinRun {
     const BalanceNote balance = runner_->balance();
     result_.balanced_stable = balance.stable;
     result_.note = balance.note;
+    if (const std::optional<EscapeRate> chaos = tally_->chaos(catalogue())) note_chaos(result_, *chaos);
     note_open_starts(result_, horizon_, look_at_these(undecided_), look_at_these(stalled_));
     if (gathers_ && options_.without_balls && result_.starts > 0 && !is_set(options_.stop))
       // As many starts as the file has, so that it says the same to every reader.

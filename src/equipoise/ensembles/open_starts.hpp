@@ -6,11 +6,15 @@
 
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/statistics/escape_rate.hpp"
 
 namespace equipoise {
 
 /// Looks at how some starts go on at the end; returns none once stopped.
 using LookAt = std::function<std::vector<UndecidedEnd>()>;
+
+/// How fast starts leave long-lived chaos.
+void note_chaos(BasinResult& result, const EscapeRate& chaos);
 
 /// Many undecided starts make an ensemble worthless, so the note then says why there are so many. Balls that are never
 /// let go are noted even if only one start has them.

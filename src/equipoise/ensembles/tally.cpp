@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/start_runs/undecided.hpp"
 #include "equipoise/statistics/even_share.hpp"
 
 namespace equipoise {
@@ -39,6 +41,10 @@ void Tally::add(const Fate& fate) {
   const double weight = sampler_.weight(seed_, total_);
   line.time += weight * (fate.time - settled_);
   line.counted += weight;
+  if (const double later = fate.time - settled_ - lasting_chaos; later > 0.0) {
+    ++line.late;
+    line.late_time += later;
+  }
   if (!std::isnan(fate.unbalance)) line.unbalance[fate.unbalance] += weight;
   ++line.by[static_cast<std::size_t>(fate.by)];
   if (sampler_.method() == SamplingMethod::sobol) ++line.in_replicate[total_ % sobol_replicates];
@@ -142,6 +148,22 @@ void Tally::count(const Catalogue& catalogue, BasinResult& result) const {
   result.diverged = share(Outcome::diverged);
   result.failed = share(Outcome::failed);
   if (driven) result.stalled = share(Outcome::stalled);
+}
+
+std::optional<EscapeRate> Tally::chaos(const Catalogue& catalogue) const {
+  bool lasts = false;
+  std::uint64_t escapes = 0, late = 0;
+  double watched = 0.0;
+  for (const auto& [key, line] : lines_) {
+    if (key.first != static_cast<int>(Outcome::attracted)) continue;
+    const Attractor* a = catalogue.find(key.second);
+    const bool still = a && (a->name == long_lived_chaos || a->motion.kind == MotionKind::chaotic);
+    lasts = lasts || (still && a->name == long_lived_chaos);
+    if (!still) escapes += line.late;
+    late += line.late;
+    watched += line.late_time;
+  }
+  return lasts ? std::optional(escape_rate(escapes, late, watched)) : std::nullopt;
 }
 
 std::vector<Share> Tally::shares() const {

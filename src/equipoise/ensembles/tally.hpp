@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "equipoise/results/basin_result.hpp"
 #include "equipoise/sampling/sampling.hpp"
 #include "equipoise/sampling/scrambled_sobol.hpp"
+#include "equipoise/statistics/escape_rate.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/types/fate.hpp"
 
@@ -33,6 +35,10 @@ class Tally {
   /// The shares of every outcome met, and of one not met.
   std::vector<Share> shares() const;
 
+  /// How starts leave the chaos that some are still in at the horizon: from those decided after lasting_chaos. Starts
+  /// that came to a chaotic motion have not left it. Empty if no start is in it.
+  std::optional<EscapeRate> chaos(const Catalogue& catalogue) const;
+
   /// Whether sampling may end here if a half-width is reached. The number of starts is part of the result, so this
   /// depends on the starts counted alone.
   bool at_checkpoint() const;
@@ -52,6 +58,8 @@ class Tally {
   struct Line {
     std::uint64_t count = 0;
     double counted = 0.0, time = 0.0;   // weighted
+    std::uint64_t late = 0;             // decided after lasting_chaos
+    double late_time = 0.0;             // since then
     std::map<float, double> unbalance;  // residual unbalance and weight
     std::array<std::uint64_t, decided_by_count> by{};
     std::array<std::uint64_t, sobol_replicates> in_replicate{};  // for Sobol points

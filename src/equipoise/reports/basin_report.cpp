@@ -33,6 +33,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Times as in the note; null if a lifetime may be infinite.
+Json chaos_json(const BasinResult& r) {
+  const EscapeRate& c = *r.chaos;
+  const double time = r.study.scales ? r.study.scales->time() : 1.0;
+  const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  return {{"undecided_after", r.chaos_watched_from * time},
+          {"starts", c.trajectories},
+          {"decided_later", c.escapes},
+          {"rate", {{"value", c.rate / time}, {"low", c.low / time}, {"high", c.high / time}}},
+          {"median_lifetime",
+           {{"value", finite(c.median * time)}, {"low", c.least * time}, {"high", finite(c.most * time)}}},
+          {"unit", r.study.scales ? "s" : "1/omega_c"}};
+}
+
 // The grounds on which starts were decided, as shares of all starts.
 std::string decided_text(const BasinResult& r) {
   if (r.starts == 0) return "";
@@ -254,6 +268,7 @@ std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried)
   if (r.study.scales) json["units"]["mean_time_si"] = "s";
   if (r.stalled) json["units"]["below"] = "omega_c";
   if (r.met) json["balls_met"] = share(*r.met);
+  if (r.chaos) json["long_lived_chaos"] = chaos_json(r);
   if (r.passed) json["units"]["above"] = "omega_c";
   if (const auto verdict = verdict_of(r, tried)) json["verdict"] = verdict_json(*verdict, tried);
   if (Json judged = standards_json(r); !judged.is_null()) json["standards"] = std::move(judged);

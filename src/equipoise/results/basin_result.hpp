@@ -12,6 +12,7 @@
 #include "equipoise/results/transient_result.hpp"
 #include "equipoise/results/without_balls.hpp"
 #include "equipoise/sampling/sampling.hpp"
+#include "equipoise/statistics/escape_rate.hpp"
 #include "equipoise/statistics/share.hpp"
 #include "equipoise/study/study.hpp"
 #include "equipoise/types/fate.hpp"
@@ -43,6 +44,9 @@ struct BasinResult : OtherShares {
   /// For balls that collide: starts in which two touched before the outcome was known. All other starts would have gone
   /// the same way without collisions. Empty on a grid.
   std::optional<Share> met;
+  /// How starts leave the chaos that some are still in at the horizon; times are dimensionless.
+  std::optional<EscapeRate> chaos;
+  double chaos_watched_from = 0.0;            ///< with `chaos`: starts decided earlier were never in it long
   std::optional<TransientResult> transients;  ///< if they were gathered
   /// With `transients`, unless stopped before it was known or not asked (BasinOptions::without_balls).
   std::optional<WithoutBalls> without_balls;

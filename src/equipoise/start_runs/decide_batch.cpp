@@ -15,6 +15,7 @@
 #include "equipoise/start_runs/last_radius.hpp"
 #include "equipoise/start_runs/last_speed.hpp"
 #include "equipoise/start_runs/start_batch.hpp"
+#include "equipoise/start_runs/undecided.hpp"
 
 namespace equipoise {
 
@@ -116,13 +117,24 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
     if (open) fate.outcome = Outcome::attracted;
     const bool attracted = fate.outcome == Outcome::attracted;
     std::optional<MotionFigures> end;
-    if (attracted && fate.attractor <= 0) {
+    if (fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && fate.time >= batch.end(i) &&
+        is_in_chaos(system, when_recognised(batch, i, fate.time), fate.time)) {
+      decided.unlisted.push_back(in_chaos(batch, i, fate.time));
+      fate.outcome = Outcome::attracted;
+      fate.by = DecidedBy::horizon;
+    } else if (attracted && fate.attractor <= 0) {
       // A watched trajectory has gone on since it was decided.
       const double now = batch.watched ? batch.table.rows[i].end : fate.time;
+      const double patience = !family_ ? followed_for(system_, few_starts_) : open ? a_look : lasting_chaos;
       std::optional<UnlistedStart> start = fate.attractor < 0 ? met_again(batch, i, fate)
                                            : few_starts_      ? unlisted_of_few(batch, i, now)
-                                                         : unlisted_start(batch, i, now, open ? a_look : lasting_chaos);
+                                                              : unlisted_start(batch, i, now, patience);
       if (!start) return false;
+      // Few starts are not all followed.
+      if (!start->motion && !few_starts_ && is_in_chaos(system, start->state, now + patience)) {
+        start = in_chaos(batch, i, now);
+        fate.time = std::max(fate.time, now + patience);
+      }
       decided.unlisted.push_back(*std::move(start));
       fate.attractor = 0;
       const auto& motion = decided.unlisted.back().motion;
@@ -146,6 +158,18 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
     decided.transients[i] = transient_row(settings_of(batch, i), batch.table.rows[i], lost, end);
   }
   return true;
+}
+
+// Of a trajectory that came to nothing until `followed`. Exponents are those of the linearised equations, which
+// meetings of balls break off.
+bool StartRunner::is_in_chaos(const model::System& system, const std::vector<double>& state, double followed) const {
+  if (!system.smooth() || system.coasts() || followed - source_->settled() < lasting_chaos) return false;
+  const Eigen::Map<const Eigen::VectorXd> z(state.data(), static_cast<Eigen::Index>(state.size()));
+  return look_at_undecided(system, z).what == Restlessness::chaotic;
+}
+
+UnlistedStart StartRunner::in_chaos(const Batch& batch, std::size_t i, double now) const {
+  return {i, when_recognised(batch, i, now), measured_motion(), {long_lived_chaos, "", 0}};
 }
 
 // Means are for starts left open at the horizon. One given up earlier runs away, so its last speed counts.

@@ -134,6 +134,8 @@ class StartRunner {
   bool decide(Batch& batch) const;
   bool classify_some(Batch& batch, const std::vector<std::size_t>& places, const ClassificationRule& rule) const;
   bool finish(Batch& batch, Decided& decided) const;
+  bool is_in_chaos(const model::System& system, const std::vector<double>& state, double followed) const;
+  UnlistedStart in_chaos(const Batch& batch, std::size_t i, double now) const;
   std::optional<UnlistedStart> unlisted_start(const Batch& batch, std::size_t i, double now, double patience) const;
   std::optional<UnlistedStart> unlisted_of_few(Batch& batch, std::size_t i, double now) const;
   UnlistedStart met_again(const Batch& batch, std::size_t i, const Fate& fate) const;

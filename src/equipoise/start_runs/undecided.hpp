@@ -13,6 +13,10 @@
 
 namespace equipoise {
 
+/// Chaos that a trajectory is still in at the horizon, if that is long enough (lasting_chaos): an outcome of its own,
+/// with a rate at which starts leave it. No finite time shows whether it lasts for ever.
+inline constexpr char long_lived_chaos[] = "long-lived chaos";
+
 /// A result with a larger share of undecided starts says why.
 inline constexpr double undecided_worth_a_word = 0.05;
 /// How many of them are looked at.

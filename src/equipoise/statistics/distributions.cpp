@@ -2,6 +2,7 @@
 #include "equipoise/statistics/distributions.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/gamma.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -19,6 +20,10 @@ double normal_up_to(double value) { return cdf(boost::math::normal(), value); }
 
 double students_t_half_width(double freedom, double confidence) {
   return quantile(boost::math::students_t(freedom), 0.5 + 0.5 * confidence);
+}
+
+double gamma_quantile(double shape, double probability) {
+  return quantile(boost::math::gamma_distribution<>(shape), probability);
 }
 
 double Binomial::mass(std::uint64_t k) const { return pdf(law(*this), static_cast<double>(k)); }

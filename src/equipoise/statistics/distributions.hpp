@@ -15,6 +15,9 @@ double normal_up_to(double value);
 /// normal_half_width() of Student's t; `freedom` > 0 need not be a whole number.
 double students_t_half_width(double freedom, double confidence);
 
+/// Of the gamma distribution with scale 1; `shape` > 0, 0 < probability < 1.
+double gamma_quantile(double shape, double probability);
+
 /// How many of `trials` succeed if each does so with `probability`.
 struct Binomial {
   double trials, probability;

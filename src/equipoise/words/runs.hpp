@@ -85,6 +85,16 @@ inline constexpr char unknown_end[] =
     "no torque acts in the end, and the speed that the rotor then keeps is not known beforehand";
 // Share, why.
 inline constexpr char many_undecided[] = "{} are undecided: {}";
+// Starts, a time and its unit, how many of them left, a rate and a lifetime.
+inline constexpr char chaos_may_end[] =
+    "long-lived chaos may end: of the {} starts that were in it, or on a slow approach, after {}{}, {} came to "
+    "something else later, so they leave it at {}";
+// Rate, its interval, unit of time; lifetime, its interval and its unit.
+inline constexpr char leaves_at[] =
+    "a rate of {:.2g} ({:.2g} to {:.2g}) per {} and its median lifetime is {:.2g} ({:.2g} to {:.2g}){}";
+// The same without a start that left.
+inline constexpr char leaves_below[] = "a rate below {:.2g} per {} and its median lifetime is above {:.2g}{}";
+inline constexpr char unit_of_time[] = "unit of time", second[] = "second";
 // How near the rotor came to the release.
 inline constexpr char undecided_held[] = "balls of undecided starts are never let go: {}";
 // The same.
