@@ -184,6 +184,9 @@ def map(  # noqa: A001 (the command line's name)
     Balls that no axis and no tie places start as the study's [initial] says, in all pixels alike. Over two parameters
     every pixel draws ball angles of its own, by the study's seed, unless the study states ``initial.phi``.
 
+    Pixels are followed to ``numerics.tolerance``, 1e-6 by default; :func:`simulate` has 1e-12. Next to a border of basins
+    single pixels depend on it.
+
     Parameters
     ----------
     x, y : str
