@@ -190,7 +190,7 @@ def chart(
     undecided : float
         Percent of the plane at which proofs may end.
     cycles : bool
-        Look for curves on which cycles change, too: this takes minutes.
+        Also look for curves on which cycles change: this takes minutes. With ``within``, those that were followed by then.
     output : path, optional
         NetCDF file. An existing one has to hold the same chart of the same study.
     threads, progress, cpu, within

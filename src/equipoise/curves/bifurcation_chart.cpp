@@ -42,7 +42,7 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
     add_curves_between_boxes(plane, settings.stop, chart);
     if (settings.cycles && !is_set(settings.stop))
-      add_cycles(studies, plane, chart.plane.threads, settings.stop, chart);  // which then tells what it left
+      add_cycles(studies, plane, settings, chart);  // which then tells what it left
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);
   chart.threads = chart.plane.threads;

@@ -9,7 +9,7 @@
 
 namespace equipoise {
 
-/// Progress is in points of the grid.
+/// Progress is in points of the grid, then in cycles.
 struct ChartSettings : RunOptions {
   SliceAxis x, y;                ///< with the grid's points
   std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved

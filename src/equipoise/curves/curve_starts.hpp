@@ -6,6 +6,7 @@
 #include "equipoise/base/stop_flag.hpp"
 #include "equipoise/curves/followed_curve.hpp"
 #include "equipoise/planes/bifurcation_chart.hpp"
+#include "equipoise/running/run_options.hpp"
 #include "equipoise/stability/plane_studies.hpp"
 
 namespace equipoise {
@@ -26,8 +27,8 @@ void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChar
 void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
 
 /// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
-/// curve begins, unless it is known. For a chart that has all other curves.
-void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
-                BifurcationChart& chart);
+/// curve begins, unless it is known. For a chart that has all other curves. Curves are followed as soon as the cycles
+/// before theirs are: a run that is stopped has those that it got to.
+void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
 
 }  // namespace equipoise

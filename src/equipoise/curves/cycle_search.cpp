@@ -1,11 +1,14 @@
-// Cycles: starts along Hopf curves, branches in parallel, then one curve after the other.
+// Cycles: starts along Hopf curves, branches in parallel, and meanwhile one curve after the other.
 #include "equipoise/curves/curve_starts.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <set>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "equipoise/base/angles.hpp"
@@ -27,34 +30,47 @@ struct CycleOrigin {
 
 class CycleSearch {
  public:
-  CycleSearch(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
-              BifurcationChart& chart)
-      : studies_(studies), plane_(plane), threads_(threads), stop_(stop), chart_(chart) {}
+  CycleSearch(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart)
+      : studies_(studies), plane_(plane), run_(run), stop_(run.stop), chart_(chart) {}
 
   void run() {
     std::vector<CycleOrigin> origins;
     for (const ChartCurve& curve : chart_.curves)
       if (curve.kind == CurveKind::hopf) add_origins(curve, origins);
-    // A few at a time: a run that is stopped has the curves of those that it got to.
-    const std::size_t at_once = 4 * static_cast<std::size_t>(threads_);
-    for (std::size_t begin = 0; begin < origins.size() && !is_set(stop_); begin += at_once)
-      run({origins.data() + begin, std::min(at_once, origins.size() - begin)});
+    std::vector<std::optional<std::vector<CycleCrossing>>> crossings(origins.size());
+    std::atomic<std::size_t> begun = 0;
+    std::size_t first = 0;  // whose curves are to be followed next
+    bool following = false;
+    std::mutex mutex;
+    in_parallel(run_.threads, origins.size(), [&](std::size_t) {
+      const std::size_t own = begun++;  // in their order: the first curves need not wait for the last branch
+      CycleBranch branch;
+      if (!is_set(stop_)) {
+        const BalancePlane plane(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
+        branch = cycle_branch([&](const VectorXd& at) { return plane.system(at); }, origins[own].start, stop_);
+      }
+      std::unique_lock lock(mutex);
+      crossings[own] = std::move(branch.crossings);
+      if (following) return;
+      following = true;
+      for (; first < origins.size() && crossings[first]; ++first) {
+        const std::vector<CycleCrossing> here = std::move(*crossings[first]);
+        lock.unlock();
+        for (const CycleCrossing& crossing : here) follow_or_count(crossing, origins[first].of);
+        if (run_.progress && !is_set(stop_))
+          run_.progress({first + 1, origins.size(), words::chart::cycles_followed, {}});
+        lock.lock();
+      }
+      following = false;
+    });
   }
 
  private:
-  void run(std::span<const CycleOrigin> origins) {
-    std::vector<CycleBranch> branches(origins.size());
-    in_parallel(threads_, origins.size(), [&](std::size_t k) {
-      const BalancePlane own(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
-      branches[k] = cycle_branch([&](const VectorXd& at) { return own.system(at); }, origins[k].start, stop_);
-    });
-    for (std::size_t k = 0; k < branches.size(); ++k)
-      for (const CycleCrossing& crossing : branches[k].crossings) {
-        if (is_set(stop_))
-          ++chart_.cycles_left;
-        else
-          follow(crossing, origins[k].of);
-      }
+  void follow_or_count(const CycleCrossing& crossing, const std::string& of) {
+    if (is_set(stop_))
+      ++chart_.cycles_left;
+    else
+      follow(crossing, of);
   }
   VectorXd place(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
@@ -155,19 +171,19 @@ class CycleSearch {
 
   const PlaneStudies& studies_;
   const BalancePlane& plane_;
-  int threads_;
+  const RunOptions& run_;
   const StopFlag* stop_;
   BifurcationChart& chart_;
 };
 
 }  // namespace
 
-void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
+void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run,
                 BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
   if (system && !system->smooth()) chart.no_cycles = words::chart::cycles_without_events;
   chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};
-  if (chart.no_cycles.empty()) CycleSearch(studies, plane, threads, stop, chart).run();
+  if (chart.no_cycles.empty()) CycleSearch(studies, plane, run, chart).run();
 }
 
 }  // namespace equipoise

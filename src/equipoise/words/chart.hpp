@@ -166,6 +166,8 @@ inline constexpr char partial_cycles[] =
 inline constexpr char partial[] = "PARTIAL: stopped before all curves and boxes were done.\n";
 // First line of an incomplete table of curves: version, that it is partial.
 inline constexpr char csv_partial[] = "# equipoise {}: chart{}\n";
+// Progress: branches of cycles, with the curves that begin on them.
+inline constexpr char cycles_followed[] = "cycles";
 // Points, boxes, time, version.
 inline constexpr char made_with[] = "{} curve{}, {} boxes; {}; equipoise {}\n";
 
