@@ -11,7 +11,7 @@ import tempfile
 import time
 import unittest
 
-from program import ROW, Case, interrupted, main, picture_of, run, started
+from program import ROW, Case, answer, interrupted, main, picture_of, run, slow, started
 
 LINE = "speed.final=2.9:2.95:0.05"
 
@@ -85,6 +85,21 @@ class Files(Case):
             self.assertEqual(branch["ends_known"], ends, branch["name"])
         with open(path, encoding="utf-8") as file:
             self.assertIn("PARTIAL", file.readline())
+
+
+class Names(Case):
+    # At 2.8 two tori drift apart: a wide one, which lives on to 2.87, and a narrow one of half as many starts.
+    @slow
+    def test_a_motion_has_one_name_along_a_line_and_alone(self):
+        drag = ("--set", "balancer.drag=0.03")
+        line = answer("attractors", ROW, *drag, "--along", "speed.final=2.8:2.87:0.07")
+        alone = answer("attractors", ROW, *drag, "--set", "speed.final=2.87", "--starts", "2000")
+        self.assertEqual([b["name"] for b in line["branches"] if "apart" in b["name"]], ["drifting apart", "drifting apart (2)"])
+        (branch,) = (b for b in line["branches"] if b["alias"] == "V2")
+        (own,) = (a for a in alone["attractors"] if a["alias"] == "V2")
+        (there,) = (p for p in branch["points"] if p["value"] == 2.87)
+        for figure in ("mean", "max"):  # of tori: to what two windows agree in
+            self.assertAlmostEqual(there["radial"][figure], own["radial"][figure], delta=0.01 * own["radial"][figure])
 
 
 class Errors(Case):

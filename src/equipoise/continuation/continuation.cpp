@@ -58,7 +58,7 @@ class Continuation {
         options_(options),
         starts_(options.starts > 0 ? options.starts : along_starts),
         follower_(line, starts_, options.stop),
-        threads_(options.threads > 0 ? options.threads : core_count()) {
+        threads_(thread_count(options.threads)) {
     result_.study = study;
     for (std::size_t k = 0; k < line.values().size(); ++k) {
       values_.push_back(line.values()[k]);
@@ -70,7 +70,7 @@ class Continuation {
       }
     }
     found_.resize(values_.size());
-    named_.resize(values_.size());
+    commonest_.resize(values_.size());
   }
 
   BranchesResult run() {
@@ -103,7 +103,7 @@ class Continuation {
       if (follower_.stopped()) return;
       ValueSearch there = attractors_at(line_.study_at(values_[k]), starts_, options_.warm_start_states, options_.stop);
       found_[k] = std::move(there.motions);
-      named_[k] = std::move(there.named);
+      commonest_[k] = std::move(there.commonest);
       report(found_.size(), words::sweeps::values_searched);
     });
   }
@@ -239,13 +239,13 @@ class Continuation {
     }
   }
 
-  // Where two branches of one name exist at one value, the search there gave the identifier to the motion of more
-  // starts. Counting these gives a branch the same identifier whatever part of the line is studied.
+  // Where two branches of one name exist at one value, the vote goes to the one that more starts come to there. A
+  // branch so has the same identifier whatever part of the line is studied.
   std::vector<std::size_t> count_votes() const {
     std::vector<std::size_t> votes(tracks_.size());
-    for (std::size_t k = 0; k < named_.size(); ++k) {
+    for (std::size_t k = 0; k < commonest_.size(); ++k) {
       const model::Parameters& p = systems_[k].parameters();
-      for (const Motion& motion : named_[k]) {
+      for (const Motion& motion : commonest_[k]) {
         const int track = track_of(k, motion);
         if (track < 0) continue;
         const auto of_this_name = std::count_if(tracks_.begin(), tracks_.end(), [&](const Track& other) {
@@ -327,11 +327,11 @@ class Continuation {
   const std::uint64_t starts_;
   BranchContinuation follower_;
   int threads_;
-  std::vector<double> values_;              // of the line, and half-way between
-  std::vector<bool> asked_;                 // by value: whether it belongs to the line
-  std::vector<std::vector<Motion>> found_;  // by value
-  std::vector<std::vector<Motion>> named_;  // by value: motions that have the identifier of their name there
-  std::vector<model::System> systems_;      // by value
+  std::vector<double> values_;                  // of the line, and half-way between
+  std::vector<bool> asked_;                     // by value: whether it belongs to the line
+  std::vector<std::vector<Motion>> found_;      // by value
+  std::vector<std::vector<Motion>> commonest_;  // by value: of every name the motion of most starts
+  std::vector<model::System> systems_;          // by value
   std::vector<Track> tracks_;
   BranchesResult result_;
   std::mutex mutex_;

@@ -1,7 +1,14 @@
 // A plain attractor search, without its shares.
 #include "equipoise/continuation/value_search.hpp"
 
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
 #include "equipoise/analyses/attractors.hpp"
+#include "equipoise/continuation/branch_follower.hpp"
 
 namespace equipoise {
 
@@ -12,11 +19,18 @@ ValueSearch attractors_at(const Study& study, std::uint64_t starts,
   search.threads = 1;
   search.warm_start_states = warm_start_states;
   search.stop = stop;
+  const AttractorsResult found = attractors(study, search);
   ValueSearch result;
-  for (const Attractor& a : attractors(study, search).attractors) {
-    if (a.motion.stable || a.name == "balanced") result.motions.push_back(a.motion);
-    if (a.id < first_free_id) result.named.push_back(a.motion);
+  std::map<std::string, std::pair<std::uint64_t, const Motion*>> commonest;
+  for (const Attractor& a : found.attractors) {
+    if (!a.motion.stable && a.name != "balanced") continue;
+    result.motions.push_back(a.motion);
+    const auto share = std::find_if(found.basin.attractors.begin(), found.basin.attractors.end(),
+                                    [&](const OutcomeShare& s) { return s.id == a.id; });
+    auto& [most, motion] = commonest[family_of(study.parameters, a.motion)];
+    if (!motion || share->share.count > most) std::tie(most, motion) = std::pair(share->share.count, &a.motion);
   }
+  for (const auto& [name, most] : commonest) result.commonest.push_back(*most.second);
   return result;
 }
 

@@ -11,8 +11,8 @@
 namespace equipoise {
 
 struct ValueSearch {
-  std::vector<Motion> motions;  ///< stable motions, and balance
-  std::vector<Motion> named;    ///< motions with the identifier of their name
+  std::vector<Motion> motions;    ///< stable motions, and balance
+  std::vector<Motion> commonest;  ///< of every name the one that most starts come to
 };
 
 /// What `attractors` finds with this many random starts, on one thread; `warm_start_states` are followed as well.
