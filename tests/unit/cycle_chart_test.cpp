@@ -22,6 +22,7 @@
 #include "equipoise/periodic_orbits/variational.hpp"
 #include "equipoise/stability/plane_studies.hpp"
 #include "equipoise/trajectory/study_equations.hpp"
+#include "equipoise/words/chart.hpp"
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {
@@ -358,6 +359,27 @@ TEST(CycleChart, SaysWhyItTellsNothingOfCycles) {
   EXPECT_TRUE(holds(chart_text(chart), "Of cycles nothing is told: balls that touch or stick"));
   settings.cycles = false;
   EXPECT_FALSE(holds(chart_text(bifurcation_chart(touching, settings)), "Of cycles nothing"));
+}
+
+TEST(CycleChart, AStoppedSearchHasTheCurvesOfTheCyclesThatItGotTo) {
+  ChartSettings settings = cycle_settings(1.84, 2.0, 0.008, 0.03);
+  settings.threads = 8;
+  StopFlag stop{false};
+  settings.stop = &stop;
+  Progress last;
+  settings.progress = [&](const Progress& p) {
+    if (p.what != words::chart::cycles_followed) return;
+    last = p;
+    stop = 2 * p.done >= p.total;
+  };
+  const BifurcationChart chart = bifurcation_chart(charted_rotor(), settings);
+  EXPECT_FALSE(chart.complete);
+  EXPECT_LT(last.done, last.total);
+  const ChartCurve* whole = curve_of(around_generalised(), CurveKind::cycle_fold);
+  const ChartCurve* found = curve_of(chart, CurveKind::cycle_fold);
+  ASSERT_TRUE(whole && found);
+  EXPECT_EQ(found->points.size(), whole->points.size());
+  EXPECT_TRUE(holds(chart_text(chart), "PARTIAL"));
 }
 
 TEST(CycleChart, ThreadsMakeNoDifference) {
