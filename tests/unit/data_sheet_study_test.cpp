@@ -82,6 +82,8 @@ TEST(DataSheet, StatesDampingInSeveralWays) {
     expect_same(base, parse_sheet(sheet_with(damping, "logarithmic_decrement = " + ways(decrement)), {rotor}));
     expect_same(
         base, parse_sheet(sheet_with(damping, "quality_factor = " + ways([](double z) { return 0.5 / z; })), {rotor}));
+    expect_same(base,
+                parse_sheet(sheet_with(damping, "loss_factor = " + ways([](double z) { return 2.0 * z; })), {rotor}));
     expect_same(base, parse_sheet(sheet_with(damping, "damping_ratio = " + ways([](double z) {
                                                         return fmt::format("\"{} %\"", 100.0 * z);
                                                       })),
@@ -91,6 +93,16 @@ TEST(DataSheet, StatesDampingInSeveralWays) {
   same("rotor.stiffness=['40 kN/m', '56 kN/m']", {0.05, 0.2});
   // zeta of the equations is twice the usual ratio.
   EXPECT_NEAR(parse_sheet(sheet_with(damping, "quality_factor = 8")).parameters.damping[0], 1.0 / 8.0, 1e-15);
+}
+
+TEST(DataSheet, StatesTheRaceByRadiusOrDiameter) {
+  const std::string radius = "race_radius = \"30 mm\"", diameter = "race_diameter = \"6 cm\"";
+  EXPECT_EQ(parse_sheet(sheet_with(radius, diameter)).scales->length, 0.5 * 0.06);
+  expect_same(parse_sheet(sheet), parse_sheet(sheet_with(radius, diameter)));
+  expect_same(parse_sheet(sheet, {"balancer.balls=0"}),
+              parse_sheet(sheet_with(radius, diameter), {"balancer.balls=0"}));
+  const std::string both = refusal_of(sheet_with(radius, radius + "\n" + diameter));
+  EXPECT_NE(both.find("give either balancer.race_radius or balancer.race_diameter"), std::string::npos) << both;
 }
 
 TEST(DataSheet, StatesUnbalanceAndInertiaInSeveralWays) {
@@ -116,6 +128,7 @@ TEST(DataSheet, RefusesTwoWaysAtOnceAndNamesBoth) {
            {"damping", "damping_ratio", "0.1"},
            {"damping", "logarithmic_decrement", "0.3"},
            {"damping", "quality_factor", "8"},
+           {"damping", "loss_factor", "0.1"},
            {"eccentricity", "unbalance", "3 g mm"},
            {"eccentricity", "balance_grade", "{ grade = 'G 6.3', at = '3000 rpm' }"}}) {
     const std::string said = refusal_of(sheet, {"rotor." + second + "=" + value});
@@ -148,12 +161,14 @@ TEST(DataSheet, MayBeUncertain) {
     double value;
   };
   const std::string stiffness = "stiffness = \"48 kN/m\"\n", damping = "damping = \"400 N s/m\"\n",
-                    eccentricity = "eccentricity = \"0.2 mm\"\n";
+                    race = "race_radius = \"30 mm\"\n", eccentricity = "eccentricity = \"0.2 mm\"\n";
   for (const Case& c : std::vector<Case>{
            {stiffness, "rotor.natural_frequency", "{uniform=['8 Hz', '12 Hz']}", "rotor.natural_frequency=9 Hz", 9.0},
            {stiffness, "rotor.static_sag", "{values=['2 mm', '3 mm']}", "rotor.static_sag=3 mm", 3.0},
            {damping, "rotor.quality_factor", "{normal=[8.0, 1.0], between=[5.0, 12.0]}", "rotor.quality_factor=9", 9.0},
            {damping, "rotor.damping_ratio", "{uniform=['3 %', '7 %']}", "rotor.damping_ratio=0.06", 6.0},
+           {damping, "rotor.loss_factor", "{uniform=[0.1, 0.2]}", "rotor.loss_factor=0.15", 0.15},
+           {race, "balancer.race_diameter", "{uniform=['5 cm', '7 cm']}", "balancer.race_diameter=6.5 cm", 6.5},
            {eccentricity, "rotor.balance_grade", "{grade={uniform=['2.5 mm/s', '6.3 mm/s']}, at='3000 rpm'}",
             "rotor.balance_grade={grade='G 4', at='3000 rpm'}", 4.0},
            {"", "rotor.gd2", "{loguniform=['0.1 kgf m2', '0.4 kgf m2']}", "rotor.gd2=0.2 kgf m2", 0.2}}) {

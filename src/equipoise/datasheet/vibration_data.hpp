@@ -19,6 +19,8 @@ inline double ratio_of_decrement(double decrement) {
 }
 /// Damping ratio at which the resonance of the velocity is as sharp as `quality`: Q = sqrt(k M)/c.
 inline double ratio_of_quality(double quality) { return 0.5 / quality; }
+/// A loss factor is 1/Q.
+inline double ratio_of_loss(double loss) { return 0.5 * loss; }
 /// e = G/omega (ISO 21940-11). `grade` in m/s, `speed` in rad/s.
 inline double eccentricity_of_grade(double grade, double speed) { return grade / std::abs(speed); }
 /// J = M r^2.

@@ -111,7 +111,9 @@ class BalancerReader {
 
   BalancerSheet read() {
     b_.balls = static_cast<int>(reader_.integer("balls", 1, model::max_balls));
-    b_.radius = reader_.quantity("race_radius");
+    const std::string from = reader_.exactly_one(
+        {{"race_radius", words::machine::race_radius}, {"race_diameter", words::machine::race_diameter}});
+    b_.radius = reader_.quantity(from) * (from == "race_diameter" ? 0.5 : 1.0);
     diameter_ = reader_.one_or_each("ball_diameter", b_.balls, "ball");
     for (const double d : diameter_)
       if (d >= 2.0 * b_.radius) reader_.fail("ball_diameter", words::machine::ball_fills_race);

@@ -99,7 +99,8 @@ std::vector<Key> all_keys() {
       {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
        "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
       {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
-       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where they "
+       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where "
+       "they "
        "are all supports; by default none",
        nullptr, has_bearings},
       {"rotor.tilt.bearings_stiffness", at<&Study::bearings_stiffness>, not_negative, D::stiffness, none,
@@ -129,6 +130,7 @@ std::vector<Key> all_keys() {
       {"rotor.logarithmic_decrement", nowhere, ratio, bare, physical,
        "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"},
       {"rotor.quality_factor", nowhere, quality, bare, physical, "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
+      {"rotor.loss_factor", nowhere, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"},
       {"rotor.eccentricity", nowhere, not_negative, D::length, physical, "of the rotor's centre of mass"},
       {"rotor.unbalance", nowhere, not_negative, D::unbalance, physical, "or this: M times the eccentricity"},
       {"rotor.balance_grade", nowhere, any, bare, physical,
@@ -162,7 +164,8 @@ std::vector<Key> all_keys() {
        bare,
        required,
        "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
-      {"balancer.race_radius", nowhere, positive, D::length, required | physical, "R: of the circle of ball centres"},
+      {"balancer.race_radius", nowhere, positive, D::length, physical, "R: of the circle of ball centres"},
+      {"balancer.race_diameter", nowhere, positive, D::length, physical, "or this: 2 R"},
       {"balancer.ball_diameter", nowhere, positive, D::length, physical, "balls whose size is given roll, and touch"},
       {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
       {"balancer.mass", nowhere, positive, D::mass, physical, "of a ball"},
@@ -188,7 +191,8 @@ std::vector<Key> all_keys() {
       {"balancer.contact", nowhere, any, bare, physical,
        "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
       {"balancer.plane", at<par, tilt, &X::plane>, any, D::length, none,
-       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`, and then without a default",
+       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`, and "
+       "then without a default",
        nullptr, tilts},
       {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
        "e/R, the race's centre from the shaft's, in the rotating frame", nullptr, off_centre},

@@ -203,6 +203,17 @@ class TiltReader : public QuantityReader {
   const Document& document_;
 };
 
+// The ways to state the supports, of which a study has one each.
+const std::vector<QuantityReader::Alternative> stiffness_ways{{"stiffness", words::machine::stiffness},
+                                                              {"natural_frequency", words::machine::natural_frequency},
+                                                              {"static_sag", words::machine::static_sag}};
+const std::vector<QuantityReader::Alternative> damping_ways{
+    {"damping", words::machine::damping},
+    {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
+    {"logarithmic_decrement", words::machine::logarithmic_decrement},
+    {"quality_factor", words::machine::quality_factor},
+    {"loss_factor", words::machine::loss_factor}};
+
 class RotorReader {
  public:
   explicit RotorReader(const Document& document) : document_(document), reader_(document, "rotor"), tilt_(document) {}
@@ -259,9 +270,9 @@ class RotorReader {
   }
 
   void read_bearings(TiltSupports& s) {
-    for (const char* key : {"stiffness", "natural_frequency", "static_sag", "damping", "damping_ratio",
-                            "logarithmic_decrement", "quality_factor"})
-      if (reader_.has(key)) reader_.fail(key, words::machine::bearings_state_it);
+    for (const auto* ways : {&stiffness_ways, &damping_ways})
+      for (const QuantityReader::Alternative& way : *ways)
+        if (reader_.has(way.key)) reader_.fail(way.key, words::machine::bearings_state_it);
     const auto gravity = reader_.optional_quantity("gravity");
     if (gravity) put("gravity", "gravity", {*gravity}, Dimension::acceleration);
     const Bearings b = tilt_.bearings();
@@ -282,9 +293,7 @@ class RotorReader {
   }
 
   void read_stiffness() {
-    const std::string from = reader_.exactly_one({{"stiffness", words::machine::stiffness},
-                                                  {"natural_frequency", words::machine::natural_frequency},
-                                                  {"static_sag", words::machine::static_sag}});
+    const std::string from = reader_.exactly_one(stiffness_ways);
     const auto gravity = reader_.optional_quantity("gravity");
     if (gravity) put("gravity", "gravity", {*gravity}, Dimension::acceleration);
     const double g = gravity.value_or(0.0) > 0.0 ? *gravity : standard_gravity;
@@ -311,10 +320,7 @@ class RotorReader {
   }
 
   void read_damping() {
-    const std::string from = reader_.exactly_one({{"damping", words::machine::damping},
-                                                  {"damping_ratio", "a plain number or \"5 %\", c/(2 sqrt(k M))"},
-                                                  {"logarithmic_decrement", words::machine::logarithmic_decrement},
-                                                  {"quality_factor", words::machine::quality_factor}});
+    const std::string from = reader_.exactly_one(damping_ways);
     if (from == "damping")
       return put("damping", from, reader_.one_or_each(from, 2, each_direction), Dimension::damping);
     if (from == "damping_ratio") refuse_percentage(*document_.root.find_path("rotor.damping_ratio"));
@@ -323,6 +329,7 @@ class RotorReader {
     for (std::size_t i = 0; i < 2; ++i) {
       if (from == "logarithmic_decrement") zeta[i] = model::ratio_of_decrement(zeta[i]);
       if (from == "quality_factor") zeta[i] = model::ratio_of_quality(zeta[i]);
+      if (from == "loss_factor") zeta[i] = model::ratio_of_loss(zeta[i]);
       zeta[i] = 2.0 * zeta[i] * std::sqrt(kappa_[i]);
     }
     put("damping", from, zeta);

@@ -214,8 +214,8 @@ bool take_no_balls(Document& document) {
   const bool physical = is_physical(document);
   StudyValue none;
   none.set("balls", 1);
-  if (const StudyValue* radius = balancer->find("race_radius")) none.set("race_radius", *radius);
-  if (const StudyValue* offset = balancer->find("race_offset")) none.set("race_offset", *offset);
+  for (const char* key : {"race_radius", "race_diameter", "race_offset"})
+    if (const StudyValue* value = balancer->find(key)) none.set(key, *value);
   if (document.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
   none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
   none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));

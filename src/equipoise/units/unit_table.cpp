@@ -35,7 +35,7 @@ constexpr TableUnit gram{0.001, 1, 0, 0, 0}, metre{1.0, 0, 1, 0, 0}, second{1.0,
     ounce{0.45359237 / 16.0, 1, 0, 0, 0}, ounce_force{0.45359237 * 9.80665 / 16.0, 1, 1, -2, 0},
     litre{1e-3, 0, 3, 0, 0}, horsepower{550.0 * (0.45359237 * 9.80665) * (12.0 * (2.54 * 0.01)), 1, 2, -3, 0};
 
-constexpr std::array<NamedUnit, 96> units{{
+constexpr std::array<NamedUnit, 98> units{{
     {"g", gram, Form::symbol},
     {"gram", gram, Form::word},
     {"m", metre, Form::symbol},
@@ -82,6 +82,8 @@ constexpr std::array<NamedUnit, 96> units{{
     {"micron", {1e-6, 0, 1, 0, 0}, Form::word},
     {"bar", {1e5, 1, -1, -2, 0}, Form::symbol},
     {"kmh", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
+    {"kph", {1000.0 / 3600.0, 0, 1, -1, 0}, Form::alone},
+    {"mph", {63360.0 * (2.54 * 0.01) / 3600.0, 0, 1, -1, 0}, Form::alone},
     {"kgf", kilogram_force, Form::alone},
     {"lbf", pound_force, Form::alone},
     {"psi", {0.45359237 * 9.80665 / ((2.54 * 0.01) * (2.54 * 0.01)), 1, -1, -2, 0}, Form::alone},

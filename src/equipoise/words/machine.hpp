@@ -11,6 +11,7 @@ inline constexpr char damping[] = "a damping coefficient of 0 or more, such as \
 inline constexpr char ratio_is_percentage[] = "must be at most 1, or a percentage; did you mean \"{:.6g} %\"?";
 inline constexpr char logarithmic_decrement[] = "a plain number, per cycle of free vibration, such as 0.3";
 inline constexpr char quality_factor[] = "a plain number, sqrt(k M)/c, such as 8";
+inline constexpr char loss_factor[] = "a plain number, c/sqrt(k M), such as 0.1";
 inline constexpr char eccentricity[] = "a length of 0 or more, such as \"0.2 mm\"";
 inline constexpr char unbalance[] = "mass times eccentricity, such as \"300 g mm\"";
 inline constexpr char balance_grade[] = "a table such as { grade = \"G 6.3\", at = \"3000 rpm\" }";
@@ -43,6 +44,8 @@ inline constexpr char stiffness_out_of_range[] = "makes a stiffness of {:.3g} N/
 inline constexpr char pulled_too_far[] = "pulls the rotor farther than {} race radii; must be less";
 
 // Balls. What it must be, of keys of which one is needed.
+inline constexpr char race_radius[] = "a length greater than 0, such as \"60 mm\"";
+inline constexpr char race_diameter[] = "such as \"120 mm\"";
 inline constexpr char mass[] = "a mass greater than 0, such as \"5 g\"";
 inline constexpr char ball_material[] = "such as \"steel\", with balancer.ball_diameter";
 inline constexpr char drag[] =
@@ -50,13 +53,13 @@ inline constexpr char drag[] =
 inline constexpr char oil[] = "such as { grade = \"ISO VG 32\", at = \"40 degC\" }";
 
 // Balls: what is wrong.
-inline constexpr char ball_fills_race[] = "must be less than twice balancer.race_radius";
+inline constexpr char ball_fills_race[] = "must be less than the diameter of the race";
 inline constexpr char needs_diameter[] = "needs balancer.ball_diameter, such as \"8 mm\"";
 inline constexpr char unknown_material[] =
     "is not a material in the table (balancer.ball_density states any density); ";
 inline constexpr char only_of_balls_that_roll[] = "has a meaning only with balancer.rolls = true";
 inline constexpr char radius_or_diameter[] = "give either balancer.ball_radius or balancer.ball_diameter, not both";
-inline constexpr char ball_radius_too_large[] = "must be less than balancer.race_radius";
+inline constexpr char ball_radius_too_large[] = "must be less than the radius of the race";
 inline constexpr char contact_angle_or_contact[] = "give either balancer.contact_angle or balancer.contact, not both";
 inline constexpr char balls_of_one_diameter[] = "needs balls of one diameter";
 // Diameter in mm, number of balls.
