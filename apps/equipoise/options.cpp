@@ -62,7 +62,8 @@ Study at_medians(Study study) {
   if (study.uncertain.empty()) return study;
   std::string values;
   for (const UncertainValue& v : study.uncertain.values)
-    values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", v.key, v.text(v.median()));
+    values += fmt::format("{}{} = {}{}", values.empty() ? "" : ", ", v.key, v.text(v.taken()),
+                          v.has_no_direction() ? words::drawn_all_round : "");
   say(words::at_medians, values);
   return with_medians(std::move(study));
 }

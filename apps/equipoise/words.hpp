@@ -109,6 +109,7 @@ inline constexpr char mpi_not_built_in[] = "not built in";
 
 // Notes.
 
+inline constexpr char drawn_all_round[] = " (a quarter turn: it is drawn all round)";
 inline constexpr char at_medians[] = "samples nothing; uncertain values are at their medians: {}";
 inline constexpr char nothing_proved[] = "nothing is proved, so {} is not written";
 inline constexpr char map_read[] = "read from {}";

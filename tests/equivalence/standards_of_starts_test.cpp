@@ -1,6 +1,10 @@
 // What standards make of an ensemble: shares counted start by start, exposure from single trajectories, and sentences.
+#include <array>
 #include <cmath>
+#include <complex>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +15,7 @@
 #include "equipoise/base/angles.hpp"
 #include "equipoise/decision/standards_text.hpp"
 #include "equipoise/ensembles/basin.hpp"
+#include "equipoise/reports/basin_report.hpp"
 #include "equipoise/standards/hand_arm.hpp"
 #include "equipoise/standards/severity.hpp"
 
@@ -76,6 +81,81 @@ TEST(StandardsOfStarts, ExposureIsThatOfTheCirclesAcceleration) {
   const double expected = standards::hand_arm_weighting(speed / two_pi) * radius * speed * speed;
   const double told = standards_json(r)["hand_arm"]["without_balls"]["acceleration"];
   EXPECT_NEAR(told, expected, 1e-5 * expected);
+}
+
+// Standards mean one direction. Forced vibration in closed form, in X and Y.
+TEST(StandardsOfStarts, SeverityIsOfTheDirectionThatHasMore) {
+  const auto bare = [](const std::vector<std::string>& overrides) {
+    std::vector<std::string> all{"balancer.balls=0"};
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    return run(machine, all);
+  };
+  const auto figure = [](const BasinResult& r, float TransientRow::*value) {
+    return r.without_balls->bare.figures.figure(value).quantiles[0].value;
+  };
+  const std::string weight = "rotor.gravity=9.81 m/s2", unequal = "rotor.stiffness=['10 kN/m', '16 kN/m']";
+  const double omega = 1150.0 * two_pi / 60.0;
+  for (const auto& [overrides, stiffness] : std::vector<std::pair<std::vector<std::string>, std::array<double, 2>>>{
+           {{}, {1e4, 1e4}}, {{weight}, {1e4, 1e4}}, {{unequal}, {1e4, 1.6e4}}, {{weight, unequal}, {1e4, 1.6e4}}}) {
+    std::array<double, 2> velocity{}, force{};
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::complex<double> support(stiffness[d], 0.5 * std::sqrt(stiffness[d] * 4.0) * omega);
+      const double amplitude = std::abs(4.0 * 6e-4 * omega * omega / (support - 4.0 * omega * omega));
+      velocity[d] = omega * amplitude / std::sqrt(2.0);
+      force[d] = std::abs(support) * amplitude / std::sqrt(2.0);
+    }
+    const BasinResult r = bare(overrides);
+    const double one = std::max(velocity[0], velocity[1]), dynamic = std::hypot(force[0], force[1]);
+    EXPECT_NEAR(figure(r, &TransientRow::rms_velocity_one_direction) * r.study.scales->velocity(), one, 1e-4 * one);
+    EXPECT_NEAR(figure(r, &TransientRow::rms_velocity) * r.study.scales->velocity(),
+                std::hypot(velocity[0], velocity[1]), 1e-4 * one);
+    EXPECT_NEAR(figure(r, &TransientRow::rms_dynamic_force) * r.study.scales->force(), dynamic, 1e-4 * dynamic);
+    const double held = r.study.parameters.gravity > 0.0 ? 4.0 * 9.81 : 0.0;
+    EXPECT_NEAR(figure(r, &TransientRow::rms_force) * r.study.scales->force(), std::hypot(dynamic, held),
+                1e-4 * (dynamic + held));
+    const auto zone = standards::zone_of(standards::severity_classes[1], 1000.0 * one);
+    EXPECT_EQ(standards_json(r)["severity"]["without_balls"], standards::zone_names[static_cast<std::size_t>(zone)]);
+  }
+}
+
+// U_per = G M/omega.
+TEST(StandardsOfStarts, PermissibleUnbalanceIsThatOfTheGrade) {
+  const double omega = 1150.0 * two_pi / 60.0;
+  const auto told = standards_json(run(machine, {"limits.grade=6.3 mm/s"}))["permissible_unbalance"];
+  EXPECT_EQ(told["grade"], 6.3);
+  EXPECT_NEAR(told["unbalance"], 6.3e-3 * 4.0 / omega * 1e6, 1e-9);
+  const BasinResult r = run(machine);
+  const auto met = standards_json(r);
+  EXPECT_GE(met["permissible_unbalance"]["unbalance"], met["permissible_unbalance"]["left"]);
+  EXPECT_NEAR(met["permissible_unbalance"]["left"].get<double>() * omega / 4.0 * 1e-3,
+              met["balance_quality"]["mean"].get<double>(), 1e-6);
+  EXPECT_TRUE(holds(standards_text(r), "permits")) << standards_text(r);
+}
+
+// Limits of what standards measure count start by start what they say.
+TEST(StandardsOfStarts, LimitsOfTheirFiguresAreCounted) {
+  const std::vector<std::string> limits{"limits.hand_arm=3 m/s2", "limits.velocity_one_direction=9 mm/s",
+                                        "limits.dynamic_force=60 N", "limits.settled=0.5 mm",
+                                        "limits.settling_time=1 s"};
+  const BasinResult r = run(machine, limits);
+  const auto& columns = r.every_start->transients;
+  const auto figure = [&](float TransientRow::*value, std::size_t i) { return columns[figure_place(value)][i]; };
+  const model::Scales& s = *r.study.scales;
+  std::map<std::string, std::uint64_t> counted;
+  for (std::size_t i = 0; i < r.starts; ++i) {
+    const double velocity = figure(&TransientRow::rms_velocity, i) * s.velocity();
+    counted["hand_arm"] += standards::hand_arm_acceleration(1150.0 / 60.0, velocity) > 3.0;
+    counted["velocity_one_direction"] += figure(&TransientRow::rms_velocity_one_direction, i) * s.velocity() > 9e-3;
+    counted["dynamic_force"] += figure(&TransientRow::peak_dynamic_force, i) * s.force() > 60.0;
+    counted["settling_time"] += figure(&TransientRow::settling_time, i) * s.time() > 1.0;
+  }
+  const auto exceeded = nlohmann::json::parse(basin_json(r))["transients"]["groups"][0]["exceeded"];
+  for (const auto& [name, count] : counted) {
+    EXPECT_EQ(exceeded[name]["count"], count) << name;
+    EXPECT_TRUE(0 < count && count < r.starts) << name << " " << count;
+  }
+  EXPECT_EQ(refused([] { parse_study(machine, "m", {"limits.settling_time=1 s"}); }).key(), "limits.settling_time");
+  EXPECT_EQ(refused([] { parse_study(constant_speed + "[limits]\nhand_arm = 1.0\n", "m"); }).key(), "limits.hand_arm");
 }
 
 TEST(StandardsOfStarts, SlowRotorsHaveNoZone) {

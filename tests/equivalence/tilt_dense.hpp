@@ -20,7 +20,9 @@ struct Held {
 struct Seen {
   double t = 0.0, radial = 0.0;
   std::vector<double> force;                      // of each bearing, or of all supports together
+  std::vector<double> dynamic;                    // the same without what it is where the rotor rests
   std::vector<double> velocity2;                  // by place
+  std::vector<double> velocity2_x;                // along X alone
   double power = 0.0;                             // of a motor
   std::array<std::complex<double>, 2> turning{};  // unbalances of the outermost two places, as the rotor sees them
   double unbalance = 0.0;                         // judged() of them

@@ -280,13 +280,20 @@ Seen seen(const model::Parameters& p, const std::vector<double>& places, const F
   for (const double z : places) {
     s.radial = std::max(s.radial, std::abs(f.q1 - i1 * rest[0] + z * (f.q2 - i1 * rest[1])));
     s.velocity2.push_back(std::norm(f.v1 + z * f.v2));
+    s.velocity2_x.push_back(std::pow((f.v1 + z * f.v2).real(), 2));
   }
   s.power = (flow.constant + flow.slope * f.w) * f.w;
-  if (bearings.empty()) s.force.push_back(std::abs(supports(p, f)[0]));
+  if (bearings.empty()) {
+    s.force.push_back(std::abs(supports(p, f)[0]));
+    s.dynamic.push_back(std::abs(supports(p, f)[0] + i1 * p.gravity * (1.0 + p.total_mass())));
+  }
   for (const Held& b : bearings) {
     const Complex place = f.q1 + b.at * f.q2, rate = f.v1 + b.at * f.v2;
     s.force.push_back(std::hypot(b.stiffness[0] * place.real() + b.damping[0] * rate.real(),
                                  b.stiffness[1] * place.imag() + b.damping[1] * rate.imag()));
+    s.dynamic.push_back(
+        std::hypot(b.stiffness[0] * place.real() + b.damping[0] * rate.real(),
+                   b.stiffness[1] * (place.imag() - rest[0] - b.at * rest[1]) + b.damping[1] * rate.imag()));
   }
   s.turning = judged(p, places, f);
   for (Complex& plane : s.turning) plane *= std::polar(1.0, -f.psi);
@@ -336,15 +343,17 @@ std::vector<Seen> dense(const Study& s, const std::vector<Stretch>& over, const 
 
 TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& all, double window_begin) {
   TransientRow row;
-  double before = 0.0, after = 0.0, end = 0.0, force = 0.0, above = 0.0, last = 0.0, length = 0.0;
+  double before = 0.0, after = 0.0, end = 0.0, force = 0.0, dynamic = 0.0, above = 0.0, last = 0.0, length = 0.0;
   double work = 0.0;
   std::array<Complex, 2> unbalance{};
   std::vector<double> velocity2(all.front().velocity2.size()), force2(all.front().force.size());
+  std::vector<double> velocity2_x(velocity2.size()), dynamic2(force2.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Seen& s = all[k];
     double& peak = s.t < asked.release ? before : after;
     peak = std::max(peak, s.radial);
     force = std::max(force, *std::max_element(s.force.begin(), s.force.end()));
+    dynamic = std::max(dynamic, *std::max_element(s.dynamic.begin(), s.dynamic.end()));
     if (s.t >= asked.release && s.radial > asked.settled) last = s.t;
     if (k == 0) continue;
     const double h = s.t - all[k - 1].t;
@@ -355,6 +364,10 @@ TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& al
     length += h;
     for (std::size_t i = 0; i < force2.size(); ++i)
       force2[i] += 0.5 * h * (all[k - 1].force[i] * all[k - 1].force[i] + s.force[i] * s.force[i]);
+    for (std::size_t i = 0; i < force2.size(); ++i)
+      dynamic2[i] += 0.5 * h * (std::pow(all[k - 1].dynamic[i], 2) + std::pow(s.dynamic[i], 2));
+    for (std::size_t i = 0; i < velocity2.size(); ++i)
+      velocity2_x[i] += 0.5 * h * (all[k - 1].velocity2_x[i] + s.velocity2_x[i]);
     for (std::size_t i = 0; i < 2; ++i) unbalance[i] += 0.5 * h * (all[k - 1].turning[i] + s.turning[i]);
     for (std::size_t i = 0; i < velocity2.size(); ++i)
       velocity2[i] += 0.5 * h * (all[k - 1].velocity2[i] + s.velocity2[i]);
@@ -366,6 +379,12 @@ TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& al
   row.peak_force = number(force);
   row.rms_force = number(std::sqrt(*std::max_element(force2.begin(), force2.end()) / length));
   row.rms_velocity = number(std::sqrt(*std::max_element(velocity2.begin(), velocity2.end()) / length));
+  row.peak_dynamic_force = number(dynamic);
+  row.rms_dynamic_force = number(std::sqrt(*std::max_element(dynamic2.begin(), dynamic2.end()) / length));
+  double one = 0.0;
+  for (std::size_t i = 0; i < velocity2.size(); ++i)
+    one = std::max({one, velocity2_x[i], velocity2[i] - velocity2_x[i]});
+  row.rms_velocity_one_direction = number(std::sqrt(one / length));
   row.residual_unbalance = number(std::max(std::abs(unbalance[0]), std::abs(unbalance[1])) / length);
   row.energy = number(work);
   constexpr float endless = std::numeric_limits<float>::infinity();

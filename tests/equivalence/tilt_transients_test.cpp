@@ -57,7 +57,7 @@ TEST_P(TiltTransients, AreThoseOfFixedAxes) {
     start_angles(study.sampling.seed, i, study.parameters.balls, study.initial.phi.data());
     const auto run = stretches(study, last_begin + horizon);
     expect_same_figures(rows[i], figures(asked, tilting::dense(study, run, c.places, c.bearings), last_begin),
-                        std::string(c.name) + ", start " + std::to_string(i));
+                        std::string(c.name) + ", start " + std::to_string(i), 0.0, asked.by_direction);
     const TransientRow centre = figures(asked, tilting::dense(study, run, {0.0}), last_begin);
     differs = differs || rows[i].peak_radial > 1.1f * centre.peak_radial;
   }
@@ -191,7 +191,8 @@ void is_that_of_fixed_axes(const std::vector<std::string>& overrides, const std:
     ASSERT_TRUE(run.steady && run.end && !run.lost);
     const double ramped = study.speed.duration, until = ramped + 150.0;
     const double rate = study.speed.final / ramped;
-    std::vector<Seen> all = tilting::dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places, bearings);
+    std::vector<Seen> all =
+        tilting::dense(study, {{0.0, ramped, true, rate}, {ramped, until, true, 0.0}}, places, bearings);
     const TransientRow told = transient_row(asked, run.sums, false, run.end),
                        expected = figures(asked, all, until - 60.0);
     for (const auto peak : {&TransientRow::peak_radial, &TransientRow::peak_radial_at_end, &TransientRow::peak_force})

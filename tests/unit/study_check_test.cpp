@@ -123,6 +123,9 @@ TEST(StudyCheck, ListsWhatTheStudyLeavesOpen) {
   EXPECT_FALSE(assumes(checked, "no gravity", {"rotor.gravity=9.81 m/s2"}));
   EXPECT_TRUE(assumes(checked, "at their medians", {"rotor.unbalance={uniform=['90 g mm', '120 g mm']}"}));
   EXPECT_FALSE(assumes(checked, "at their medians"));
+  const std::string place = checked + "[[place]]\nmass = '10 g'\nradius = '20 mm'\nangle = { uniform = ['0 degree', '";
+  EXPECT_TRUE(assumes(place + "360 degree'] }\n", "angles that are drawn all round at a quarter turn"));
+  EXPECT_FALSE(assumes(place + "90 degree'] }\n", "quarter turn"));
 }
 
 TEST(StudyCheck, SaysWhereUnbalanceInPlacesPoints) {

@@ -111,6 +111,24 @@ TEST(Uncertain, ListsDrawEachEntryAlike) {
   }
 }
 
+// The middle of a whole turn would be opposite the rotor's own unbalance.
+TEST(Uncertain, AnglesDrawnAllRoundAreTakenAtAQuarterTurn) {
+  const auto taken = [](const std::string& angle) {
+    return parse_study(ramp_machine + "[[place]]\nmass = '10 g'\nradius = '20 mm'\nangle = " + angle, "m");
+  };
+  const auto same = [&](const std::string& drawn, const std::string& angle) {
+    EXPECT_NEAR(taken(drawn).parameters.eccentricity, taken(angle).parameters.eccentricity, 1e-15) << drawn;
+    EXPECT_NO_THROW(check(taken(drawn)));
+  };
+  same("{ uniform = ['0 degree', '360 degree'] }", "'90 degree'");
+  same("{ uniform = ['-180 degree', '180 degree'] }", "'90 degree'");
+  same("{ uniform = ['0 rad', '6.2 rad'] }", "'90 degree'");
+  same("{ values = ['0 degree', '120 degree', '240 degree'] }", "'90 degree'");
+  // These have a direction.
+  same("{ uniform = ['100 degree', '200 degree'] }", "'150 degree'");
+  same("{ normal = ['180 degree', '20 degree'] }", "'180 degree'");
+}
+
 TEST(Uncertain, StudyHoldsTheMedians) {
   EXPECT_DOUBLE_EQ(study_with({"rotor.eccentricity={uniform=[0.005, 0.02]}"}).parameters.eccentricity, 0.0125);
   EXPECT_DOUBLE_EQ(study_with({"balancer.drag={loguniform=[0.01, 1.0]}"}).parameters.drag[1], 0.1);

@@ -111,6 +111,7 @@ class Comparison {
       const TransientFigure& f = transient_figures[k];
       if (f.value == &TransientRow::followed_until || first.transients[k].empty() || second.transients[k].empty())
         continue;
+      if (f.differs && !f.differs(first.study) && !f.differs(second.study)) continue;
       if (f.needs && !(first.study.limits.*f.needs && second.study.limits.*f.needs)) continue;
       const study::ShownUnit a = study::shown_unit(f.told_in(), first.study.scales),
                              b = study::shown_unit(f.told_in(), second.study.scales);
@@ -164,7 +165,8 @@ class Comparison {
       const LimitsOfStart of = limits_of_start(o.study.limits, row,
                                                !driven                ? final_speed
                                                : o.mean_speed.empty() ? NAN
-                                                                      : std::fabs(o.mean_speed[i]));
+                                                                      : std::fabs(o.mean_speed[i]),
+                                               o.study.scales ? o.study.scales->frequency : 0.0);
       result.seen.push_back(!lost && of.both());
       result.least.push_back(!lost && of.both() && !open);
       result.most.push_back(!lost && (of.both() || (open && of.on_the_way)));

@@ -28,8 +28,10 @@ constexpr double neutral_rate = 1e-9;      // exponents closer to 0 belong to sh
 
 MotionFigures figures_of(const TransientSums& sums) {
   const TransientWindow& w = sums.window;
-  return {std::sqrt(sums.free_peak), std::sqrt(sums.force_peak), std::sqrt(w.force / w.length),
-          std::sqrt(w.velocity / w.length), size_of(w.unbalance) / w.length};
+  return {std::sqrt(sums.free_peak.square), std::sqrt(sums.force_peak),
+          std::sqrt(w.force / w.length),    std::sqrt(w.velocity / w.length),
+          size_of(w.unbalance) / w.length,  std::sqrt(sums.dynamic_peak),
+          std::sqrt(w.dynamic / w.length),  std::sqrt(std::max(w.directions[0], w.directions[1]) / w.length)};
 }
 
 TransientSettings one_window() {

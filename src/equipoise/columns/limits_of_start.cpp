@@ -3,7 +3,7 @@
 
 namespace equipoise {
 
-LimitsOfStart limits_of_start(const Limits& limits, const TransientRow& row, double speed) {
+LimitsOfStart limits_of_start(const Limits& limits, const TransientRow& row, double speed, double frequency) {
   LimitsOfStart of;
   of.at_end = !(limits.settled && row.peak_radial_at_end > *limits.settled);
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
@@ -11,7 +11,7 @@ LimitsOfStart limits_of_start(const Limits& limits, const TransientRow& row, dou
     const auto& limit = limits.*l.limit;
     if (!limit) continue;
     const auto beyond = [&](float TransientRow::*figure) {
-      return !(row.*figure * (l.by_speed ? speed : 1.0) <= *limit);
+      return !(row.*figure * (l.by_speed ? l.by_speed->of(speed, frequency) : 1.0) <= *limit);
     };
     of.exceeded[k] = beyond(l.value);
     of.exceeded_at_end[k] = beyond(l.end);

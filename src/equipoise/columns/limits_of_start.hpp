@@ -16,7 +16,7 @@ struct LimitsOfStart {
   bool both() const { return at_end && on_the_way; }
 };
 
-/// `speed`: the rotor's in the end.
-LimitsOfStart limits_of_start(const Limits& limits, const TransientRow& row, double speed);
+/// `speed`: the rotor's in the end; `frequency`: omega_c in rad/s, read for limits that need a study with units.
+LimitsOfStart limits_of_start(const Limits& limits, const TransientRow& row, double speed, double frequency);
 
 }  // namespace equipoise

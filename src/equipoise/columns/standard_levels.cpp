@@ -9,17 +9,13 @@
 
 namespace equipoise {
 
-double share_of_one_direction(const Study& study) {
-  return study.parameters.isotropic() && study.parameters.gravity == 0.0 ? std::sqrt(0.5) : 1.0;
-}
-
 std::optional<double> zone_boundary(const Study& study, int boundary) {
   if (!study.standards.severity_class || !study.scales) return std::nullopt;
   const double turns = std::fabs(study.speed_profile().final_speed()) * study.scales->frequency / two_pi;
   if (turns < standards::lowest_severity_frequency) return std::nullopt;
   const auto& machine = standards::severity_classes[static_cast<std::size_t>(*study.standards.severity_class)];
   const double velocity = 1e-3 * machine.boundaries[static_cast<std::size_t>(boundary)];
-  return velocity / study.scales->velocity() / share_of_one_direction(study);
+  return velocity / study.scales->velocity();
 }
 
 std::optional<double> sliding_level(const Study& study) {

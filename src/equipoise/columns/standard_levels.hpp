@@ -15,20 +15,16 @@ struct StandardLevel {
   std::optional<double> (*level)(const Study&);  ///< dimensionless; empty where the study does not ask
 };
 
-/// The part of a root mean square velocity of both directions together that one direction has: on equal supports half
-/// of the square; on unequal ones up to all of it.
-double share_of_one_direction(const Study& study);
-
-/// Zone boundaries A/B, B/C, C/D of the study's class, for the velocity of both directions; empty for a rotor that
+/// Zone boundaries A/B, B/C, C/D of the study's class, for the velocity in one direction; empty for a rotor that
 /// turns too slowly for the standard's band of frequencies.
 std::optional<double> zone_boundary(const Study& study, int boundary);
 /// The peak force on the supports, the weight that hangs in them included, from which on a machine on feet may slide.
 std::optional<double> sliding_level(const Study& study);
 
 inline constexpr std::array<StandardLevel, 4> standard_levels{{
-    {"zone_a", &TransientRow::rms_velocity, true, [](const Study& s) { return zone_boundary(s, 0); }},
-    {"zone_b", &TransientRow::rms_velocity, true, [](const Study& s) { return zone_boundary(s, 1); }},
-    {"zone_c", &TransientRow::rms_velocity, true, [](const Study& s) { return zone_boundary(s, 2); }},
+    {"zone_a", &TransientRow::rms_velocity_one_direction, true, [](const Study& s) { return zone_boundary(s, 0); }},
+    {"zone_b", &TransientRow::rms_velocity_one_direction, true, [](const Study& s) { return zone_boundary(s, 1); }},
+    {"zone_c", &TransientRow::rms_velocity_one_direction, true, [](const Study& s) { return zone_boundary(s, 2); }},
     {"standing_still", &TransientRow::peak_force, false, sliding_level},
 }};
 

@@ -10,8 +10,10 @@
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/base/percent_text.hpp"
+#include "equipoise/mechanics/balance_grade.hpp"
 #include "equipoise/standards/hand_arm.hpp"
 #include "equipoise/standards/severity.hpp"
+#include "equipoise/text/engineering.hpp"
 #include "equipoise/text/grade_text.hpp"
 #include "equipoise/text/text.hpp"
 #include "equipoise/text/transient_report.hpp"
@@ -101,8 +103,8 @@ const standards::SeverityClass& class_of(const Study& study) {
 
 std::string bare_zone(const BasinResult& r) {
   const TransientGroup& bare = r.without_balls->bare.figures;
-  const double velocity = 1000.0 * bare.figure(&TransientRow::rms_velocity).quantiles[0].value *
-                          r.study.scales->velocity() * share_of_one_direction(r.study);
+  const double velocity =
+      1000.0 * bare.figure(&TransientRow::rms_velocity_one_direction).quantiles[0].value * r.study.scales->velocity();
   return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
 }
 
@@ -111,9 +113,9 @@ Block severity(const BasinResult& r, const Judged& j) {
     return Paragraph{fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, j.all),
                                  standards::lowest_severity_frequency)};
   const auto& machine = class_of(r.study);
-  std::string caption = fmt::format(
-      words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
-      share_of_one_direction(r.study) < 1.0 ? words::decision::one_direction : words::decision::both_directions);
+  std::string caption =
+      fmt::format(words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
+                  has_directions(r.study) ? words::decision::larger_direction : words::decision::one_direction);
   if (j.one) return Paragraph{words::decision::severity + caption};
   DocumentTable table{{words::decision::severity_zone, words::decision::share_ends_there, words::decision::velocity},
                       {},
@@ -139,6 +141,30 @@ std::string sliding_text(const BasinResult& r, const Judged& j) {
                      without > level ? j.beside ? words::decision::enough_too : words::decision::enough : "");
 }
 
+// What a grade leaves to the rotor at its speed in the end, U_per = M G/omega, and what is left on average; in kg m.
+struct Permissible {
+  double grade, unbalance, left;  // mm/s, kg m, kg m
+  double speed;                   // rad/s
+};
+
+// By the grade of [limits], or else the standard's that is met.
+std::optional<Permissible> permissible(const BasinResult& r, const Judged& j) {
+  const auto left = left_grade(j.all, r.study);
+  const double omega = two_pi * turns_a_second(r, j.all), mass = r.study.scales->mass;
+  if (!left || !(omega > 0.0)) return std::nullopt;
+  const auto& limit = r.study.limits.grade;
+  const auto grade =
+      limit ? std::optional(1e3 * *limit * r.study.scales->velocity()) : model::standard_grade_met(*left);
+  if (!grade) return std::nullopt;
+  return Permissible{*grade, 1e-3 * *grade * mass / omega, 1e-3 * *left * mass / omega, omega};
+}
+
+std::string permissible_text(const Permissible& p) {
+  return fmt::format(words::decision::permissible_unbalance, p.grade, engineering(p.speed, study::Dimension::speed),
+                     engineering(p.unbalance, study::Dimension::unbalance),
+                     engineering(p.left, study::Dimension::unbalance));
+}
+
 std::string balance_quality_text(double grade, std::optional<double> beside) {
   if (!beside) return fmt::format(words::decision::balance_quality_alone, grade_text(grade));
   return fmt::format(words::decision::balance_quality, grade_text(grade), grade_text(*beside));
@@ -150,9 +176,10 @@ std::vector<Block> standards_blocks(const BasinResult& r) {
   const auto j = judged(r);
   if (!j) return {};
   std::vector<Block> blocks;
+  const auto allowed = permissible(r, *j);
   if (const auto grade = left_grade(j->all, r.study))
     if (const auto beside = j->beside ? left_grade(*j->beside, r.study) : std::nullopt; beside || !j->beside)
-      blocks.push_back(Paragraph{balance_quality_text(*grade, beside)});
+      blocks.push_back(Paragraph{balance_quality_text(*grade, beside) + (allowed ? permissible_text(*allowed) : "")});
   if (r.study.standards.severity_class) blocks.push_back(severity(r, *j));
   if (const auto arms = hand_arm(r, *j)) blocks.push_back(hand_arm_table(*arms, *j, r.study));
   if (j->all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r, *j)});
@@ -172,6 +199,12 @@ nlohmann::ordered_json standards_json(const BasinResult& r) {
   if (grade && bare) {
     if (j->beside) json["balance_quality"]["mean"] = *grade;
     json["balance_quality"].update({{"without_balls", *bare}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}});
+    if (const auto allowed = permissible(r, *j))
+      json["permissible_unbalance"] = {{"grade", allowed->grade},
+                                       {"unbalance", 1e6 * allowed->unbalance},
+                                       {"left", 1e6 * allowed->left},
+                                       {"unit", "g mm"},
+                                       {"source", "ISO 21940-11"}};
   }
   if (j->all.beyond[0]) {
     Json severity = {

@@ -54,7 +54,8 @@ class QuantityTable {
   void rotor() {
     add("M", "rotor mass", 1.0, Dimension::mass);
     add("R", "race radius, to the ball centres", 1.0, Dimension::length);
-    add("omega_c", p_.tilts() ? "unit of speed, sqrt(k/M)" : "critical speed, sqrt(k/M)", 1.0, Dimension::speed);
+    const bool critical = !p_.tilts() && p_.stiffness[0] == p_.stiffness[1];
+    add("omega_c", critical ? "critical speed, sqrt(k/M)" : "unit of speed, sqrt(k/M)", 1.0, Dimension::speed);
     add("1/omega_c", "unit of time", 1.0, Dimension::time);
     add_pair("k, kappa", "support stiffness", p_.stiffness, Dimension::stiffness);
     add_pair("c, zeta", "support damping", p_.damping, Dimension::damping);
@@ -183,6 +184,11 @@ class QuantityTable {
     if (l.displacement) add("limit", "displacement", *l.displacement, Dimension::length);
     if (l.force) add("limit", "support force", *l.force, Dimension::force);
     if (l.velocity) add("limit", "velocity, rms", *l.velocity, Dimension::velocity);
+    if (l.dynamic_force) add("limit", "support force, dynamic", *l.dynamic_force, Dimension::force);
+    if (l.velocity_one_direction)
+      add("limit", "velocity, rms, one direction", *l.velocity_one_direction, Dimension::velocity);
+    if (l.hand_arm) add("limit", "a_hv", *l.hand_arm, Dimension::acceleration);
+    if (l.settling_time) add("limit", "settling time", *l.settling_time, Dimension::time);
     if (l.residual) add("limit", "unbalance left", *l.residual, Dimension::unbalance);
     if (l.grade) add("limit", "e omega of that", *l.grade, Dimension::velocity);
     if (l.clearance) add("limit", "clearance", *l.clearance, Dimension::length);

@@ -238,7 +238,11 @@ class Assumptions {
     list_.push_back(words::study_check::viscous_damping);
     if (s_.parameters.tilts()) list_.push_back(words::study_check::small_slopes);
     add("rotor.gravity", words::study_check::no_gravity);
-    if (!s_.uncertain.empty()) list_.push_back(medians_assumed);
+    if (s_.uncertain.empty()) return;
+    list_.emplace_back(medians_assumed);
+    if (std::any_of(s_.uncertain.values.begin(), s_.uncertain.values.end(),
+                    [](const UncertainValue& v) { return v.has_no_direction(); }))
+      list_.back() += words::study_check::angles_without_direction;
   }
 
   const StudyValue& given_;

@@ -14,7 +14,8 @@ GivenMachine given_machine(const std::string& toml_text, const std::string& name
                            const std::vector<std::string>& overrides, const StopFlag* stop) {
   check_pages(parse_study(toml_text, name, overrides));
   StudyCheck checked = check_study(toml_text, name, overrides, stop);
-  std::erase(checked.assumed, medians_assumed);  // a page's starts draw them
+  // A page's starts draw them.
+  std::erase_if(checked.assumed, [](const std::string& text) { return text.starts_with(medians_assumed); });
   return {given_tables(toml_text, name, overrides),
           explain(parse_study(toml_text, name, overrides), parse_ball_details(toml_text, name, overrides), stop),
           std::move(checked.assumed), std::move(checked.most)};

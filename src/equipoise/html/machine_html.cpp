@@ -267,8 +267,9 @@ class MachineDocument {
 
   DocumentTable way_table(const TransientGroup& all) const {
     const Limits& limits = study_.limits;
-    const bool limited = std::any_of(transient_limits.begin(), transient_limits.end(),
-                                     [&](const TransientLimit& l) { return l.figure().on_page && limits.*l.limit; });
+    const bool limited = std::any_of(transient_limits.begin(), transient_limits.end(), [&](const TransientLimit& l) {
+      return l.figure().on_page && !l.by_speed && limits.*l.limit;
+    });
     const bool beside = tells_without_balls(basin_);
     DocumentTable table{{words::pages::all_starts_title, "median", "90 % below", "99 % below"}, {}, "", false, {2}};
     if (beside) table.header.emplace_back(words::text::no_balls);
@@ -291,7 +292,7 @@ class MachineDocument {
       DocumentCell limit = number_cell("-"), exceeded = number_cell("-");
       for (std::size_t l = 0; l < transient_limits.size(); ++l) {
         const auto& stated = limits.*transient_limits[l].limit;
-        if (transient_limits[l].value != f.value || !stated) continue;
+        if (transient_limits[l].value != f.value || transient_limits[l].by_speed || !stated) continue;
         limit = number_cell(shown_.text(*stated, transient_limits[l].told_in()));
         if (all.exceeded[l]) exceeded = number_cell(share_words(*all.exceeded[l]));
         break;

@@ -22,6 +22,7 @@
 #include "equipoise/text/text.hpp"
 #include "equipoise/words/pages.hpp"
 #include "equipoise/words/reports.hpp"
+#include "equipoise/words/study_check.hpp"
 #include "equipoise/words/text.hpp"
 
 namespace equipoise {
@@ -150,13 +151,17 @@ class Derived {
               words::pages::and_with_them;
     if (e_.speed)
       text += fmt::format(words::pages::final_speed, shown_.text(*e_.speed, Dimension::speed),
-                          std::fabs(*e_.speed) / std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]));
+                          std::fabs(*e_.speed) / std::max(e_.critical_with_balls[0], e_.critical_with_balls[1]),
+                          e_.critical_with_balls[0] == e_.critical_with_balls[1] ? words::study_check::that
+                                                                                 : words::study_check::the_higher);
     return text;
   }
 
   std::string unbalance() const {
     if (e_.tilt) return unbalance_of_tilt(*e_.tilt);
-    std::string text = shown_.text(e_.unbalance, Dimension::unbalance);
+    std::string text = shown_.text(study_.parameters.eccentricity, Dimension::unbalance);
+    if (e_.unbalance != study_.parameters.eccentricity)
+      text += fmt::format(words::study_check::with_the_race, shown_.text(e_.unbalance, Dimension::unbalance));
     if (study_.parameters.balls > 0)
       text += fmt::format(words::pages::balls_can_cancel,
                           shown_.range(e_.least_unbalance, e_.largest_unbalance, Dimension::unbalance),

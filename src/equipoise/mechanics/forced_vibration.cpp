@@ -105,7 +105,7 @@ double shaking_torque(const Parameters& p, double unbalance, double speed) {
 }
 
 ForcedVibration forced_vibration(const Parameters& p, double unbalance, double speed) {
-  const double mass = 1.0 + p.total_mass(), weight = mass * p.gravity;
+  const double mass = 1.0 + p.total_mass(), weight = total_weight(p);
   Vector centre, force;
   for (std::size_t d = 0; d < 2; ++d) {
     const std::complex<double> support(p.stiffness[d], p.damping[d] * speed);
@@ -113,8 +113,13 @@ ForcedVibration forced_vibration(const Parameters& p, double unbalance, double s
     centre[d] = speed == 0.0 ? 0.0 : unbalance * speed * speed * ahead / (support - mass * speed * speed);
     force[d] = support * centre[d];
   }
-  return {longest(centre), longest(force, -weight), std::sqrt(0.5 * squares(force) + weight * weight),
-          std::fabs(speed) * std::sqrt(0.5 * squares(centre))};
+  return {longest(centre),
+          longest(force, -weight),
+          std::sqrt(0.5 * squares(force) + weight * weight),
+          std::fabs(speed) * std::sqrt(0.5 * squares(centre)),
+          longest(force),
+          std::sqrt(0.5 * squares(force)),
+          std::fabs(speed) * std::sqrt(0.5) * std::max(std::abs(centre[0]), std::abs(centre[1]))};
 }
 
 ForcedVibration forced_vibration(const Parameters& p, const double* phi, const std::array<double, 2>& places,
@@ -124,14 +129,18 @@ ForcedVibration forced_vibration(const Parameters& p, const double* phi, const s
   const auto carries = [&](const Vector& force, double weight) {
     result.peak_force = std::max(result.peak_force, longest(force, -weight));
     result.rms_force = std::max(result.rms_force, std::sqrt(0.5 * squares(force) + weight * weight));
+    result.peak_dynamic = std::max(result.peak_dynamic, longest(force));
+    result.rms_dynamic = std::max(result.rms_dynamic, std::sqrt(0.5 * squares(force)));
   };
-  if (bearings.empty()) carries(v.force, (1.0 + p.total_mass()) * p.gravity);
-  for (const Bearing& b : bearings)
-    carries(v.force_on(b, speed), -b.stiffness[1] * (static_sag(p) + b.at * static_slope(p)));
+  if (bearings.empty()) carries(v.force, total_weight(p));
+  for (const Bearing& b : bearings) carries(v.force_on(b, speed), -load_at_rest(p, b));
   for (const double place : places) {
     const Vector section = v.at(place);
     result.radial = std::max(result.radial, longest(section));
     result.rms_velocity = std::max(result.rms_velocity, std::fabs(speed) * std::sqrt(0.5 * squares(section)));
+    for (const auto& direction : section)
+      result.rms_one_direction =
+          std::max(result.rms_one_direction, std::fabs(speed) * std::sqrt(0.5) * std::abs(direction));
   }
   return result;
 }

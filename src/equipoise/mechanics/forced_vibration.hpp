@@ -34,6 +34,8 @@ struct ForcedVibration {
   double peak_force = 0.0;  ///< largest bearing force, the weight included
   double rms_force = 0.0;   ///< the weight included
   double rms_velocity = 0.0;
+  double peak_dynamic = 0.0, rms_dynamic = 0.0;  ///< bearing force without the weight
+  double rms_one_direction = 0.0;                ///< velocity in X or Y, whichever has more
 };
 
 /// Of one body with this unbalance at constant `speed`. With damping in both directions it comes to no other motion.

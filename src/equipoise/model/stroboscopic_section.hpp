@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "equipoise/base/angles.hpp"
+#include "equipoise/model/bearings.hpp"
 #include "equipoise/model/parameters.hpp"
 
 namespace equipoise::model {
@@ -53,7 +54,14 @@ inline double static_sag(const Parameters& p) {
 /// Of a rotor that tilts: its slope there, along Y.
 inline double static_slope(const Parameters& p) { return p.tilts() ? static_tilt(p)[1] : 0.0; }
 
-/// The same in the rotating frame, as (x, y), at rotor angle `psi`.
+/// Of rotor and balls.
+inline double total_weight(const Parameters& p) { return (1.0 + p.total_mass()) * p.gravity; }
+/// What a bearing of a rotor that tilts takes of it at rest, along Y: negative where the shaft rests below the springs.
+inline double load_at_rest(const Parameters& p, const Bearing& b) {
+  return b.stiffness[1] * (static_sag(p) + b.at * static_slope(p));
+}
+
+/// The place of rest in the rotating frame, as (x, y), at rotor angle `psi`.
 inline std::array<double, 2> rest_position(const Parameters& p, double psi) {
   if (p.gravity == 0.0) return {0.0, 0.0};
   return {static_sag(p) * std::sin(psi), static_sag(p) * std::cos(psi)};

@@ -135,6 +135,7 @@ std::string explain_json(const Explanation& e) {
     json["carried_round"] = {{"first_from", value_json(e.carrying->first, Dimension::speed, scales)},
                              {"all_from", value_json(e.carrying->all, Dimension::speed, scales)},
                              {"may_hang", e.carrying->may_hang()}};
+  json["own_unbalance"] = value_json(e.study.parameters.eccentricity, Dimension::unbalance, scales);
   json["unbalance"] = value_json(e.unbalance, Dimension::unbalance, scales);
   json["least_unbalance"] = value_json(e.least_unbalance, Dimension::unbalance, scales);
   json["largest_unbalance"] = value_json(e.largest_unbalance, Dimension::unbalance, scales);

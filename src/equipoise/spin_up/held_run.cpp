@@ -148,6 +148,7 @@ class HeldFollower {
     if constexpr (tilt) {
       TransientSample here = transient_sample(p_, watched_.shaft, psi(t, y), t, y, y + layout().tilt);
       here.unbalance = turning_;
+      for (auto& place : here.places) place.speed = speed(t, y);
       return here;
     }
     using namespace model::index;
@@ -163,6 +164,10 @@ class HeldFollower {
     here.slope = 2.0 * (centre[0] * rate[0] + up * rate[1]);
     here.force2 = force[0] * force[0] + force[1] * force[1];
     here.velocity2 = rate[0] * rate[0] + rate[1] * rate[1];
+    const double dynamic = force[1] + model::total_weight(p_);
+    here.dynamic2 = force[0] * force[0] + dynamic * dynamic;
+    here.upright2 = rate[1] * rate[1];
+    here.speed = speed(t, y);
     return sampled;
   }
 
@@ -257,7 +262,8 @@ class HeldFollower {
         tilt ? model::forced_vibration(p_, &full_[model::index::phi(0)], watched_.shaft.places, watched_.shaft.bearings,
                                        piece().speed)
              : model::forced_vibration(p_, unbalance_, piece().speed);
-    run_.end = MotionFigures{f.radial, f.peak_force, f.rms_force, f.rms_velocity, unbalance_};
+    run_.end = MotionFigures{f.radial,   f.peak_force,   f.rms_force,   f.rms_velocity,
+                             unbalance_, f.peak_dynamic, f.rms_dynamic, f.rms_one_direction};
     run_.speed = piece().speed;
     run_.steady = true;
     // Whatever the horizon was chosen for.
@@ -266,7 +272,7 @@ class HeldFollower {
       open_window();
       advance(t_ + window_);
       const TransientSums sums = watch_.sums();
-      if (seen_enough(watched_, {run_.end, 0.0}, {}, sums.window, windows, sums.free_peak)) return;
+      if (seen_enough(watched_, {run_.end, 0.0}, {}, sums.window, windows, sums.free_peak.square)) return;
     }
   }
 

@@ -91,6 +91,7 @@ class TiltingWatch {
  private:
   TransientSample at(double t, const double* z) const {
     TransientSample here = transient_sample(p_, settings_.shaft, z[layout_.psi], t, z, z + layout_.tilt);
+    for (auto& place : here.places) place.speed = z[layout_.speed];
     if (settings_.work == WorkSource::none) return here;
     here.places[0].power = model::tilting_powers(p_, 0.0, true, z).supports;
     here.places[0].stored = model::full_energy(p_, z);

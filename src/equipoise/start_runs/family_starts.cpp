@@ -12,24 +12,15 @@ namespace equipoise {
 
 void change_units(const model::Scales& from, const model::Scales& to, Fate& fate, TransientRow* row) {
   if (from.mass == to.mass && from.length == to.length && from.frequency == to.frequency) return;
-  const double time = from.time() / to.time(), length = from.length / to.length, force = from.force() / to.force();
-  const double velocity = from.velocity() / to.velocity(), unbalance = from.unbalance() / to.unbalance();
-  const auto scale = [](float& value, double by) { value = static_cast<float>(value * by); };
-  fate.time *= time;
-  scale(fate.mean_speed, 1.0 / time);
-  scale(fate.unbalance, unbalance);
-  scale(fate.radius, length);
+  const auto change = [&](float& value, study::Dimension d) {
+    value = static_cast<float>(value * (study::scale_of(d, from) / study::scale_of(d, to)));
+  };
+  fate.time *= from.time() / to.time();
+  change(fate.mean_speed, study::Dimension::speed);
+  change(fate.unbalance, study::Dimension::unbalance);
+  change(fate.radius, study::Dimension::length);
   if (!row) return;
-  for (float TransientRow::*column :
-       {&TransientRow::peak_radial, &TransientRow::peak_radial_after_release, &TransientRow::peak_radial_at_end})
-    scale(row->*column, length);
-  for (float TransientRow::*column : {&TransientRow::peak_force, &TransientRow::rms_force}) scale(row->*column, force);
-  scale(row->rms_velocity, velocity);
-  scale(row->energy, from.torque() / to.torque());
-  scale(row->residual_unbalance, unbalance);
-  for (float TransientRow::*column :
-       {&TransientRow::time_above, &TransientRow::settling_time, &TransientRow::followed_until})
-    scale(row->*column, time);
+  for (const TransientFigure& f : transient_figures) change(row->*f.value, *f.dimension);
 }
 
 bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided, bool watched) const {

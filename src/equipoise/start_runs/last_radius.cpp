@@ -86,7 +86,7 @@ std::vector<float> steady_radii(BatchTask task, std::vector<double> states, std:
       std::copy_n(&here[k * size], size, &states[f.place * size]);
       if (fates[k].outcome == Outcome::diverged || fates[k].outcome == Outcome::failed) continue;
       std::rotate(f.peaks.begin(), f.peaks.end() - 1, f.peaks.end());
-      f.peaks[0] = std::sqrt(table.rows[k].free_peak);
+      f.peaks[0] = std::sqrt(table.rows[k].free_peak.square);
       if (steady(f.peaks, window % of_a_length + 1))
         radii[f.place] = static_cast<float>(*std::max_element(f.peaks.begin(), f.peaks.begin() + fewest_compared));
       else

@@ -7,6 +7,7 @@
 
 #include "equipoise/columns/limits_of_start.hpp"
 #include "equipoise/columns/watched_shaft.hpp"
+#include "equipoise/model/stroboscopic_section.hpp"
 #include "equipoise/types/outcomes.hpp"
 
 namespace equipoise {
@@ -17,6 +18,7 @@ TransientSettings transient_settings(const Study& study) {
   if (study.limits.settled) settings.settled = *study.limits.settled;
   settings.release = study.release_time();
   settings.shaft = watched_shaft(study);
+  settings.by_direction = model::depends_on_rotor_angle(study.parameters);
   if (knows_energy(study)) settings.work = study.speed.driven() ? WorkSource::motor : WorkSource::balance;
   return settings;
 }
@@ -39,6 +41,7 @@ TransientTally::TransientTally(const Study& study, const Sampler& sampler)
       settings_(transient_settings(study)),
       sampler_(sampler),
       final_speed_(std::fabs(study.speed_profile().final_speed())),
+      frequency_(study.scales ? study.scales->frequency : 0.0),
       driven_(study.speed.driven()),
       seed_(study.sampling.seed) {
   for (std::size_t k = 0; k < standard_levels.size(); ++k) levels_[k] = standard_levels[k].level(study);
@@ -73,7 +76,7 @@ void TransientTally::add(const Fate& fate, const TransientRow& row) {
 void TransientTally::count_limits(const Fate& fate, const TransientRow& row, double weight, Line& line) const {
   const bool open = fate.outcome == Outcome::undecided;
   const double speed = driven_ ? std::fabs(fate.mean_speed) : final_speed_;
-  const LimitsOfStart of = limits_of_start(limits_, row, speed);
+  const LimitsOfStart of = limits_of_start(limits_, row, speed, frequency_);
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     const bool stays = !transient_limits[k].at_end && of.exceeded[k];  // of a peak
     line.exceeding[k].add(of.exceeded[k], open && !stays, weight);

@@ -84,6 +84,7 @@ class TransientTally {
   TransientSettings settings_;
   Sampler sampler_;
   double final_speed_;  // of a prescribed one
+  double frequency_;    // omega_c in rad/s, 0 without units
   bool driven_;
   std::uint64_t seed_, total_ = 0, lost_ = 0;
   std::vector<PairedStart> first_;

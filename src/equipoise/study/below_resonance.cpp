@@ -26,7 +26,7 @@ double over_critical(const Study& study) {
 // multiplies.
 double most_over_critical(const Study& study) {
   std::vector<double> medians;
-  for (const UncertainValue& value : study.uncertain.values) medians.push_back(value.median());
+  for (const UncertainValue& value : study.uncertain.values) medians.push_back(value.taken());
   const double here = over_critical(study);
   double most = here;
   for (std::size_t k = 0; k < medians.size() && std::isfinite(most); ++k) {

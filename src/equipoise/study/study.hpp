@@ -160,14 +160,21 @@ inline constexpr double default_basin_tolerance = 1e-6;
 struct Limits {
   std::optional<double> displacement;  ///< radial, in R
   std::optional<double> force;         ///< on the supports, in M R omega_c^2
-  std::optional<double> velocity;      ///< root mean square of both directions together, of the centre of the race, in R omega_c
-  std::optional<double> settled;       ///< radial displacement below which the rotor counts as settled, in R
-  std::optional<double> residual;      ///< unbalance left in the end over the rotor's mass, U/M in R
-  std::optional<double> grade;         ///< U/M times the speed in the end, e omega, in R omega_c
-  std::optional<double> share;         ///< of starts that have to keep all of these, for the verdict
-  std::optional<double> clearance;     ///< radial, between rotor and housing where the rotor rests, in R
+  std::optional<double> velocity;      ///< root mean square in both directions, of the race's centre, in R omega_c
+  std::optional<double> velocity_one_direction;  ///< the same in X or Y, whichever has more
+  std::optional<double> dynamic_force;           ///< on the supports without the weight at rest, in M R omega_c^2
+  std::optional<double> settling_time;           ///< from release until the rotor has settled, in 1/omega_c
+  std::optional<double> hand_arm;                ///< acceleration weighted for hands, in R omega_c^2
+  std::optional<double> settled;                 ///< radial displacement below which the rotor counts as settled, in R
+  std::optional<double> residual;                ///< unbalance left in the end over the rotor's mass, U/M in R
+  std::optional<double> grade;                   ///< U/M times the speed in the end, e omega, in R omega_c
+  std::optional<double> share;                   ///< of starts that have to keep all of these, for the verdict
+  std::optional<double> clearance;               ///< radial, between rotor and housing where the rotor rests, in R
 
-  bool any() const { return displacement || force || velocity || settled || residual || grade || clearance; }
+  bool any() const {
+    return displacement || force || velocity || settled || residual || grade || clearance || velocity_one_direction ||
+           dynamic_force || settling_time || hand_arm;
+  }
 };
 
 /// Classes of machines of ISO 10816-1:1995, Annex B (standards/severity.hpp).

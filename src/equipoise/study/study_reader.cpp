@@ -235,6 +235,12 @@ void take_ball(Study& study) {
   study.angles_stated = false;
 }
 
+void check_needs_of_limits(const Document& document, const Study& study) {
+  TableReader limits(document, "limits");
+  if (study.limits.settling_time && !study.limits.settled) limits.fail("settling_time", words::study::needs_settled);
+  if (study.limits.hand_arm && !study.scales) limits.fail("hand_arm", words::study::weighted_by_hertz);
+}
+
 Study read(Document document, Source source) {
   check_tables(document);
   read_grade(document);
@@ -261,6 +267,7 @@ Study read(Document document, Source source) {
   for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
   read_units(document, result);
   read_standards(document, result);
+  check_needs_of_limits(document, result);
   check_force_limit(document, result);
   check_unbalance_limits(document, result);
   if (uncertain.empty()) return result;

@@ -94,11 +94,14 @@ void check_tilting_balls(const Document& document, const model::Parameters& p) {
 }
 
 void check_force_limit(const Document& document, const Study& study) {
-  if (!study.limits.force || study.bearings.size() < 2) return;
+  if (study.bearings.size() < 2) return;
   TableReader limits(document, "limits");
-  if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
-    limits.fail("force", words::study::force_of_more_bearings);
-  if (study.standards.standing_mass) limits.fail("force", words::study::force_of_one_or_all);
+  for (const char* key : {"force", "dynamic_force"}) {
+    if (!limits.has(key)) continue;
+    if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
+      limits.fail(key, words::study::force_of_more_bearings);
+    if (study.standards.standing_mass) limits.fail(key, words::study::force_of_one_or_all);
+  }
 }
 
 void check_unbalance_limits(const Document& document, const Study& study) {

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/statistics/distributions.hpp"
 
 namespace equipoise {
@@ -57,11 +59,22 @@ double UncertainValue::at(double fraction) const {
   return 0.0;
 }
 
-double UncertainValue::median() const {
+// A middle of 180 degrees would cancel what lies at 0; at a quarter turn squares add, as in the mean over all
+// directions.
+double UncertainValue::taken() const {
+  if (has_no_direction()) return 0.25 * turn;
   if (kind != DistributionKind::values) return at(0.5);
   std::vector<double> sorted = numbers;
   std::sort(sorted.begin(), sorted.end());
   return sorted[(sorted.size() - 1) / 2];
+}
+
+bool UncertainValue::has_no_direction() const {
+  if (turn == 0.0) return false;
+  constexpr int draws = 256;
+  std::complex<double> sum;
+  for (int k = 0; k < draws; ++k) sum += std::polar(1.0, two_pi * at((k + 0.5) / draws) / turn);
+  return std::abs(sum) < 0.5 * draws;
 }
 
 std::array<double, 2> UncertainValue::ends() const {

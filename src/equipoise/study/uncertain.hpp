@@ -23,11 +23,14 @@ struct UncertainValue {
   std::vector<double> numbers;
   std::optional<std::array<double, 2>> between;  ///< normal only
   std::string unit;                              ///< of all these numbers, such as "g mm"; empty: plain numbers
+  double turn = 0.0;                             ///< of an angle: a whole turn in that unit; else 0
 
   /// The quantile of a fraction in [0, 1): uniform fractions give draws of the distribution.
   double at(double fraction) const;
-  /// The value used where no start is drawn.
-  double median() const;
+  /// The value used where no start is drawn: the median; for an angle without a direction a quarter turn.
+  double taken() const;
+  /// Whether it is an angle that is drawn all round, so that its middle says nothing: opposite draws nearly cancel.
+  bool has_no_direction() const;
   /// The least and the largest value; the study must be valid between them. For a normal distribution without cut, five
   /// standard deviations away: one draw in two million lies beyond.
   std::array<double, 2> ends() const;
@@ -37,7 +40,7 @@ struct UncertainValue {
   std::string text(double number) const;    ///< "0.012", "300 g mm"
 };
 
-/// Everything uncertain in a study; nothing if `values` is empty. The study's own members hold the medians.
+/// Everything uncertain in a study; nothing if `values` is empty. The study's own members hold the values taken().
 struct Uncertainty {
   std::vector<UncertainValue> values;  ///< by key
   /// For a study in physical units: the whole study as written. Only there is it known what else a quantity changes,

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "equipoise/base/angles.hpp"
 #include "equipoise/base/error.hpp"
 #include "equipoise/study/keys.hpp"
 #include "equipoise/toml/printable.hpp"
@@ -131,7 +132,8 @@ bool takes_distributions(const std::string& dotted) {
 }
 
 namespace {
-void take_from(const Document& document, const std::string& path, std::vector<UncertainValue>& values) {
+void take_from(const Document& document, const KeyTable& keys, const std::string& path,
+               std::vector<UncertainValue>& values) {
   const StudyValue* table = document.root.find_path(path);
   if (!table || !table->table()) return;
   for (const auto& [key, value] : *table->table()) {
@@ -139,7 +141,11 @@ void take_from(const Document& document, const std::string& path, std::vector<Un
     // A key in quotes may contain dots; the reader knows no such key.
     if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
       continue;
-    values.push_back(DistributionReader(document, dotted, value).read());
+    UncertainValue& read = values.emplace_back(DistributionReader(document, dotted, value).read());
+    const Key* line = keys.find(key, true);
+    if (!line || line->dimension != Dimension::angle) continue;
+    const Measured unit = measure("1 " + read.unit, {Dimension::angle});
+    read.turn = read.unit.empty() ? two_pi : unit.problem.empty() ? two_pi / unit.value : 0.0;
   }
 }
 }  // namespace
@@ -148,12 +154,12 @@ std::vector<UncertainValue> take_uncertain(Document& document) {
   std::vector<UncertainValue> values;
   for (const KeyTable& keys : key_tables())
     if (keys.drawn())
-      for (const std::string& path : paths_of(document.root, keys.name)) take_from(document, path, values);
+      for (const std::string& path : paths_of(document.root, keys.name)) take_from(document, keys, path, values);
   for (const UncertainValue& value : values) {
     const StudyValue& there = *document.root.find_path(value.key);
     document.written.insert_or_assign(
         value.key, Document::Written{document.value_text(value.key, there), document.where(value.key, &there)});
-    put_value(document.root, value, value.median());
+    put_value(document.root, value, value.taken());
   }
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   return values;

@@ -172,9 +172,9 @@ std::string study_heading(const Study& study) {
   text += fmt::format(words::text::rotor_is, shown(p.eccentricity, Dimension::length),
                       shown(p.damping[0], Dimension::damping));
   if (study.scales)
-    text += fmt::format(
-        fmt::runtime(study.parameters.tilts() ? words::text::unit_of_speed_is : words::text::critical_speed_is),
-        shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+    text += fmt::format(fmt::runtime(p.tilts() || p.stiffness[0] != p.stiffness[1] ? words::text::unit_of_speed_is
+                                                                                   : words::text::critical_speed_is),
+                        shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
   const std::string held = held_text(study);
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }

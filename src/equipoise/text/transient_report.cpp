@@ -33,6 +33,8 @@ Unit unit_of(const Study& study, const TransientLimit& limit) { return unit_of(s
 
 constexpr const char* no_bound = "?";
 
+bool shows(const TransientFigure& f, const Study& study) { return !f.differs || f.differs(study); }
+
 std::string number(double value, double size, const char* open) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value * size) : open;
 }
@@ -66,8 +68,9 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
   std::string text = fmt::format("{}, {} starts\n", name, group.starts);
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    if (!r.asks(f, study.limits) || f.value == &TransientRow::followed_until) continue;
+    if (!r.asks(f, study.limits) || !shows(f, study) || f.value == &TransientRow::followed_until) continue;
     const SampleSummary& s = group.figures[k];
+    if (s.count == 0) continue;
     const Unit unit = unit_of(study, f.told_in());
     if (s.open == 0) {
       text += figure_line(f, s, unit, no_bound);
@@ -211,7 +214,7 @@ DocumentTable bare_table(const BasinResult& r) {
   if (!bare.one) table.header.emplace_back("90 % below");
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    if (!f.of_bare_rotor || (f.needs && !(r.study.limits.*f.needs))) continue;
+    if (!f.of_bare_rotor || !shows(f, r.study) || (f.needs && !(r.study.limits.*f.needs))) continue;
     const Unit unit = unit_of(r.study, f.told_in());
     table.rows.push_back(
         row_of("ln", {fmt::format("{}, {}", f.title, unit.name), quantile_text(bare.figures, k, 0, unit.size)}));
@@ -230,7 +233,7 @@ DocumentTable without_balls_table(const BasinResult& r) {
                       {}};
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    if (!f.of_bare_rotor || !r.transients->asks(f, r.study.limits)) continue;
+    if (!f.of_bare_rotor || !shows(f, r.study) || !r.transients->asks(f, r.study.limits)) continue;
     const Unit unit = unit_of(r.study, f.told_in());
     table.rows.push_back(row_of("lnnnn", {fmt::format("{}, {}", f.title, unit.name),
                                           quantile_text(bare, k, 0, unit.size), quantile_text(held, k, 0, unit.size),
@@ -340,15 +343,6 @@ std::optional<double> left_grade(const TransientGroup& group, const Study& study
   return model::balance_grade(mean * study.scales->length, *speed * study.scales->frequency);
 }
 
-namespace {
-
-// Of rotor and balls.
-double weight_of(const model::Parameters& p) {
-  return p.tilts() ? (1.0 + p.total_mass()) * p.gravity : -model::static_sag(p) * p.stiffness[1];
-}
-
-}  // namespace
-
 std::string transient_text(const TransientResult& r, const Study& study) {
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time),
              force = unit_of(study, Dimension::force);
@@ -364,11 +358,11 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   text += fmt::format(
       words::text::at_the_end_means,
       undecided ? fmt::format(words::text::window_of_undecided, r.settings.window * time.size, time.name) : "");
-  text += words::text::rms_velocity_means;
+  text += has_directions(study) ? words::text::rms_velocity_of_both : words::text::rms_velocity_means;
   const double sag = -model::static_sag(study.parameters);
   if (sag != 0.0)
     text += fmt::format(words::text::measured_from_rest, sag * length.size, length.name,
-                        weight_of(study.parameters) * force.size, force.name);
+                        model::total_weight(study.parameters) * force.size, force.name);
   if (r.lost > 0) text += fmt::format(words::text::lost_left_out, r.lost);
   return text + "\n";
 }
@@ -382,7 +376,7 @@ nlohmann::ordered_json transient_json(const TransientResult& r, const Study& stu
   json["window"] = r.settings.window * time.size;
   const double sag = 0.0 - model::static_sag(study.parameters);
   json["static_sag"] = sag * length.size;
-  json["weight"] = (0.0 + weight_of(study.parameters)) * unit_of(study, Dimension::force).size;
+  json["weight"] = (0.0 + model::total_weight(study.parameters)) * unit_of(study, Dimension::force).size;
   if (study.parameters.tilts())
     json["places"] = {r.settings.shaft.places[0] * length.size, r.settings.shaft.places[1] * length.size};
   if (study.parameters.tilts()) json["force_of"] = r.settings.shaft.bearings.empty() ? "supports" : "bearing";

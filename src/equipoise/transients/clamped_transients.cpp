@@ -80,6 +80,13 @@ double ClampedTransients::Squares::largest(const Monomials& m) const {
   return result;
 }
 
+std::size_t ClampedTransients::Squares::place_of(const Monomials& m, double largest) const {
+  std::size_t k = 0;
+  // Vector instructions may round the same sum otherwise.
+  while (k + 1 < coefficient[0].size() && at(m, k) < largest * (1.0 - 1e-12)) ++k;
+  return k;
+}
+
 ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vector<model::Segment>& segments,
                                      const std::array<double, 4>& initial, double tolerance,
                                      const TransientSettings& settings, const StopFlag* stop)
@@ -99,7 +106,10 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
     const std::array<double, 2> rest = model::rest_position(p, psi);
     for (std::size_t i = 0; i < 2; ++i) centre[0][i] -= rest[i];
     radius_.add(centre);
+    speeds_.push_back(segment.speed_at(t));
     force_.add(force);
+    force[0][1] += model::total_weight(p);
+    if (p.gravity != 0.0) dynamic_.add(force);
     if (settings_.work != WorkSource::none) lose(p, t, segment, basis);
   };
   const auto status = integrate_clamped(p, segments, initial, tolerance, at_release, times_, observe,
@@ -168,10 +178,16 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   const double square = ux * ux + uy * uy;
   result.end = settings_.release;
   result.work = work(p, phi, m);
-  result.clamped_peak = proportional_ ? square * radius_peak_ : radius_.largest(m);
+  const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
+  result.clamped_peak.square = proportional_ ? square * radius_peak_ : radius_.largest(m);
+  const std::size_t there =
+      proportional_ ? radius_.place_of(one, radius_peak_) : radius_.place_of(m, result.clamped_peak.square);
+  result.clamped_peak.time = times_[there];
+  result.clamped_peak.speed = speeds_[there];
   result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);
+  result.dynamic_peak = dynamic_.coefficient[0].empty() ? result.force_peak : dynamic_.largest(m);
   const double limit = settings_.displacement * settings_.displacement;
-  if (!(result.clamped_peak > limit)) return result;
+  if (!(result.clamped_peak.square > limit)) return result;
   // r^2 is taken as linear between grid times.
   double from = radius_.at(m, 0) - limit;
   for (std::size_t k = 1; k < times_.size(); ++k) {

@@ -55,6 +55,7 @@ class ClampedTransients {
     double at(const Monomials& m, std::size_t k) const;
     static Monomials of(const std::array<std::array<double, 2>, 3>& vectors);
     double largest(const Monomials& m) const;
+    std::size_t place_of(const Monomials& m, double largest) const;  // the first that has it
   };
 
   void lose(const model::Parameters& p, double t, const model::Segment& segment, const ClampedBasis& basis);
@@ -62,8 +63,8 @@ class ClampedTransients {
 
   TransientSettings settings_;
   bool proportional_ = false;  // everything is proportional to |U|: isotropic supports, no gravity, from rest
-  std::vector<double> times_;
-  Squares radius_, force_;
+  std::vector<double> times_, speeds_;
+  Squares radius_, force_, dynamic_;             // the last without the force at rest, only under gravity
   ClampedBasis begin_;                           // where the first segment begins
   std::vector<Losses> losses_;                   // one each segment, if work is asked for
   double radius_peak_ = 0.0, force_peak_ = 0.0;  // for U = 1, if proportional_

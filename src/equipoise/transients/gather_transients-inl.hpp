@@ -36,21 +36,46 @@ HWY_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
 // The motion at one time. Frame invariant: rotating and fixed components give the same.
 template <class T>
 struct Sample {
-  T r2, slope;          // squared distance of O from its place of rest under weight, and its derivative
-  T force2, velocity2;  // |f|^2 of the bearing force, u^2 + v^2
-  T power;              // its integral, with the change of `stored`, is the work of the drive
-  T stored;             // read only at the ends of steps
+  T r2, slope;           // squared distance of O from its place of rest under weight, and its derivative
+  T force2, velocity2;   // |f|^2 of the bearing force, u^2 + v^2
+  T dynamic2, upright2;  // |f - f at rest|^2, the squared velocity along Y
+  T power;               // its integral, with the change of `stored`, is the work of the drive
+  T stored;              // read only at the ends of steps
+  T speed;               // psi', likewise
 };
 
-// `rest`: the rotor's place of rest. The slope needs no derivative of the state: the frame's rotation drops out.
+// Without weight on supports alike in X and Y. The slope needs no derivative of the state: the frame's rotation drops
+// out.
 template <class T>
-HWY_INLINE Sample<T> sample_of(const Vector2<T>& rest, const Vector2<T>& force, const T* z) {
+HWY_INLINE Sample<T> sample_of(const Vector2<T>& force, const T* z) {
   using namespace model::index;
-  const T rx = z[x] - rest.x, ry = z[y] - rest.y;
+  const T force2 = force.x * force.x + force.y * force.y, velocity2 = z[u] * z[u] + z[v] * z[v];
+  return {z[x] * z[x] + z[y] * z[y],
+          T(2.0) * (z[x] * z[u] + z[y] * z[v]),
+          force2,
+          velocity2,
+          force2,
+          T(0.5) * velocity2,
+          T(0.0),
+          T(0.0),
+          T(0.0)};
+}
+
+// `up`: the direction of Y, along which the rotor rests at `rest` under its weight, with the force `at_rest`.
+template <class T>
+HWY_INLINE Sample<T> sample_of(const Vector2<T>& up, const T& rest, const Vector2<T>& at_rest, const Vector2<T>& force,
+                               const T* z) {
+  using namespace model::index;
+  const T rx = z[x] - rest * up.x, ry = z[y] - rest * up.y;
+  const T fx = force.x - at_rest.x, fy = force.y - at_rest.y;
+  const T upright = z[u] * up.x + z[v] * up.y;
   return {rx * rx + ry * ry,
           T(2.0) * (rx * z[u] + ry * z[v]),
           force.x * force.x + force.y * force.y,
           z[u] * z[u] + z[v] * z[v],
+          fx * fx + fy * fy,
+          upright * upright,
+          T(0.0),
           T(0.0),
           T(0.0)};
 }
@@ -61,6 +86,7 @@ struct Limits {
       : timed(std::isfinite(s.displacement)),
         settling(s.watches_settling()),
         working(s.work != WorkSource::none),
+        by_direction(s.by_direction),
         displacement2(s.displacement * s.displacement),
         settled2(s.settled * s.settled),
         window(s.window) {}
@@ -70,7 +96,7 @@ struct Limits {
     take_lane_of(*this, from, lane, &Limits::displacement2, &Limits::settled2, &Limits::window);
   }
 
-  bool timed, settling, working;
+  bool timed, settling, working, by_direction;
   T displacement2, settled2, window;
 };
 
@@ -103,8 +129,12 @@ class GatherTransients {
 
   // Goes on from the sums of a trajectory; `free`: its balls have been released.
   void load(int lane, const TransientSums& row, bool free = true) {
-    element(peak_, lane) = free ? row.free_peak : row.clamped_peak;
+    const RadialPeak& peak = free ? row.free_peak : row.clamped_peak;
+    element(peak_, lane) = peak.square;
+    element(peak_time_, lane) = peak.time;
+    element(peak_speed_, lane) = peak.speed;
     element(force_peak_, lane) = row.force_peak;
+    element(dynamic_peak_, lane) = row.dynamic_peak;
     element(time_above_, lane) = row.time_above;
     element(last_above_, lane) = row.last_above;
     work_before_[lane] = row.work;
@@ -118,17 +148,25 @@ class GatherTransients {
         work.begun ? work.piece - work.stored + 0.5 * (work.power + here.power) * (t - row.end) : -here.stored;
   }
 
-  // The motion goes on from here, without a step that leads to it.
-  void stand(int lane, const Sample<double>& here, const TurningUnbalance& unbalance) {
+  // The motion goes on from here, at t, without a step that leads to it.
+  void stand(int lane, double t, const Sample<double>& here, const TurningUnbalance& unbalance) {
+    if (here.r2 > element(peak_, lane)) {
+      element(peak_time_, lane) = t;
+      element(peak_speed_, lane) = here.speed;
+    }
+    element(from_.speed, lane) = here.speed;
     element(from_.r2, lane) = here.r2;
     element(from_.slope, lane) = here.slope;
     element(from_.force2, lane) = here.force2;
     element(from_.velocity2, lane) = here.velocity2;
+    element(from_.dynamic2, lane) = here.dynamic2;
+    element(from_.upright2, lane) = here.upright2;
     element(from_.power, lane) = here.power;
     element(from_.stored, lane) = here.stored;
     for (int k = 0; k < parts; ++k) element(from_unbalance_.part[k], lane) = unbalance[static_cast<std::size_t>(k)];
     for (T* peak : {&peak_, &window_peak_}) element(*peak, lane) = std::fmax(element(*peak, lane), here.r2);
     element(force_peak_, lane) = std::fmax(element(force_peak_, lane), here.force2);
+    element(dynamic_peak_, lane) = std::fmax(element(dynamic_peak_, lane), here.dynamic2);
   }
 
   // Restarts a lane's windows at its present time: nothing before it belongs to its end.
@@ -157,14 +195,28 @@ class GatherTransients {
     const SquaredRadiusOfStep<T> r2(samples, h);
     const auto force2 = Cubic<T>::through(samples.force2);
     keep(accepted, raised(force_peak_, force2), force_peak_);
-    T peak = peak_, window_peak = window_peak_;
-    raise(peak, window_peak, r2);
+    T peak = peak_, window_peak = window_peak_, where(0.0);
+    raise(peak, window_peak, r2, where);
+    const auto raised_here = both(accepted, peak_ < peak);
+    keep(raised_here, multiply_add(h, where, begin), peak_time_);
+    keep(raised_here, multiply_add(where, at[2].speed - from_.speed, from_.speed), peak_speed_);
+    keep(accepted, at[2].speed, from_.speed);
     keep(accepted, peak, peak_);
     keep(accepted, window_peak, window_peak_);
     if constexpr (asked) watch_limits(limits, accepted, limited(r2), begin, h);
     keep(accepted, multiply_add(h, force2.integral(), window_force_), window_force_);
     const T velocity = Cubic<T>::through(samples.velocity2).integral();
     keep(accepted, multiply_add(h, velocity, window_velocity_), window_velocity_);
+    if (limits.by_direction) {
+      const auto dynamic2 = Cubic<T>::through(samples.dynamic2);
+      keep(accepted, raised(dynamic_peak_, dynamic2), dynamic_peak_);
+      keep(accepted, multiply_add(h, dynamic2.integral(), window_dynamic_), window_dynamic_);
+      const T upright = Cubic<T>::through(samples.upright2).integral();
+      keep(accepted, multiply_add(h, upright, window_upright_), window_upright_);
+      keep(accepted, at[2].dynamic2, from_.dynamic2);
+      keep(accepted, at[2].upright2, from_.upright2);
+    }
+    by_direction_ = limits.by_direction;
     for (int k = 0; k < parts; ++k) {
       T &from = from_unbalance_.part[k], &sum = window_unbalance_.part[k];
       keep(accepted, multiply_add(T(0.5) * h, from + unbalance.part[k], sum), sum);
@@ -202,8 +254,12 @@ class GatherTransients {
 
   void store(int lane, double t, TransientSums& row, bool free = true) const {
     row.end = t;
-    (free ? row.free_peak : row.clamped_peak) = element(peak_, lane);
+    RadialPeak& peak = free ? row.free_peak : row.clamped_peak;
+    peak.square = element(peak_, lane);
+    peak.time = element(peak_time_, lane);
+    peak.speed = element(peak_speed_, lane);
     row.force_peak = element(force_peak_, lane);
+    row.dynamic_peak = element(by_direction_ ? dynamic_peak_ : force_peak_, lane);
     row.time_above = element(time_above_, lane);
     row.last_above = element(last_above_, lane);
     row.work = known_work_[lane].value_or(work_of(lane));
@@ -211,8 +267,14 @@ class GatherTransients {
     row.window = last_windows(closed_[lane][0], open_window(lane, t));
     if (row.window.length > 0.0) return;
     // Lost in its first step: only the state there is known.
-    row.window = {1.0, element(from_.r2, lane), element(from_.force2, lane), element(from_.velocity2, lane),
-                  of_lane(from_unbalance_, lane)};
+    const double velocity2 = element(from_.velocity2, lane), upright2 = element(from_.upright2, lane);
+    row.window = {1.0,
+                  element(from_.r2, lane),
+                  element(from_.force2, lane),
+                  velocity2,
+                  of_lane(from_unbalance_, lane),
+                  element(from_.dynamic2, lane),
+                  {velocity2 - upright2, upright2}};
   }
 
  private:
@@ -232,6 +294,8 @@ class GatherTransients {
       s.slope[k] = here.slope;
       s.force2[k] = here.force2;
       s.velocity2[k] = here.velocity2;
+      s.dynamic2[k] = here.dynamic2;
+      s.upright2[k] = here.upright2;
       s.power[k] = here.power;
     }
     return s;
@@ -275,22 +339,30 @@ class GatherTransients {
   }
 
   TransientWindow open_window(int lane, double t) const {
-    return {t - element(window_begin_, lane), element(window_peak_, lane), element(window_force_, lane),
-            element(window_velocity_, lane), of_lane(window_unbalance_, lane)};
+    const double force = element(window_force_, lane), velocity = element(window_velocity_, lane);
+    const double upright = by_direction_ ? element(window_upright_, lane) : 0.5 * velocity;
+    return {t - element(window_begin_, lane),
+            element(window_peak_, lane),
+            force,
+            velocity,
+            of_lane(window_unbalance_, lane),
+            by_direction_ ? element(window_dynamic_, lane) : force,
+            {velocity - upright, upright}};
   }
 
   void open(int lane, double t, double r2) {
     element(window_begin_, lane) = t;
     element(window_peak_, lane) = r2;
     element(window_force_, lane) = 0.0;
-    element(window_velocity_, lane) = 0.0;
+    element(window_velocity_, lane) = element(window_dynamic_, lane) = element(window_upright_, lane) = 0.0;
     for (T& sum : window_unbalance_.part) element(sum, lane) = 0.0;
   }
 
   Sample<T> from_{};  // the step's beginning
   Turning from_unbalance_{}, window_unbalance_{};
-  T peak_{}, force_peak_{}, time_above_{}, last_above_{};
-  T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{};
+  bool by_direction_ = true;
+  T peak_{}, peak_time_{}, peak_speed_{}, force_peak_{}, dynamic_peak_{}, time_above_{}, last_above_{};
+  T window_begin_{}, window_peak_{}, window_force_{}, window_velocity_{}, window_dynamic_{}, window_upright_{};
   T work_{};                                      // of the current piece, without the stored energy
   DriveWork work_before_[lanes];                  // as loaded
   std::optional<DriveWork> known_work_[lanes];    // once the work has ended
@@ -315,9 +387,9 @@ class GatherPlaces {
     places_[0].resume(lane, row, t, here);
   }
   // As many places are watched as `here` has, always.
-  void stand(int lane, std::span<const Sample<double>> here, const TurningUnbalance& unbalance) {
+  void stand(int lane, double t, std::span<const Sample<double>> here, const TurningUnbalance& unbalance) {
     count_ = static_cast<int>(here.size());
-    for (int k = 0; k < count_; ++k) places_[k].stand(lane, here[static_cast<std::size_t>(k)], unbalance);
+    for (int k = 0; k < count_; ++k) places_[k].stand(lane, t, here[static_cast<std::size_t>(k)], unbalance);
   }
   void restart(int lane, double t) {
     for (One& one : places_) one.restart(lane, t);
@@ -360,9 +432,10 @@ class GatherPlaces {
     for (int k = 1; k < count_; ++k) {
       TransientSums other;
       places_[k].store(lane, t, other, free);
-      row.free_peak = std::fmax(row.free_peak, other.free_peak);
-      row.clamped_peak = std::fmax(row.clamped_peak, other.clamped_peak);
+      row.free_peak = larger(row.free_peak, other.free_peak);
+      row.clamped_peak = larger(row.clamped_peak, other.clamped_peak);
       row.force_peak = std::fmax(row.force_peak, other.force_peak);
+      row.dynamic_peak = std::fmax(row.dynamic_peak, other.dynamic_peak);
       row.window = worse_of(row.window, other.window);
     }
   }

@@ -31,7 +31,7 @@ inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
 // At the step's beginning, at node1, at node2 and at its end.
 template <class T>
 struct StepSamples {
-  T r2[4], slope[4], force2[4], velocity2[4], power[4];
+  T r2[4], slope[4], force2[4], velocity2[4], dynamic2[4], upright2[4], power[4];
 };
 
 // A cubic in s from 0 to 1.
@@ -69,14 +69,17 @@ struct Cubic {
     return minimum(minimum(c0, to), minimum(b1, b2));
   }
 
-  HWY_INLINE T largest() const {
+  // Its largest value, and in `where` a place that has it.
+  HWY_INLINE T largest(T& where) const {
     const T ends = maximum(c0, to);
     const T discriminant = c2 * c2 - T(3.0) * c3 * c1;
     // The root of the slope where the curvature is negative.
     const T s = c1 / (square_root(maximum(discriminant, T(0.0))) - c2);
     const auto inside = both(T(0.0) < discriminant, both(T(0.0) < s, s < T(1.0)));
     const T value = c0 + s * (c1 + s * (c2 + s * c3));
-    return choose(inside, maximum(value, ends), ends);
+    const auto within = both(inside, ends < value);
+    where = choose(within, s, choose(c0 < to, T(1.0), T(0.0)));
+    return choose(within, value, ends);
   }
 };
 
@@ -101,8 +104,16 @@ class SquaredRadiusOfStep {
 
   HWY_INLINE T upper() const { return upper_; }
   HWY_INLINE T lower() const { return lower_; }
-  HWY_INLINE T largest() const {
-    return maximum(maximum(piece_[0].largest(), piece_[1].largest()), piece_[2].largest());
+  HWY_INLINE T largest(T& where) const {
+    T most = piece_[0].largest(where);
+    where = T(node1) * where;
+    for (int k = 1; k < 3; ++k) {
+      T place;
+      const T value = piece_[k].largest(place);
+      where = choose(most < value, T(k == 1 ? node1 : node2) + T(piece_length[k]) * place, where);
+      most = maximum(most, value);
+    }
+    return most;
   }
 
   // At the step's beginning, and at the middle and the end of piece k.
@@ -158,15 +169,16 @@ template <class T, class Curve>
 HWY_INLINE T raised(T peak, const Curve& curve) {
   const auto higher = peak < curve.upper();
   if (!any_of(higher)) return peak;
-  return choose(higher, maximum(peak, curve.largest()), peak);
+  T unused;
+  return choose(higher, maximum(peak, curve.largest(unused)), peak);
 }
 
-// raised(), for two peaks of one curve.
+// raised(), for two peaks of one curve; `where` it is largest, in parts of the step, if that was needed.
 template <class T, class Curve>
-HWY_INLINE void raise(T& peak, T& other, const Curve& curve) {
+HWY_INLINE void raise(T& peak, T& other, const Curve& curve, T& where) {
   const auto higher = peak < curve.upper(), other_higher = other < curve.upper();
   if (!any_of(higher) && !any_of(other_higher)) return;
-  const T largest = curve.largest();
+  const T largest = curve.largest(where);
   peak = choose(higher, maximum(peak, largest), peak);
   other = choose(other_higher, maximum(other, largest), other);
 }

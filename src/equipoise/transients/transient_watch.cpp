@@ -28,15 +28,17 @@ TurningUnbalance turning_unbalance(const model::Parameters& p, const WatchedShaf
 }
 
 TransientSample transient_sample(const model::Parameters& p, double psi, double t, const double* z) {
-  const std::array<double, 2> rest = model::rest_position(p, psi), force = model::bearing_force(p, psi, z);
-  const auto s = kernels::sample_of<double>({rest[0], rest[1]}, {force[0], force[1]}, z);
+  const double sine = std::sin(psi), cosine = std::cos(psi);
+  const std::array<double, 2> force = model::bearing_force(p, psi, z);  // in fixed axes
+  const auto s = kernels::sample_of<double>({sine, cosine}, model::static_sag(p), {0.0, -model::total_weight(p)},
+                                            {force[0], force[1]}, z);
   return {t, turning_unbalance(p, {}, z + model::index::phi(0)), {s}};
 }
 
 TransientSample transient_sample(const model::Parameters& p, const WatchedShaft& shaft, double psi, double t,
                                  const double* z, const double* tilt) {
-  const std::array<double, 2> all = model::bearing_force(p, psi, z, tilt);
   const double sine = std::sin(psi), cosine = std::cos(psi), sag = model::static_sag(p), slope = model::static_slope(p);
+  const std::array<double, 2> all = model::bearing_force(p, psi, z, tilt);  // in fixed axes
   const HWY_NAMESPACE::RotorMotion<double> rotor{0.0, 0.0, sine, cosine};
   const bool each = !shaft.bearings.empty();
   const auto at = [&](std::size_t b) {
@@ -45,8 +47,13 @@ TransientSample transient_sample(const model::Parameters& p, const WatchedShaft&
     for (std::size_t k = 0; k < section.size(); ++k) section[k] = z[k] + place * tilt[k];
     const double rest = sag + place * slope;
     HWY_NAMESPACE::Vector2<double> force{all[0], all[1]};
-    if (each) force = HWY_NAMESPACE::BearingForce<double>(shaft.bearings[b]).of(rotor, section.data());
-    return kernels::sample_of<double>({rest * sine, rest * cosine}, force, section.data());
+    HWY_NAMESPACE::Vector2<double> at_rest{0.0, -model::total_weight(p)};
+    if (each) {
+      const double load = model::load_at_rest(p, shaft.bearings[b]);
+      force = HWY_NAMESPACE::BearingForce<double>(shaft.bearings[b]).of(rotor, section.data());
+      at_rest = {load * sine, load * cosine};
+    }
+    return kernels::sample_of<double>({sine, cosine}, rest, at_rest, force, section.data());
   };
   TransientSample sample{t, turning_unbalance(p, shaft, z + model::index::phi(0)), {}};
   sample.count = std::max(shaft.places.size(), shaft.bearings.size());
@@ -67,7 +74,7 @@ void TransientWatch::begin(const TransientSample& first, bool free) {
   }
   limits_.settling = free && settings_.watches_settling();
   if (!begun_) gathered_.resume(0, sums_, first.t, first.places[0]);
-  gathered_.stand(0, std::span(first.places).first(first.count), first.unbalance);
+  gathered_.stand(0, first.t, std::span(first.places).first(first.count), first.unbalance);
   t_ = first.t;
   if (!begun_) gathered_.restart(0, t_);
   begun_ = true;
@@ -97,7 +104,7 @@ void TransientWatch::step(const std::array<TransientSample, 3>& samples) {
     gathered_.add_place(static_cast<int>(k), limits_, 1, true, begin, t_, h, other, unbalance);
   }
   if (full && decided_)
-    may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak);
+    may_leave_ = gathered_.seen_enough(0, settings_, end_, free_ ? gathered_.peak(0) : sums_.free_peak.square);
 }
 
 void TransientWatch::end_piece() { gathered_.end_piece(0); }

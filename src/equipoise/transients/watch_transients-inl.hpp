@@ -49,9 +49,11 @@ class WatchedTilt<true> {
       planes_.own[k] = {Pack(planes[k].own.real()), Pack(planes[k].own.imag())};
       for (std::size_t i = 0; i < planes[k].ball.size(); ++i) planes_.ball[k][i] = Pack(planes[k].ball[i]);
     }
+    for (Pack& load : load_) load = Pack(-model::total_weight(p));
     for (int k = 0; k < bearing_count_; ++k) {
       const model::Bearing& bearing = settings.shaft.bearings[static_cast<std::size_t>(k)];
       at_[k] = Pack(bearing.at);
+      load_[k] = Pack(model::load_at_rest(p, bearing));
       bearings_[k] = BearingForce<Pack>(bearing);
     }
   }
@@ -62,7 +64,8 @@ class WatchedTilt<true> {
     supports_.take_lane(from.supports_, lane);
     energy_.take_lane(from.energy_, lane);
     for (int k = 0; k < bearing_count_; ++k) bearings_[k].take_lane(from.bearings_[k], lane);
-    take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_, &WatchedTilt::planes_);
+    take_lane_of(*this, from, lane, &WatchedTilt::slope_, &WatchedTilt::at_, &WatchedTilt::load_,
+                 &WatchedTilt::planes_);
   }
 
   // Section k. `sag`: where the centre rests; `force`: on the supports, for the centre's motion alone.
@@ -70,13 +73,14 @@ class WatchedTilt<true> {
                                             const Vector2<Pack>& force, const Pack* z) const {
     const Pack *tilt = z + place_, &at = at_[k], rest = sag + at * slope_;
     const Pack section[4] = {z[0] + at * tilt[0], z[1] + at * tilt[1], z[2] + at * tilt[2], z[3] + at * tilt[3]};
-    const Vector2<Pack> resting{rest * rotor.sin_psi, rest * rotor.cos_psi};
-    if (bearing_count_ > 0) return transient::sample_of(resting, bearings_[k].of(rotor, section), section);
+    const Vector2<Pack> up{rotor.sin_psi, rotor.cos_psi};
+    const Vector2<Pack> at_rest{load_[k] * up.x, load_[k] * up.y};
+    if (bearing_count_ > 0) return transient::sample_of(up, rest, at_rest, bearings_[k].of(rotor, section), section);
     Vector2<Pack> all = force;
     Vector2<Pack> more{Pack(0.0), Pack(0.0)};
     supports_.add_supports(rotor, z, more);
     all = {all.x + more.x, all.y + more.y};
-    return transient::sample_of(resting, all, section);
+    return transient::sample_of(up, rest, at_rest, all, section);
   }
   HWY_INLINE Pack taken_by_supports(const RotorMotion<Pack>& rotor, const Pack* z) const {
     return energy_.taken_by_supports(rotor, z);
@@ -100,7 +104,7 @@ class WatchedTilt<true> {
   TiltConstants<Pack, 1> supports_;
   TiltEnergy<Pack> energy_;
   Pack slope_;  // where the rotor rests
-  Pack at_[model::most_bearings];
+  Pack at_[model::most_bearings], load_[model::most_bearings];
   int bearing_count_;
   BearingForce<Pack> bearings_[model::most_bearings];
   struct {
@@ -133,6 +137,7 @@ class WatchedRotor {
         psi_place_(task.layout().psi),
         speed_place_(task.layout().speed),
         sag_(model::static_sag(p)),
+        load_(-model::total_weight(p)),
         tilt_(p, task.layout().tilt, settings) {
     for (int i = 0; i < model::max_balls; ++i) mass_[i] = Pack(p.mass[i]);
     if (settings.work == WorkSource::motor) motor_.emplace(p, system->drive(), task.layout(), segment.begin, 0.0);
@@ -149,7 +154,8 @@ class WatchedRotor {
     tilt_.take_lane(from.tilt_, lane);
     curve_.take_lane(from.curve_, lane);
     if (motor_) motor_->take_lane(*from.motor_, lane);
-    take_lane_of(*this, from, lane, &W::speed_, &W::acceleration_, &W::begin_, &W::rotor_, &W::mass_, &W::sag_);
+    take_lane_of(*this, from, lane, &W::speed_, &W::acceleration_, &W::begin_, &W::rotor_, &W::mass_, &W::sag_,
+                 &W::load_);
   }
 
   int all_places() const {
@@ -164,10 +170,12 @@ class WatchedRotor {
       const Vector2<Pack> force = turning_.bearing_force(rotor, z);
       for (int k = 0; k < places; ++k) here[k] = tilt_.sample(k, rotor, sag_, force, z);
     } else {
-      here[0] = turns_ ? transient::sample_of({sag_ * rotor.sin_psi, sag_ * rotor.cos_psi},
+      here[0] = turns_ ? transient::sample_of({rotor.sin_psi, rotor.cos_psi}, sag_,
+                                              {load_ * rotor.sin_psi, load_ * rotor.cos_psi},
                                               turning_.bearing_force(rotor, z), z)
-                       : transient::sample_of({Pack(0.0), Pack(0.0)}, plain_.bearing_force(rotor, z), z);
+                       : transient::sample_of(plain_.bearing_force(rotor, z), z);
     }
+    for (transient::Sample<Pack>& place : here) place.speed = rotor.speed;
     if (motor_) {
       const MotorState<Pack> motor = motor_->motor(t, rotor, z);
       here[0].power = (motor.torque + motor.taken) * rotor.speed;
@@ -178,7 +186,10 @@ class WatchedRotor {
 
   // At place k, one of the further bearings.
   HWY_INLINE transient::Sample<Pack> further_sample(int k, Pack t, const Pack* z) const {
-    return tilt_.sample(k, rotor_at(t, z), sag_, {Pack(0.0), Pack(0.0)}, z);
+    const RotorMotion<Pack> rotor = rotor_at(t, z);
+    transient::Sample<Pack> here = tilt_.sample(k, rotor, sag_, {Pack(0.0), Pack(0.0)}, z);
+    here.speed = rotor.speed;
+    return here;
   }
 
   HWY_INLINE Pack stored(Pack t, const Pack* z) const {
@@ -238,7 +249,7 @@ class WatchedRotor {
   Pack mass_[model::max_balls];
   bool turns_, held_;
   int psi_place_, speed_place_;
-  Pack sag_;
+  Pack sag_, load_;
   [[no_unique_address]] WatchedTilt<tilt> tilt_;
 };
 
@@ -286,10 +297,10 @@ class WatchTransients final : public BatchWatch {
     std::size_t k = 0;
     for (const Pack& part : all.part) unbalance[k++] = transient::element(part, slot % lanes);
     if constexpr (tilt)
-      groups_[slot / lanes].stand(slot % lanes, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
+      groups_[slot / lanes].stand(slot % lanes, t, std::span(here, static_cast<std::size_t>(rotor(slot).all_places())),
                                   unbalance);
     else
-      groups_[slot / lanes].stand(slot % lanes, here[0], unbalance);
+      groups_[slot / lanes].stand(slot % lanes, t, here[0], unbalance);
   }
 
   unsigned step(const TriedStep& s) override {
@@ -357,7 +368,8 @@ class WatchTransients final : public BatchWatch {
     all[0].stored = rotor(slot).stored(Pack(t), z);
     const auto own = [&](const Pack& p) { return transient::element(p, slot % lanes); };
     const auto put = [&](int k, const transient::Sample<Pack>& s) {
-      here[k] = {own(s.r2), own(s.slope), own(s.force2), own(s.velocity2), own(s.power), own(s.stored)};
+      here[k] = {own(s.r2),       own(s.slope), own(s.force2), own(s.velocity2), own(s.dynamic2),
+                 own(s.upright2), own(s.power), own(s.stored), own(s.speed)};
     };
     for (int k = 0; k < places; ++k) put(k, all[k]);
     if constexpr (tilt)

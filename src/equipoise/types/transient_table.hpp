@@ -36,6 +36,8 @@ struct TransientSettings {
   double window = 16.0;
   WorkSource work = WorkSource::none;  ///< of the drive
   WatchedShaft shaft{};                ///< of a rotor that tilts
+  /// Supports differ or weight acts: velocities in X and Y and forces without the weight are gathered by themselves.
+  bool by_direction = true;
 
   bool watches_settling() const { return settled > 0.0; }
 };
@@ -49,24 +51,37 @@ inline double size_of(const TurningUnbalance& u) { return std::fmax(std::hypot(u
 /// Sums over a window of time. r: from where the rotor rests under its weight.
 struct TransientWindow {
   double length = 0.0;
-  double peak = 0.0;             ///< largest r^2
-  double force = 0.0;            ///< integral of |f|^2
-  double velocity = 0.0;         ///< integral of u^2 + v^2
-  TurningUnbalance unbalance{};  ///< its integral
+  double peak = 0.0;                   ///< largest r^2
+  double force = 0.0;                  ///< integral of |f|^2
+  double velocity = 0.0;               ///< integral of u^2 + v^2
+  TurningUnbalance unbalance{};        ///< its integral
+  double dynamic = 0.0;                ///< of |f - f at rest|^2
+  std::array<double, 2> directions{};  ///< of the squared velocities in X and in Y
 };
 
 /// A window and what follows on it.
 inline TransientWindow last_windows(const TransientWindow& before, const TransientWindow& last) {
-  TransientWindow both{before.length + last.length, before.peak > last.peak ? before.peak : last.peak,
-                       before.force + last.force, before.velocity + last.velocity, before.unbalance};
+  TransientWindow both{before.length + last.length,
+                       before.peak > last.peak ? before.peak : last.peak,
+                       before.force + last.force,
+                       before.velocity + last.velocity,
+                       before.unbalance,
+                       before.dynamic + last.dynamic,
+                       before.directions};
+  for (std::size_t d = 0; d < 2; ++d) both.directions[d] += last.directions[d];
   for (std::size_t k = 0; k < both.unbalance.size(); ++k) both.unbalance[k] += last.unbalance[k];
   return both;
 }
 
 /// Of two places over the same time, what the worse one has.
 inline TransientWindow worse_of(const TransientWindow& a, const TransientWindow& b) {
-  return {a.length, a.peak > b.peak ? a.peak : b.peak, a.force > b.force ? a.force : b.force,
-          a.velocity > b.velocity ? a.velocity : b.velocity, a.unbalance};
+  return {a.length,
+          std::fmax(a.peak, b.peak),
+          std::fmax(a.force, b.force),
+          std::fmax(a.velocity, b.velocity),
+          a.unbalance,
+          std::fmax(a.dynamic, b.dynamic),
+          {std::fmax(a.directions[0], b.directions[0]), std::fmax(a.directions[1], b.directions[1])}};
 }
 
 /// A steady motion's own figures. All zero: exact balance.
@@ -74,7 +89,9 @@ struct MotionFigures {
   double radial = 0.0;      ///< largest r
   double peak_force = 0.0;  ///< largest |f|
   double rms_force = 0.0, rms_velocity = 0.0;
-  double unbalance = 0.0;  ///< size of the mean
+  double unbalance = 0.0;                        ///< size of the mean
+  double peak_dynamic = 0.0, rms_dynamic = 0.0;  ///< of the force without the weight at rest
+  double rms_one_direction = 0.0;                ///< of the velocity, in X or Y
 };
 
 /// What is known of where a decided trajectory goes.
@@ -139,12 +156,19 @@ struct DriveWork {
   double total() const { return before + (piece > 0.0 ? piece : 0.0); }
 };
 
+/// The largest r^2 so far, and the study time and psi' at which it was reached.
+struct RadialPeak {
+  double square = 0.0, time = 0.0, speed = 0.0;
+};
+inline RadialPeak larger(const RadialPeak& a, const RadialPeak& b) { return b.square > a.square ? b : a; }
+
 /// Of one trajectory so far. Squares, so that the time loop takes no root.
 struct TransientSums {
   double end = 0.0;           ///< study time up to which all this holds
-  double clamped_peak = 0.0;  ///< largest r^2 before release
-  double free_peak = 0.0;     ///< largest r^2 from release on
+  RadialPeak clamped_peak;    ///< before release
+  RadialPeak free_peak;       ///< from release on
   double force_peak = 0.0;    ///< largest |f|^2
+  double dynamic_peak = 0.0;  ///< largest |f - f at rest|^2
   double time_above = 0.0;    ///< with r > settings.displacement, from t = 0
   double last_above = 0.0;    ///< study time at which r > settings.settled held last, from release on; else 0
   TransientWindow window;     ///< the last one, or the last two, up to `end`

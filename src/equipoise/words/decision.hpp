@@ -146,7 +146,7 @@ inline constexpr char severity_caption[] =
     "Without balls: zone {}. Zones of ISO 10816-1:1995, class {} ({}), of {}. ISO 20816-1:2016 took its place; ISO "
     "20816-3 begins at 15 kW.";
 inline constexpr char one_direction[] = "one direction";
-inline constexpr char both_directions[] = "both directions together, more than either has";
+inline constexpr char larger_direction[] = "the direction that has more";
 
 // Sliding and balance quality. A machine's mass, friction, force it takes, share of starts or nothing, peak force
 // without balls.
@@ -158,6 +158,8 @@ inline constexpr char enough[] = ", enough for that";
 inline constexpr char enough_too[] = ", enough too";
 inline constexpr char balance_quality[] =
     "Balance quality e omega [ISO 21940-11]: {} left on average; without balls {}.";
+// Grade in mm/s, speed, unbalance, unbalance.
+inline constexpr char permissible_unbalance[] = " G {:.3g} at {} permits {}; {} is left.";
 inline constexpr char balance_quality_alone[] = "Balance quality e omega [ISO 21940-11]: {}.";
 
 }  // namespace equipoise::words::decision

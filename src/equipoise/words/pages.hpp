@@ -20,8 +20,8 @@ inline constexpr char shakes_by_together[] =
 inline constexpr char stable_time_constant[] = "stable, slowest time constant {}";
 inline constexpr char not_stable[] = "not stable by linear theory";
 inline constexpr char and_with_them[] = " with them";
-// Speed, times the critical one.
-inline constexpr char final_speed[] = "; final speed {}, {:.3g} times that";
+// Speed, times the higher critical one with balls, "that" or "the higher".
+inline constexpr char final_speed[] = "; final speed {}, {:.3g} times {}";
 inline constexpr char final_speed_over_highest[] = "; final speed {}, {:.3g} times the highest";
 // Least to most, "side by side".
 inline constexpr char balls_can_cancel[] = "; the balls can cancel {}{}";

@@ -134,6 +134,9 @@ inline constexpr char force_of_more_bearings[] =
 inline constexpr char force_of_one_or_all[] =
     "is of the bearing that takes most, but beside standards.standing_mass only the force on all together is known; "
     "state one of the two";
+inline constexpr char needs_settled[] = "needs limits.settled, the displacement below which the rotor has settled";
+inline constexpr char weighted_by_hertz[] =
+    "is weighted by the frequency in Hz, which needs a study in physical units, or with [units]";
 inline constexpr char grade_needs_units[] =
     "is a grade, which needs a study in physical units; must be U/M in R, or state `grade`";
 inline constexpr char grade_given_twice[] = "is a grade too; give either limits.grade or this, not both";

@@ -114,5 +114,6 @@ inline constexpr char supports_alike[] = "supports alike in x and y";
 inline constexpr char viscous_damping[] = "viscous damping";
 inline constexpr char no_gravity[] = "no gravity across the shaft";
 inline constexpr char values_at_medians[] = "uncertain values at their medians";
+inline constexpr char angles_without_direction[] = ", angles that are drawn all round at a quarter turn";
 
 }  // namespace equipoise::words::study_check

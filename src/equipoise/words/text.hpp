@@ -160,7 +160,8 @@ inline constexpr char no_balls_semicolon[] = "no balls; ";
 inline constexpr char balls_are[] = "{} ball{}: mass {}, drag {}; ";
 inline constexpr char rotor_is[] = "rotor: eccentricity {}, damping {}\n";
 inline constexpr char critical_speed_is[] = "critical speed {}, 1/omega_c = {}\n";
-inline constexpr char unit_of_speed_is[] = "sqrt(k/M) = {}, 1/omega_c = {}\n";  // of a rotor that tilts
+inline constexpr char unit_of_speed_is[] =
+    "sqrt(k/M) = {}, 1/omega_c = {}\n";  // if it tilts, or its two critical speeds differ
 
 // Figures of transients.
 inline constexpr char same_for_all[] = "{}, the same for all starts\n";
@@ -192,6 +193,8 @@ inline constexpr char at_the_end_means[] = "\n\"At the end\": in the steady moti
 inline constexpr char window_of_undecided[] = "; of an undecided start in its last window of {:.4g} {}";
 inline constexpr char rms_velocity_means[] =
     "RMS velocity: of both directions together; one alone has about 0.71 of it.\n";
+inline constexpr char rms_velocity_of_both[] =
+    "RMS velocity: of both directions together; \"one direction\" is X or Y, whichever has more.\n";
 // Of rotors that tilt. Of which supports forces are told.
 inline constexpr char told_at_bearings[] =
     "displacements and velocities are those of the outermost bearing that has more of them; forces are those of {}";
@@ -209,7 +212,7 @@ inline constexpr char forces_of_bearing[] = "the bearing that takes most";
 // Sag, unit, weight, unit.
 inline constexpr char measured_from_rest[] =
     "Displacements are measured from where the rotor rests, {:.4g} {} below its unloaded springs; bearing forces "
-    "include its weight, {:.4g} {}.\n";
+    "include its weight, {:.4g} {}; dynamic forces are without what carries it there.\n";
 inline constexpr char lost_left_out[] = "{} starts diverged or failed and are left out here.\n";
 
 // With and without balls.
