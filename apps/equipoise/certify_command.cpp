@@ -1,9 +1,8 @@
 // equipoise certify: proves that trajectories close to balance end balanced, and checks such proofs.
-#include <array>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "commands.hpp"
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/analyses/certify.hpp"
+#include "equipoise/base/read_file.hpp"
 #include "equipoise/reports/certificate_json.hpp"
 #include "equipoise/reports/certify_report.hpp"
 #include "options.hpp"
@@ -31,23 +31,14 @@ struct CertifyArguments {
   bool json = false, quiet = false;
 };
 
-// Certificates take some kilobytes. An endless file such as /dev/zero stops here.
+// Certificates take some kilobytes.
 constexpr std::size_t longest_certificates = std::size_t{64} << 20;
 
 std::string read_certificates(const std::string& path) {
-  const auto reject = [&](const char* why) {
-    throw InputError("--check", "", display_text(path), fmt::format(words::not_a_certificate, why));
-  };
-  std::ifstream file(path, std::ios::binary);
-  if (!file) reject("");
-  std::string text;
-  std::array<char, 65536> block;
-  while (file.read(block.data(), block.size()), file.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > longest_certificates) reject(words::certificate_too_long);
-  }
-  if (file.bad()) reject(words::reading_broke_off);
-  return text;
+  auto [text, problem] = read_file(path, longest_certificates);
+  if (!problem.empty())
+    throw InputError("--check", "", display_text(path), fmt::format(words::not_a_certificate, problem));
+  return std::move(text);
 }
 
 int check_file(const std::string& path, bool as_json) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <ctime>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -140,6 +142,12 @@ int say_error(const std::exception_ptr& thrown) {
   } catch (const InputError& e) {
     say(from_options(e).what());
     return bad_input;
+  } catch (const std::bad_alloc&) {
+    say(words::out_of_memory);
+    return failed;
+  } catch (const std::system_error& e) {
+    say(e.code() == std::errc::resource_unavailable_try_again ? words::no_more_threads : e.what());
+    return failed;
   } catch (const std::exception& e) {
     say(e.what());
     return failed;

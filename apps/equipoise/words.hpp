@@ -62,12 +62,11 @@ inline constexpr char ends_in[] = "must be a file name that ends in {}";
 inline constexpr char ends_in_either[] = "must be a file name that ends in {} or {}";
 inline constexpr char ends_in_csv_or_nc[] = "must be a file name ending in .csv or .nc";
 inline constexpr char not_a_folder[] = "must be a folder that can be written";
-// One of the two below, or nothing.
-inline constexpr char not_a_certificate[] = "cannot be read{}; must be a file written by equipoise certify -o";
-inline constexpr char certificate_too_long[] = " (more than 64 MiB)";
-inline constexpr char reading_broke_off[] = " (reading broke off)";
+inline constexpr char not_a_certificate[] = "cannot be read ({}); must be a file written by equipoise certify -o";
 inline constexpr char study_exists[] = "exists; must be a new file: no study is overwritten";
 inline constexpr char output_not_writable[] = "standard output cannot be written: {}";
+inline constexpr char out_of_memory[] = "out of memory: the system gives no more to this process";
+inline constexpr char no_more_threads[] = "the system makes no more threads for this process";
 
 // Options that do not go together.
 inline constexpr char along_only[] = "goes with --along KEY=FROM:TO:STEP only";

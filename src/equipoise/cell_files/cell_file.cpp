@@ -13,7 +13,6 @@
 #include "equipoise/io/sealed_file.hpp"
 #include "equipoise/result_files/result_identity.hpp"
 #include "equipoise/words/files.hpp"
-#include "equipoise/words/study.hpp"
 
 namespace equipoise::io {
 
@@ -120,7 +119,7 @@ void CellFile::finish(const std::function<void(const std::string&, const std::st
 
 std::string read_cell_file(const CellFileKind& kind, const std::string& path, const CellFile::Take& take) {
   if (std::error_code ignored; !std::filesystem::exists(path, ignored))
-    throw InputError(path, "", "", words::study::no_file);
+    throw InputError(path, "", "", words::files::no_file);
   if (path.ends_with(".part")) {
     const Journal journal(path);
     read_journal(kind, path, journal, take);

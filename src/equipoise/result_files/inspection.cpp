@@ -13,6 +13,7 @@
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/base/error.hpp"
+#include "equipoise/base/read_file.hpp"
 #include "equipoise/io/journal.hpp"
 #include "equipoise/io/netcdf.hpp"
 #include "equipoise/io/sealed_file.hpp"
@@ -135,7 +136,10 @@ Inspection inspect_file(const std::string& path) {
   std::error_code error;
   i.bytes = std::filesystem::file_size(path, error);
   if (error || !std::filesystem::is_regular_file(path))
-    throw InputError(path, "", "", words::files::results_or_unfinished_part);
+    throw InputError(path, "", "",
+                     fmt::format(words::files::results_or_unfinished_part, error && error != std::errc::not_supported
+                                                                               ? unreadable_because(error.value())
+                                                                               : words::files::not_a_regular_file));
   if (!is_netcdf(path)) {
     read_unfinished(i);
     return i;

@@ -24,8 +24,15 @@ inline constexpr char results_of_other_version[] =
     "something else";
 inline constexpr char checksum_differs[] = "is damaged: its content does not match its checksum";
 inline constexpr char owner_is_damaged[] = "is damaged in the part that names its results; remove it first";
+// Why, one of those below or the system's words.
 inline constexpr char results_or_unfinished_part[] =
-    "cannot be read; must be a file of results (.nc), or its unfinished part (.nc.part)";
+    "cannot be read ({}); must be a file of results (.nc), or its unfinished part (.nc.part)";
+inline constexpr char directory[] = "a directory";
+inline constexpr char not_a_regular_file[] = "not a regular file";
+inline constexpr char no_permission[] = "not open to this user";
+inline constexpr char no_file[] = "no such file";
+inline constexpr char file_too_long[] = "more than {} MiB";
+inline constexpr char reading_broke_off[] = "reading broke off";
 inline constexpr char damaged_within_sound[] =
     "{} bytes are damaged or cut off; all other records are sound and will be used";
 // File, bytes.

@@ -5,9 +5,6 @@ namespace equipoise::words::study {
 
 // Files and overrides.
 inline constexpr char file_unreadable[] = "cannot be read ({}); must be a readable study file (TOML)";
-inline constexpr char directory[] = "a directory";
-inline constexpr char no_permission[] = "not open to this user";
-inline constexpr char no_file[] = "no such file";
 inline constexpr char results_file[] = "NetCDF, a file of results: \"equipoise inspect\" reads it";
 inline constexpr char one_toml_value[] = "must be a single TOML value";
 inline constexpr char key_equals_value[] = "must be key=value, for example rotor.eccentricity=0.02";
