@@ -92,6 +92,15 @@ class Stops(Case):
         self.assertEqual(done.returncode, 4, done.stderr[:300])
 
 
+    @slow
+    def test_a_torus_whose_states_crowd(self):
+        # Soft supports leave the balls hardly moving; motions are known after about three seconds of CPU time.
+        before = time.monotonic()
+        done = run("basin", ROW, "--set", "rotor.stiffness=1e-20", "--starts", "5", "--within", "6s", "--quiet")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertLess(time.monotonic() - before, 9.0)
+
+
 class Bounds(Case):
     def test_many_keys(self):
         lines = "\n".join(f"k{k} = 1" for k in range(100_000))
@@ -108,9 +117,24 @@ class Bounds(Case):
         for memory in (160, 240, 320, 480):
             done = run("basin", *EASY, "--starts", "10", "--threads", "16", "--quiet", preexec_fn=little(memory))
             self.assertIn(done.returncode, (0, 1), (memory, done.stderr))
-            self.assertNotIn("terminate", done.stderr)
+            self.assertNotRegex(done.stderr, "terminate|std::")
             refused += "threads cannot run" in done.stderr
         self.assertGreater(refused, 0)
+
+    def test_stiff_studies_are_told_what_is_allowed(self):
+        for drag in ("1e3", "1e20"):
+            done = run("basin", ROW, "--starts", "5", "--set", f"balancer.drag={drag}")
+            self.assertIn("basin and attractors take up to 33.5 here", done.stderr)
+
+    def test_little_memory_is_said_in_words(self):
+        said = ""
+        for memory in (140, 170, 200):
+            limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (memory << 20, memory << 20))
+            done = run("basin", *EASY, "--starts", "10", "--threads", "2", "--quiet", preexec_fn=limit)
+            self.assertIn(done.returncode, (0, 1), (memory, done.stderr))
+            said += done.stderr
+        self.assertNotRegex(said, "equipoise: (std::|Resource)")
+        self.assertRegex(said, "out of memory|no more threads|threads cannot run")
 
 
 class Inputs(Case):

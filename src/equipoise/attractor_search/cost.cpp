@@ -42,9 +42,10 @@ StartCost start_cost(const Study& study) {
   StartCost cost = cost_of(study);
   cost.allowed = cost.cause;
   if (cost.bearable()) return cost;
-  double low = 0.0, high = 1.0;
+  // Between parts of the stated value that are powers of ten apart.
+  double low = 1e-60, high = 1.0;
   for (int k = 0; k < 40; ++k) {
-    const double part = 0.5 * (low + high);
+    const double part = std::sqrt(low * high);
     Study other = study;
     if (cost.by_drag)
       for (double& drag : other.parameters.drag) drag *= part;

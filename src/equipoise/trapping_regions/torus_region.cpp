@@ -81,13 +81,13 @@ void TorusRegion::sort_into_cells() {
 }
 
 // One tangent is the flow. The other is the direction to neighbours on other windings, without its part along the flow.
-void TorusRegion::find_tangents(const model::System& system) {
+void TorusRegion::find_tangents(const model::System& system, const StopFlag* stop) {
   const auto size = static_cast<int>(states_.rows());
   tangents_ = Eigen::MatrixXd::Zero(2 * size, states_.cols());
   const double near = 4.0 * two_pi / cells_;
   std::vector<double> ways;  // one after the other
   std::array<double, max_dimension> along{}, way{}, sum{};
-  for (int k = 0; k < states_.cols(); ++k) {
+  for (int k = 0; k < states_.cols() && !is_set(stop); ++k) {
     const VectorXd flow = model::rate(system, states_.col(k).cwiseQuotient(inverse_scale_));
     VectorXd::Map(along.data(), size) = flow.cwiseProduct(inverse_scale_).normalized();
     const double* const here = &states_(0, k);
@@ -149,13 +149,13 @@ bool TorusRegion::lies_on(int chart, int other) const {
   return d.squaredNorm() - along * along - across * across < bend * bend;
 }
 
-void TorusRegion::make_charts() {
+void TorusRegion::make_charts(const StopFlag* stop) {
   const Eigen::Index size = inverse_scale_.size();
   rows_ = static_cast<int>((size + 3) / 4 * 4);
   const int rows = balls_ > 1 ? cells_ : 1;
   const double width = two_pi / cells_;
   first_chart_.assign(1, 0);
-  for (int cell = 0; cell < rows * cells_; ++cell) {
+  for (int cell = 0; cell < rows * cells_ && !is_set(stop); ++cell) {
     const double first = ((balls_ > 1 ? cell / cells_ : cell) + 0.5) * width, second = (cell % cells_ + 0.5) * width;
     std::vector<std::pair<double, int>> order;
     around_angles(first, second, [&](int k) {
@@ -247,9 +247,9 @@ std::shared_ptr<TorusRegion> TorusRegion::around(const model::System& system, co
     region->states_.col(k) = s.cwiseProduct(region->inverse_scale_);
   }
   region->sort_into_cells();
-  region->find_tangents(system);
-  region->make_charts();
-  if (!region->find_images(system, motion)) return nullptr;
+  region->find_tangents(system, stop);
+  region->make_charts(stop);
+  if (is_set(stop) || !region->find_images(system, motion)) return nullptr;
   for (int k = 0; k < fresh; ++k) region->floor_ = std::max(region->floor_, region->value(samples[cloud + k].data()));
   return region->floor_ < highest_torus_floor ? region : nullptr;
 }

@@ -32,10 +32,11 @@ class TorusRegion final : public WindowRegion {
  private:
   TorusRegion(const model::System& system, int attractor) : WindowRegion(system, attractor) {}
   void sort_into_cells();
-  void find_tangents(const model::System& system);
+  // Both take long if the states crowd in few cells; once `stop` is set they leave off.
+  void find_tangents(const model::System& system, const StopFlag* stop);
+  void make_charts(const StopFlag* stop);
   bool find_images(const model::System& system, const Motion& motion);
   int cell_of(double first, double second) const;
-  void make_charts();
   bool lies_on(int chart, int other) const;
   double value_in_place(const double* state) const;
   // Calls f(number) for all states of the cells around a pair of angles.
