@@ -90,8 +90,10 @@ class Results(unittest.TestCase):
     def test_pixels_without_a_start_are_named(self):
         # 16 pixels per turn are 0.393 rad apart: balls overlap only on the diagonal.
         touching = run("map", ROW, "--size", "16x16", "--json", "--quiet", "--set", "balancer.contact_angle=0.3")
-        outcomes = {o["name"]: o["pixels"] for o in json.loads(touching.stdout)["outcomes"]}
-        self.assertEqual(outcomes["balls would overlap, or failed"], 16)
+        found = json.loads(touching.stdout)
+        outcomes = {o["name"]: o["pixels"] for o in found["outcomes"]}
+        self.assertEqual(sum(row.count(-2) for row in found["outcome"]), 16)
+        self.assertEqual((outcomes["balls would overlap, or failed"], found["pixels_left_out"], sum(outcomes.values())), (0, 16, 240))
         passing = run("map", ROW, "--size", "16x16", "--json", "--quiet")
         outcomes = {o["name"]: o["pixels"] for o in json.loads(passing.stdout)["outcomes"]}
         self.assertEqual(outcomes["failed"], 0)

@@ -61,6 +61,15 @@ TEST(InvariantPixels, AreALineWhereOneAxisIsAParameter) {
   EXPECT_TRUE(pixels.holds(2, 0) && pixels.holds(2, 3));
 }
 
+// 8 pixels per turn are 0.79 rad apart. Balls that collide are no start if they overlap, alike or not.
+TEST(InvariantPixels, AreThoseOnWhichCollidingBallsOverlap) {
+  const std::string colliding = with(constant_speed, "mass = 0.05", "mass = [0.05, 0.051]\ncontact_angle = 0.8");
+  const InvariantPixels pixels(plane(colliding, first, second));
+  EXPECT_EQ(pixels.count(), 24u);
+  EXPECT_TRUE(pixels.holds(3, 4) && pixels.holds(0, 7));
+  EXPECT_FALSE(pixels.holds(3, 5));
+}
+
 // Over two parameters every pixel draws its own angles.
 TEST(InvariantPixels, AreNoneWhereStartsAreDrawn) {
   EXPECT_EQ(

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equipoise/base/angles.hpp"
 #include "equipoise/basin_slices/slice_pixel.hpp"
 #include "equipoise/basin_slices/start_pixels.hpp"
 #include "equipoise/continuation/parameter_line.hpp"
-#include "equipoise/mechanics/coincident_balls.hpp"
 
 namespace equipoise {
 
 InvariantPixels::InvariantPixels(const BasinSlice& plane) {
   if (draws_starts(plane)) return;
   const model::Parameters p = study_at(plane, 0, 0).parameters;
-  if (p.balls_collide()) return;  // they overlap there, which is no start
   const auto start = [&](int column, int row) {
     InitialState s = plane.study.initial;
     for (const auto& [axis, pixel] : {std::pair{&plane.x, column}, std::pair{&plane.y, row}})
@@ -26,10 +25,11 @@ InvariantPixels::InvariantPixels(const BasinSlice& plane) {
   const InitialState corner = start(0, 0);
   for (int i = 0; i < p.balls; ++i)
     for (int k = 0; k < i; ++k) {
-      if (!p.alike(i, k)) continue;
+      if (!p.balls_collide() && !p.alike(i, k)) continue;
       const auto angle = [&](const InitialState& s) { return s.phi[i] - s.phi[k]; };
       const auto rate = [&](const InitialState& s) { return s.phi_dot[i] - s.phi_dot[k]; };
       Pair pair;
+      if (p.balls_collide()) pair.meet = {p.contact_angle, std::numeric_limits<double>::infinity()};
       for (int column = 0; column < plane.x.pixels; ++column) {
         pair.angle_of_column.push_back(angle(start(column, 0)));
         pair.rate_of_column.push_back(rate(start(column, 0)));
@@ -56,8 +56,8 @@ InvariantPixels::InvariantPixels(const BasinSlice& plane) {
 bool InvariantPixels::holds(int column, int row) const {
   const auto x = static_cast<std::size_t>(column), y = static_cast<std::size_t>(row);
   return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-    return std::fabs(pair.rate_of_column[x] + pair.rate_of_row[y]) < model::parting &&
-           std::fabs(wrapped(pair.angle_of_column[x] + pair.angle_of_row[y])) < model::parting;
+    return std::fabs(pair.rate_of_column[x] + pair.rate_of_row[y]) < pair.meet.rate &&
+           std::fabs(wrapped(pair.angle_of_column[x] + pair.angle_of_row[y])) < pair.meet.angle;
   });
 }
 

@@ -119,7 +119,10 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
 std::string making_text(const BasinSlice& map) {
   std::string text;
   const double all = static_cast<double>(map.pixels);
-  if (map.pixels_left_out > 0) text += fmt::format(words::reports::pixels_left_out, map.pixels_left_out);
+  if (map.pixels_left_out > 0)
+    text += fmt::format(fmt::runtime(map.study.parameters.balls_collide() ? words::reports::overlaps_left_out
+                                                                          : words::reports::pixels_left_out),
+                        map.pixels_left_out);
   if (map.block > 0)
     text += fmt::format(words::reports::pixels_filled_in, map.pixels_computed,
                         100.0 * static_cast<double>(map.pixels_computed) / all, map.block);

@@ -378,6 +378,8 @@ inline constexpr char pixels_from_another_map[] = "{} pixels taken from another 
 // Pixels.
 inline constexpr char pixels_left_out[] =
     "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them out.\n";
+inline constexpr char overlaps_left_out[] =
+    "In {} pixels balls would overlap, which is not a start; shares and figures leave them out.\n";
 inline constexpr char of_the_map[] = "of the map";
 inline constexpr char box_dimension[] = "box dimension";
 inline constexpr char uncertainty_exponent[] = "uncertainty exponent";
