@@ -173,6 +173,19 @@ TEST(CapacityAnswer, DoesNotSayShownOfWhatNoTrialShows) {
   EXPECT_TRUE(holds(answer_sentence(capacity_of({inside, likely})), "likely less than 20 g mm"));
 }
 
+// Stopped before a cell is finished.
+TEST(CapacityAnswer, SaysWhatTheFirstTrialsShow) {
+  CapacityResult r = capacity_of({{}});
+  r.cells.front().reset();
+  EXPECT_EQ(answer_sentence(r), "Nothing is known: no cell is done.");
+  r.open.front() = OpenCapacity{201.0, {}, 1};
+  EXPECT_EQ(answer_sentence(r),
+            "Up to unbalance 201 g mm, 95 % of starts end balanced: shown up to 201 (95 % confidence); stopped before "
+            "the largest was found.");
+  r.open.front() = OpenCapacity{{}, 220.0, 1};
+  EXPECT_TRUE(holds(answer_sentence(r), "From unbalance 220 g mm on, fewer than 95 % of starts end balanced"));
+}
+
 TEST(CapacityTable, TellsOnlyEndsThatATrialShows) {
   const auto row = [](const CapacityCell& cell) {
     const DocumentTable table = capacity_table(capacity_of({cell}), key_itself);

@@ -1,5 +1,7 @@
 // One sentence about many cells: the best, the worst, what is unknown.
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -92,12 +94,15 @@ std::string sought_value(const CapacityResult& r, double value) {
 }
 
 // "shown up to 201, shown to be fewer from 220 on".
-std::string shown_words(const CapacityResult& r, const CapacityCell& cell) {
-  const auto low = cell.shown_low(r.at_least), high = cell.shown_high(r.at_least);
+std::string shown_words(const std::optional<double>& low, const std::optional<double>& high) {
   if (!low && !high) return words::answers::not_shown;
   std::string words = low ? fmt::format(words::answers::shown_up_to, *low) : "";
   if (high) words += (low ? ", " : "") + fmt::format(words::answers::fewer_from, *high);
   return words;
+}
+
+std::string shown_words(const CapacityResult& r, const CapacityCell& cell) {
+  return shown_words(cell.shown_low(r.at_least), cell.shown_high(r.at_least));
 }
 
 // "213 g mm (between 201 and 220)".
@@ -127,6 +132,19 @@ std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, con
   return fmt::format(words::answers::up_to, what, sought_value(r, *cell.value), starts, r.asked(), shown);
 }
 
+// Before any cell is finished.
+std::string open_capacity(const CapacityResult& r, const std::vector<std::string>& keys, const std::string& starts) {
+  const auto known = std::find_if(r.open.begin(), r.open.end(), [](const auto& o) { return o && (o->low || o->high); });
+  if (known == r.open.end()) return words::answers::no_cell_done;
+  if (!r.axes.empty()) return words::answers::no_cell_finished;
+  const OpenCapacity& open = **known;
+  const std::string text =
+      fmt::format(fmt::runtime(open.low ? words::answers::up_to : words::answers::fewer_from_value), key_words(r.key),
+                  sought_value(r, open.low ? *open.low : *open.high), starts, r.asked(),
+                  shown_words(open.low, open.high) + words::answers::confidence);
+  return after_what_is_drawn(keys, text + words::answers::stopped_before_found);
+}
+
 }  // namespace
 
 const Share* kept_share(const SweepCell& cell) {
@@ -151,11 +169,11 @@ std::string answer_sentence(const CapacityResult& r) {
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < r.cells.size(); ++k)
     if (r.cells[k]) cells.push_back(k);
-  if (cells.empty()) return words::answers::no_cell_done;
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   const std::vector<std::string> keys = drawn_keys(r.study, set);
   const std::string starts = fmt::format(words::answers::share_of_starts, 100.0 * r.at_least);
+  if (cells.empty()) return open_capacity(r, keys, starts);
   const auto title = [&](std::size_t cell) { return cell_words(r.axes, cell); };
   if (cells.size() == 1) {
     std::string text = lone_capacity(r, *r.cells[cells.front()], starts);

@@ -49,6 +49,9 @@ inline constexpr char surely_between[] = "{} (between {:.4g} and {:.4g})";
 inline constexpr char nowhere[] = "At {} {}, where the range begins, fewer than {} {}: {}";
 inline constexpr char up_to_the_end[] = "Up to {} {}, the end of the range, {} {}: {}";
 inline constexpr char up_to[] = "Up to {} {}, {} {}: {}";
+inline constexpr char fewer_from_value[] = "From {} {} on, fewer than {} {}: {}";
+inline constexpr char stopped_before_found[] = "; stopped before the largest was found.";
+inline constexpr char no_cell_finished[] = "No cell is finished; the table shows what is known of each.";
 // How sure that is.
 inline constexpr char shown_up_to[] = "shown up to {:.4g}";
 inline constexpr char fewer_from[] = "shown to be fewer from {:.4g} on";
