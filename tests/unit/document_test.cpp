@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/drawing/document.hpp"
+#include "equipoise/text/table_text.hpp"
 
 namespace equipoise {
 namespace document_test {
@@ -49,6 +50,19 @@ TEST(Markdown, PointsToPicturesAndEscapes) {
   EXPECT_NE(text.find("![Fig](pictures/document_test.svg)"), std::string::npos);
   EXPECT_NE(text.find("| a | b\\|c |\n| --- | ---: |\n| 1 \\< 2 | 3 |"), std::string::npos);
   EXPECT_NE(text.find("> x \\< y \\| z"), std::string::npos);
+}
+
+// Shares that do not add up to all say why.
+TEST(TableText, NamesTheColumnsThatItHidesIfTheyAreMissed) {
+  DocumentTable table{
+      {"first", "second", "starts"}, {{number_cell("1"), number_cell("2"), number_cell("3")}}, "", false, {}};
+  table.spare = {0, 1, 2};
+  table.missed = 2;
+  EXPECT_EQ(table_text(table, {30}).find("left out"), std::string::npos);
+  EXPECT_EQ(table_text(table, {14}).find("left out"), std::string::npos);
+  const std::string narrow = table_text(table, {8});
+  EXPECT_EQ(narrow.find("second\n"), std::string::npos) << narrow;
+  EXPECT_NE(narrow.find("second."), std::string::npos) << narrow;
 }
 
 }  // namespace document_test

@@ -116,6 +116,7 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
   if (columns.stalled) table.spare.push_back(stalled);
   for (std::size_t k = 0; k < columns.shown.size(); ++k) table.spare.push_back(motions + k);
   if (!columns.others.empty()) table.spare.push_back(others);
+  table.missed = table.spare.size();
   table.spare.push_back(starts);
   for (std::size_t index = 0; index < r.cells.size(); ++index) {
     if (!r.cells[index]) continue;

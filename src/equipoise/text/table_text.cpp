@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/base/display_text.hpp"
 #include "equipoise/text/text.hpp"
+#include "equipoise/words/text.hpp"
 
 namespace equipoise {
 
@@ -61,9 +64,11 @@ std::string table_text(const DocumentTable& table, const TextStyle& style) {
   rows.insert(rows.end(), table.rows.begin(), table.rows.end());
   const bool marked = std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.front().tone == Tone::good; });
   std::vector<std::size_t> spare = table.spare;
+  std::vector<std::string> hidden;
   while (style.width > 0 && !spare.empty() && line_width(rows) + (marked ? 2 : 0) > style.width) {
     const std::size_t gone = spare.back();
     spare.pop_back();
+    if (spare.size() < table.missed) hidden.insert(hidden.begin(), rows.front()[gone].text);
     for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(gone));
     for (std::size_t& k : spare) k -= k > gone;
   }
@@ -84,6 +89,7 @@ std::string table_text(const DocumentTable& table, const TextStyle& style) {
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
+  if (!hidden.empty()) text += filled("", fmt::format(words::text::no_room_for, fmt::join(hidden, ", ")), style);
   return table.caption.empty() ? text : text + filled("", table.caption, style);
 }
 

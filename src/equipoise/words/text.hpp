@@ -11,6 +11,8 @@ inline constexpr char basin_entropy[] = "basin entropy";
 inline constexpr char can_balance[] = "can balance";
 inline constexpr char critical_speed[] = "critical speed";
 inline constexpr char no_balls[] = "no balls";
+// Titles of columns.
+inline constexpr char no_room_for[] = "Columns left out here: {}. A wider terminal or --json shows them.";
 inline constexpr char side_by_side[] = " side by side";
 inline constexpr char what_the_balls_do[] = "what the balls do";
 inline constexpr char with_balls[] = "with balls";
