@@ -183,14 +183,14 @@ class QuantityTable {
     const Limits& l = study_.limits;
     if (l.displacement) add("limit", "displacement", *l.displacement, Dimension::length);
     if (l.force) add("limit", "support force", *l.force, Dimension::force);
-    if (l.velocity) add("limit", "velocity, rms", *l.velocity, Dimension::velocity);
+    if (l.velocity) add("limit", "velocity, rms of both directions", *l.velocity, Dimension::velocity);
     if (l.dynamic_force) add("limit", "support force, dynamic", *l.dynamic_force, Dimension::force);
     if (l.velocity_one_direction)
       add("limit", "velocity, rms, one direction", *l.velocity_one_direction, Dimension::velocity);
     if (l.hand_arm) add("limit", "a_hv", *l.hand_arm, Dimension::acceleration);
     if (l.settling_time) add("limit", "settling time", *l.settling_time, Dimension::time);
     if (l.residual) add("limit", "unbalance left", *l.residual, Dimension::unbalance);
-    if (l.grade) add("limit", "e omega of that", *l.grade, Dimension::velocity);
+    if (l.grade) add("limit", "e omega of the unbalance left", *l.grade, Dimension::velocity);
     if (l.clearance) add("limit", "clearance", *l.clearance, Dimension::length);
     if (l.settled) add("settled", "displacement below", *l.settled, Dimension::length);
   }
