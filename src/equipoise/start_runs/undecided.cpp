@@ -27,7 +27,10 @@ namespace {
 constexpr double near = 0.2;
 // Norms along a motion grow by the exponent up to a bounded factor, e^8 as in motion.cpp. Chaos may be transient, so
 // the time is not much longer than such chaos lasts.
-constexpr double exponent_time = 1500.0, zero_exponent = 8.0 / exponent_time;
+constexpr double exponent_time = 1500.0, bounded_growth = 8.0;
+// Slow balls may pass from quiet to one burst and back, in which deviations grow by e^15 and fade by as much: chaos
+// also shows over many of them.
+constexpr double longer_time = 8.0 * exponent_time;
 // Far below what "near" allows.
 constexpr double near_tolerance = 1e-6;
 // In natural sizes. Nothing swings more slowly: swings have rates of the order of the speed or of the drag.
@@ -52,9 +55,15 @@ bool stays_near_balance(const model::System& system, double speed, const Eigen::
          std::all_of(later.begin(), later.end(), is_near);
 }
 
+// Positive if it surely is, otherwise 0.
 double largest_exponent(const model::System& system, const Eigen::VectorXd& state) {
-  const std::vector<double> exponents = lyapunov_exponents(system, state, exponent_time, 1);
-  return exponents.empty() ? 0.0 : exponents.front();
+  double exponent = 0.0;
+  for (const double time : {exponent_time, longer_time}) {
+    const std::vector<double> exponents = lyapunov_exponents(system, state, time, 1);
+    if (exponents.empty() || exponents.front() * time < bounded_growth) return 0.0;
+    exponent = exponents.front();
+  }
+  return exponent;
 }
 
 std::string time_words(const Study& study, double time, int digits) {
@@ -121,7 +130,7 @@ UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorX
   if (stays_near_balance(system, speed, state)) return {Restlessness::near_balance, 0.0};
   if (still) return {Restlessness::creeping, 0.0};
   const double exponent = largest_exponent(system, state);
-  if (exponent > zero_exponent) return {Restlessness::chaotic, exponent};
+  if (exponent > 0.0) return {Restlessness::chaotic, exponent};
   return {};
 }
 
