@@ -122,7 +122,7 @@ TEST(StandardsOfStarts, SeverityIsOfTheDirectionThatHasMore) {
 TEST(StandardsOfStarts, PermissibleUnbalanceIsThatOfTheGrade) {
   const double omega = 1150.0 * two_pi / 60.0;
   const auto told = standards_json(run(machine, {"limits.grade=6.3 mm/s"}))["permissible_unbalance"];
-  EXPECT_EQ(told["grade"], 6.3);
+  EXPECT_DOUBLE_EQ(told["grade"].get<double>(), 6.3);
   EXPECT_NEAR(told["unbalance"], 6.3e-3 * 4.0 / omega * 1e6, 1e-9);
   const BasinResult r = run(machine);
   const auto met = standards_json(r);

@@ -69,8 +69,12 @@ tolerance = 1e-10
     EXPECT_EQ(one.open, two.open) << transient_figures[k].name;
     // Held balls of the plane rotor are looked at 64 times a turn, those of the other at every step. What is left of
     // the way to balance has errors of 1e-10 a step.
-    EXPECT_NEAR(one.mean, two.mean, 3e-4 * one.mean + 1e-8) << transient_figures[k].name;
-    EXPECT_NEAR(one.largest, two.largest, 3e-4 * one.largest + 1e-8) << transient_figures[k].name;
+    // A peak is flat: its place is known to the root of what its height is.
+    const bool place = transient_figures[k].value == &TransientRow::peak_time ||
+                       transient_figures[k].value == &TransientRow::peak_speed;
+    const double part = place ? std::sqrt(3e-4) : 3e-4;
+    EXPECT_NEAR(one.mean, two.mean, part * one.mean + 1e-8) << transient_figures[k].name;
+    EXPECT_NEAR(one.largest, two.largest, part * one.largest + 1e-8) << transient_figures[k].name;
   }
   for (std::size_t k = 0; k < transient_limits.size(); ++k) {
     ASSERT_EQ(a.exceeded[k].has_value(), b.exceeded[k].has_value());
