@@ -42,7 +42,7 @@ ROOMS = {
     "trapping_regions":
         "running math drives model types mechanics batch classification kernels periodic_orbits attractors "
         "balanced_regions",
-    "columns": "types standards units study",
+    "columns": "model types standards units study",
     "results": "drives model types mechanics statistics sampling units toml study proof columns",
     "io": "running",
     "result_files": "running model types statistics sampling study columns results io",
@@ -89,7 +89,7 @@ ROOMS = {
         "running model types mechanics study periodic_orbits attractors results spin_up ensembles trajectory",
     "drawing": "types study",
     "text": "model types mechanics statistics sampling units study results drawing",
-    "decision": "statistics standards units study columns results drawing text",
+    "decision": "mechanics statistics standards units study columns results drawing text",
     "answers": "types units study columns results drawing text decision",
     "design_words": "model study columns results drawing text",
     "changes": "running model units study attractor_search ensembles decision text",
