@@ -1,4 +1,5 @@
 // Reads the JSON and the text that people and programs get.
+#include "equipoise/base/angles.hpp"
 #include "equipoise/reports/basin_report.hpp"
 #include "figures.hpp"
 
@@ -93,9 +94,9 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   const Json a = Json::parse(basin_json(dimensionless)), b = Json::parse(basin_json(physical));
   if (!a.contains("transients") || !b.contains("transients")) return {"no transients where they were asked for"};
   const model::Scales& u = *physical.study.scales;
-  const std::map<std::string, double> units{{"mm", 1e3 * u.length},       {"N", u.force()},
-                                            {"mm/s", 1e3 * u.velocity()}, {"s", u.time()},
-                                            {"ms", 1e3 * u.time()},       {"J", u.torque()}};
+  const std::map<std::string, double> units{
+      {"mm", 1e3 * u.length}, {"N", u.force()},  {"mm/s", 1e3 * u.velocity()},    {"s", u.time()},
+      {"ms", 1e3 * u.time()}, {"J", u.torque()}, {"rpm", u.frequency * 30.0 / pi}};
   // Medians: a start or two that a rounding sends elsewhere change a mean by much.
   const auto median = [](const Json& figure) -> std::optional<double> {
     for (const Json& q : figure.value("quantiles", Json::array()))
