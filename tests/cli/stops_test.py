@@ -114,12 +114,13 @@ class Bounds(Case):
         def little(memory):
             return lambda: resource.setrlimit(resource.RLIMIT_AS, (memory << 20, memory << 20))
         refused = 0
-        for memory in (160, 240, 320, 480):
+        for memory in (160, 240, 320, 480, 800, 4000):
             done = run("basin", *EASY, "--starts", "10", "--threads", "16", "--quiet", preexec_fn=little(memory))
             self.assertIn(done.returncode, (0, 1), (memory, done.stderr))
             self.assertNotRegex(done.stderr, "terminate|std::")
             refused += "threads cannot run" in done.stderr
         self.assertGreater(refused, 0)
+        self.assertEqual(done.returncode, 0, done.stderr)  # enough for any number of cores
 
     def test_stiff_studies_are_told_what_is_allowed(self):
         for drag in ("1e3", "1e20"):

@@ -24,6 +24,7 @@ ValueSearch attractors_at(const Study& study, std::uint64_t starts,
   std::map<std::string, std::pair<std::uint64_t, const Motion*>> commonest;
   for (const Attractor& a : found.attractors) {
     if (!a.motion.stable && a.name != "balanced") continue;
+    if (a.motion.kind == MotionKind::measured) continue;  // no state to continue from
     result.motions.push_back(a.motion);
     const auto share = std::find_if(found.basin.attractors.begin(), found.basin.attractors.end(),
                                     [&](const OutcomeShare& s) { return s.id == a.id; });

@@ -1,9 +1,12 @@
 // Threads by oneTBB.
 #include <algorithm>
+#include <cstdlib>
 #include <future>
+#include <latch>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -52,22 +55,43 @@ class IdleArenas {
   std::map<int, std::vector<Arena>> by_threads_;
 };
 
-// oneTBB ends the process if the system cannot make a thread, so as many are made once before.
+void* allocated(std::size_t bytes) {
+  void* volatile memory = std::malloc(bytes);  // volatile: no compiler leaves it out
+  return memory;
+}
+
+// oneTBB ends the process if the system cannot make a thread, so as many are made once before, each with the heap that
+// glibc reserves at a thread's first allocation and keeps for the next thread. If memory for two more is then left, all
+// have got theirs: none takes the room of another's stack later.
 void require_threads(int count) {
   static std::mutex mutex;
   static int made = 1;
+  constexpr std::size_t two_heaps = std::size_t{128} << 20;
   const std::lock_guard guard(mutex);
   if (count <= made) return;
-  std::promise<void> all_made;
-  const std::shared_future<void> done = all_made.get_future().share();
+  std::promise<void> all_tried;
+  const std::shared_future<void> done = all_tried.get_future().share();
+  std::latch heaps(count - 1);
   std::vector<std::thread> tried;
+  tried.reserve(static_cast<std::size_t>(count));
   std::string problem;
   try {
-    while (static_cast<int>(tried.size()) + 1 < count) tried.emplace_back([done] { done.wait(); });
+    while (static_cast<int>(tried.size()) + 1 < count)
+      tried.emplace_back([done, &heaps] {
+        std::free(allocated(1));
+        heaps.count_down();
+        done.wait();
+      });
+    heaps.wait();
+    void* const left = allocated(two_heaps);
+    if (!left) problem = fmt::format(words::runs::no_memory_for_threads, count);
+    std::free(left);
   } catch (const std::system_error& e) {
     problem = fmt::format(words::runs::no_thread, count, tried.size() + 1, e.code().message());
+  } catch (const std::bad_alloc&) {
+    problem = fmt::format(words::runs::no_memory_for_threads, count);
   }
-  all_made.set_value();
+  all_tried.set_value();
   for (std::thread& thread : tried) thread.join();
   if (!problem.empty()) throw RunError(problem);
   made = count;

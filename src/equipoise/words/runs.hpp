@@ -72,6 +72,8 @@ inline constexpr char stopped_before_starts[] = "stopped before the starts were 
 inline constexpr char stopped_before_attractors[] = "stopped before the attractors were known";
 // Threads, those that could be made, the system's words.
 inline constexpr char no_thread[] = "{} threads cannot run: the system makes only {} ({}); use fewer";
+inline constexpr char no_memory_for_threads[] =
+    "{} threads cannot run: the process is not allowed as much memory; use fewer";
 inline constexpr char clamped_not_integrated[] = "the clamped spin-up could not be integrated";
 // Key, value.
 inline constexpr char clamped_not_integrated_of[] =
