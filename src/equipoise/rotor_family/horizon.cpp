@@ -34,7 +34,7 @@ constexpr double shortest_with_events = 24000.0;
 constexpr double longest = 100000.0;
 // Rounding moves an eigenvalue by about 1e-15; near the zeros of a continuum by the square root of that.
 constexpr double zero = 1e-13, zero_in_continuum = 1e-7;
-constexpr int members = 32;
+constexpr int tried_members = 32;
 
 // Largest real part of the eigenvalues at a balanced state, without the `free` ones that belong to its continuum.
 double largest_rate(const model::Parameters& p, double speed, const double* phi, int free) {
@@ -55,7 +55,7 @@ std::vector<double> rates_along_continuum(const model::Parameters& p, double spe
   ContinuumDraws draws(p);
   std::array<double, model::max_balls> phi{};
   std::vector<double> rates;
-  for (int k = 0; k < members && draws.next(phi); ++k) rates.push_back(largest_rate(p, speed, phi.data(), free));
+  for (int k = 0; k < tried_members && draws.next(phi); ++k) rates.push_back(largest_rate(p, speed, phi.data(), free));
   return rates;
 }
 
