@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 extern char** environ;
 

@@ -13,8 +13,8 @@
 #include <sundials/sundials_config.h>
 #endif
 
-#include "equipoise/base/version.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "rivals/rival.hpp"
 #include "table.hpp"
 

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/running/parallel.hpp"
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/running/parallel.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "machine.hpp"
 #include "table.hpp"
 #include "works/works.hpp"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/literature/paper_files.hpp"
-#include "equipoise/sampling/starts.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/literature/paper_files.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise::bench {
 

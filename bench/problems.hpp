@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "rivals/rival.hpp"
 
 namespace equipoise::bench {

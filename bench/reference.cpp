@@ -8,8 +8,8 @@
 
 #include <boost/numeric/odeint.hpp>
 
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 
 namespace equipoise::bench {
 

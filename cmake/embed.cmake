@@ -17,7 +17,7 @@ function(equipoise_embed)
 endfunction()
 
 if(CMAKE_SCRIPT_MODE_FILE AND OUTPUT)
-  file(WRITE "${OUTPUT}.new" "// Files as text; written by cmake/embed.cmake.\n#include \"equipoise/base/embedded.hpp\"\n\n"
+  file(WRITE "${OUTPUT}.new" "// Files as text; written by cmake/embed.cmake.\n#include \"equipoise/core/base/embedded.hpp\"\n\n"
     "namespace equipoise::embedded {\nnamespace {\nconst File files[] = {\n")
   foreach(entry IN LISTS FILES)
     string(REGEX REPLACE "=.*" "" name "${entry}")

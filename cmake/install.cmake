@@ -13,7 +13,7 @@ while(to_read)
   list(TRANSFORM included REPLACE "^#include \"equipoise/([^\"]+)\".*$" "\\1")
   list(APPEND to_read ${included})
   list(REMOVE_DUPLICATES to_read)
-  list(REMOVE_ITEM to_read ${equipoise_public_headers} base/version.hpp)  # The version's header is made by the build.
+  list(REMOVE_ITEM to_read ${equipoise_public_headers} core/base/version.hpp)  # The version's header is made by the build.
 endwhile()
 list(TRANSFORM equipoise_public_headers PREPEND ${PROJECT_SOURCE_DIR}/src/equipoise/ OUTPUT_VARIABLE public_header_files)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${public_header_files})
@@ -43,8 +43,8 @@ foreach(header IN LISTS equipoise_public_headers)
   install(FILES ${PROJECT_SOURCE_DIR}/src/equipoise/${header}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/${folder} COMPONENT development)
 endforeach()
-install(FILES ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/base/version.hpp
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/base COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/core/base/version.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/equipoise/core/base COMPONENT development)
 
 # For CMake. While the first number of the version is 0, its second one breaks what was; afterwards the first alone does.
 set(compatible SameMajorVersion)

@@ -24,7 +24,7 @@ endif()
 set_target_properties(equipoise_shared PROPERTIES OUTPUT_NAME equipoise EXPORT_NAME equipoise LINKER_LANGUAGE CXX
   VERSION ${PROJECT_VERSION} SOVERSION ${interface} LINK_DEPENDS ${exported_map})
 
-set(headers ${public_header_files} ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/base/version.hpp)
+set(headers ${public_header_files} ${PROJECT_BINARY_DIR}/src/equipoise/include/equipoise/core/base/version.hpp)
 add_custom_command(OUTPUT ${exported_map}
   COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.py ${exported_map}
     EQUIPOISE_${interface} ${CMAKE_NM} ${headers} -- $<TARGET_FILE:equipoise> $<TARGET_FILE:equipoise_paper>

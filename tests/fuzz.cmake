@@ -9,9 +9,9 @@ if(EQUIPOISE_BUILD_FUZZER)
   # The reader, and with it toml++ and fmt as headers, is compiled into the target with coverage: so the search sees
   # into all three, and nothing else of the library has to be instrumented.
   set(library ${PROJECT_SOURCE_DIR}/src/equipoise)
-  file(GLOB reader CONFIGURE_DEPENDS ${library}/study/*.cpp)
-  target_sources(study_fuzz PRIVATE ${reader} ${library}/base/display_text.cpp ${library}/base/error.cpp ${library}/base/read_number.cpp ${library}/model/speed.cpp
-    ${library}/statistics/distributions.cpp)
+  file(GLOB reader CONFIGURE_DEPENDS ${library}/study/contents/*.cpp ${library}/study/reading/*.cpp)
+  target_sources(study_fuzz PRIVATE ${reader} ${library}/core/base/display_text.cpp ${library}/core/base/error.cpp ${library}/core/base/read_number.cpp
+    ${library}/machine/drives/speed.cpp ${library}/core/statistics/distributions.cpp)
   target_include_directories(study_fuzz PRIVATE ${PROJECT_SOURCE_DIR}/src
     $<TARGET_PROPERTY:tomlplusplus::tomlplusplus,INTERFACE_INCLUDE_DIRECTORIES>)
   target_link_libraries(study_fuzz PRIVATE fmt::fmt-header-only)

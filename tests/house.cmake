@@ -3,7 +3,7 @@ if(NOT Python3_FOUND)
   message(STATUS "Python 3 not found: the checks of layers, of generated studies and of builds are left out")
   return()
 endif()
-add_test(NAME layers.include_leftwards_only
+add_test(NAME layers.hold
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/layers_test.py ${PROJECT_SOURCE_DIR})
 add_test(NAME layers.faults_are_found
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/layers_test.py --self-test)
@@ -26,7 +26,7 @@ add_test(NAME docs.sentences_name_tests_that_exist
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/sentences_doc_test.py ${PROJECT_SOURCE_DIR})
 add_test(NAME docs.way_of_a_start_is_where_it_says
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/way_of_a_start_test.py ${PROJECT_SOURCE_DIR})
-set_tests_properties(layers.include_leftwards_only layers.faults_are_found studies.of_the_paper_are_as_generated
+set_tests_properties(layers.hold layers.faults_are_found studies.of_the_paper_are_as_generated
   docs.sentences_name_tests_that_exist docs.way_of_a_start_is_where_it_says
   PROPERTIES LABELS unit TIMEOUT 60)
 # The same sources: whether all of them are built (of folders that are meant to build all).

@@ -12,15 +12,15 @@ from pathlib import Path
 
 # What is looked for; where it may stand; what to use elsewhere.
 WAYS = (
-    (r"\b(?:strtod|strtof|strtod_l|atof|stod|stof)\s*\(", ("src/equipoise/base/read_number.cpp",),
-     "read_number() or number_in() (base/read_number.hpp), which no locale changes"),
+    (r"\b(?:strtod|strtof|strtod_l|atof|stod|stof)\s*\(", ("src/equipoise/core/base/read_number.cpp",),
+     "read_number() or number_in() (core/base/read_number.hpp), which no locale changes"),
     (r"\bfrom_chars\s*\(",  # of integers, which all libraries read
-     ("src/equipoise/base/read_number.cpp", "src/equipoise/basin_slices/slice_axis.cpp", "apps/equipoise/options.hpp",
+     ("src/equipoise/core/base/read_number.cpp", "src/equipoise/analyses/basin_slices/slice_axis.cpp", "apps/equipoise/options.hpp",
       "apps/equipoise/sweep_command.cpp"),
      "read_number(): some libraries' std::from_chars() reads no doubles; a file that reads integers is named in WAYS"),
     (r"<(?:unistd|fcntl|sys/file|sys/stat|sys/ioctl)\.h>",
-     ("src/equipoise/io/disk_file.cpp", "apps/equipoise/streams.cpp"),
-     "io/disk_file.hpp for files, streams.hpp for terminals"),
+     ("src/equipoise/results/io/disk_file.cpp", "apps/equipoise/streams.cpp"),
+     "results/io/disk_file.hpp for files, streams.hpp for terminals"),
 )
 
 
@@ -40,9 +40,9 @@ class FaultsAreFound(unittest.TestCase):
         lines = ("double a = std::strtod(t, nullptr);", "std::from_chars(a, b, c);", "#include <unistd.h>")
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
-            (root / "src/equipoise/base").mkdir(parents=True)
-            (root / "src/equipoise/base/read_number.cpp").write_text("\n".join(lines[:2]), encoding="utf-8")
-            (root / "src/equipoise/base/other.hpp").write_text("\n".join((*lines, "// strtod( is a C function")),
+            (root / "src/equipoise/core/base").mkdir(parents=True)
+            (root / "src/equipoise/core/base/read_number.cpp").write_text("\n".join(lines[:2]), encoding="utf-8")
+            (root / "src/equipoise/core/base/other.hpp").write_text("\n".join((*lines, "// strtod( is a C function")),
                                                                encoding="utf-8")
             self.assertEqual([f.split(":")[1] for f in faults(root)], ["1", "2", "3"])
 

@@ -18,15 +18,13 @@ import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
-sys.dont_write_bytecode = True
-from layers_test import MAY_INCLUDE  # noqa: E402
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RECORD = ROOT / "tests/passed.json"
 BUILT_BY = ["CMakeLists.txt", "CMakePresets.json", "cmake/", "src/equipoise/CMakeLists.txt"]
 PROGRAM = ["src/", "apps/", "studies/", *BUILT_BY]
 # Where the program's words come from: documentation quotes them.
-WORDS = [f"src/equipoise/{room}/" for room in "words text reports answers decision explain charts design_words changes".split()]
+WORDS = ["src/equipoise/report/", "src/equipoise/extras/charts/",
+         *(f"{path.relative_to(ROOT)}/" for path in sorted(ROOT.glob("src/equipoise/*/words")))]
 
 # What the tests of a label depend on: files, and folders (ending with a slash).
 DEPENDS = {
@@ -35,11 +33,11 @@ DEPENDS = {
     "python": ["src/", "python/", "studies/", *BUILT_BY],
     "types": ["python/equipoise/", "pyproject.toml"],
     "audit": ["src/", "tests/audit/", *BUILT_BY],
-    "fuzz": ["tests/fuzz/", "studies/", *(f"src/equipoise/{room}/" for room in ("study", "toml", "units", "base"))],
+    "fuzz": ["tests/fuzz/", "studies/", "src/equipoise/study/", "src/equipoise/core/"],
 }
 # Labels whose tests take minutes. ./dev test runs them if one of these files has changed since all were run.
 KEPT = {
-    "web": ["web/", "tests/web/", "tests/web.cmake", "cmake/web.cmake", "src/equipoise/base/", "src/equipoise/CMakeLists.txt"],
+    "web": ["web/", "tests/web/", "tests/web.cmake", "cmake/web.cmake", "src/equipoise/core/base/", "src/equipoise/CMakeLists.txt"],
     "outside": [*BUILT_BY, "packaging/", "examples/", "tests/install/", "tests/install.cmake", "setup.py", "pyproject.toml",
                 "MANIFEST.in", "python/CMakeLists.txt", "python/portable_wheel.py", "python/tests/test_wheel.py"],
     "site": ["docs/", "python/equipoise/"],
@@ -48,8 +46,8 @@ KEPT = {
     "pictures": ["python/equipoise/", "python/tests/test_plot.py"],
     "bench": ["bench/", "CMakePresets.json"],
     "sentences": [*WORDS, "tests/audit/"],
-    "faults": ["tests/faults/", "apps/", *(f"src/equipoise/{room}/" for room in
-               ("io", "result_files", "cell_files", "columns", "running", "planes", "sweeps", "ensembles", "basin_slices"))],
+    "faults": ["tests/faults/", "apps/", "src/equipoise/results/", *(f"src/equipoise/{room}/" for room in
+               ("core/running", "analyses/sweeps", "analyses/ensembles", "analyses/basin_slices", "extras/planes"))],
 }
 
 
@@ -72,14 +70,23 @@ def mark(marks, paths):
     return hashlib.sha1("\n".join(of).encode()).hexdigest()
 
 
-def rooms_below(rooms):
+def rooms(marks):
+    """Of each room of the library ("core/base"): the rooms of which its files include some."""
+    of = {}
+    for name in (n for n in marks if re.match(r"src/equipoise/\w+/\w+/[\w-]+\.(cpp|hpp|inc)$", n)):
+        of.setdefault("/".join(name.split("/")[2:4]), set()).update(
+            re.findall(r'"equipoise/(\w+/\w+)/', (ROOT / name).read_text()))
+    return of
+
+
+def rooms_below(rooms, may_include):
     """These rooms of the library and all that they stand on."""
     found, left = set(), list(rooms)
     while left:
         room = left.pop()
         if room not in found:
             found.add(room)
-            left += MAY_INCLUDE.get(room, ())
+            left += may_include.get(room, ())
     return found
 
 
@@ -105,13 +112,13 @@ def sources_of(test, include):
 
 def suites(marks):
     """Of each suite of the test programs, as ctest names it: what its sources depend on."""
-    found, include = {}, included(marks)
+    found, include, may_include = {}, included(marks), rooms(marks)
     for name in (n for n in include if re.match(r"tests/(unit|equivalence|order|literature)/\w+_test\.cpp$", n)):
         sources = sources_of(name, include)
         text = "\n".join((ROOT / n).read_text() for n in sources)
-        reached = rooms_below(re.findall(r'"equipoise/(\w+)/', text))
+        reached = rooms_below(re.findall(r'"equipoise/(\w+/\w+)/', text), may_include)
         if "equipoise/equipoise.hpp" in text or "equipoise/paper.hpp" in text:
-            reached = MAY_INCLUDE
+            reached = may_include
         depends = [*BUILT_BY, "tests/CMakeLists.txt", "tests/snapshots/", "studies/", *sources,
                    *(f"src/equipoise/{room}/" for room in reached)]
         if "in_docs(" in text or "/docs/" in text:

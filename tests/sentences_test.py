@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sentences stand in src/equipoise/words and apps/equipoise/words.hpp, each under a name; numerics hold none.
+"""Sentences are in the rooms called words and in apps/equipoise/words.hpp, each under a name; numerics hold none.
 
     sentences_test.py SOURCE | sentences_test.py --self-test
 
@@ -15,26 +15,26 @@ LEAST = 4  # words
 
 # Files that hold sentences in rows of a table, named by the row; or code for another program, which reads like prose.
 TABLES = {
-    "src/equipoise/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
-    "src/equipoise/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
-    "src/equipoise/publications/publication_table.cpp": "an entry a publication, in which a row is a number of it",
-    "src/equipoise/publications/rodrigues_2008.cpp": "entries of that table",
-    "src/equipoise/publications/rodrigues_table.cpp": "entries of that table",
-    "src/equipoise/result_files/share_columns.hpp": "a row a column",
-    "src/equipoise/result_files/start_columns.cpp": "a row a column",
-    "src/equipoise/planes/stability_plane.hpp": "a row a column",
-    "src/equipoise/results/basin_slice.hpp": "a row a column",
-    "src/equipoise/results/motion_table.hpp": "a row a column",
-    "src/equipoise/results/sweep_result.hpp": "a row a column",
-    "src/equipoise/results/trajectory.hpp": "a row a column",
-    "src/equipoise/explain/quantity_table.cpp": "a row a quantity, by symbol and name",
-    "src/equipoise/mechanics/capability.hpp": "a row a result, by name and command",
-    "src/equipoise/model/state_layout.cpp": "a row a coordinate of the state",
+    "src/equipoise/results/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
+    "src/equipoise/extras/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
+    "src/equipoise/extras/publications/publication_table.cpp": "an entry a publication, in which a row is a number of it",
+    "src/equipoise/extras/publications/rodrigues_2008.cpp": "entries of that table",
+    "src/equipoise/extras/publications/rodrigues_table.cpp": "entries of that table",
+    "src/equipoise/results/result_files/share_columns.hpp": "a row a column",
+    "src/equipoise/results/result_files/start_columns.cpp": "a row a column",
+    "src/equipoise/extras/planes/stability_plane.hpp": "a row a column",
+    "src/equipoise/results/commands/basin_slice.hpp": "a row a column",
+    "src/equipoise/results/commands/motion_table.hpp": "a row a column",
+    "src/equipoise/results/commands/sweep_result.hpp": "a row a column",
+    "src/equipoise/results/commands/trajectory.hpp": "a row a column",
+    "src/equipoise/report/explain/quantity_table.cpp": "a row a quantity, by symbol and name",
+    "src/equipoise/machine/mechanics/capability.hpp": "a row a result, by name and command",
+    "src/equipoise/machine/model/state_layout.cpp": "a row a coordinate of the state",
     "apps/equipoise/help.hpp": "the help of commands and options, by their names",
-    "src/equipoise/study/keys.cpp": "a row a key",
-    "src/equipoise/standards/severity.hpp": "a row a class of machines, in the standard's words",
-    "src/equipoise/charts/chart_julia.cpp": "a Julia script",
-    "src/equipoise/planes/chart_file.cpp": "a row a column",
+    "src/equipoise/study/contents/keys.cpp": "a row a key",
+    "src/equipoise/machine/standards/severity.hpp": "a row a class of machines, in the standard's words",
+    "src/equipoise/extras/charts/chart_julia.cpp": "a Julia script",
+    "src/equipoise/extras/planes/chart_file.cpp": "a row a column",
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'

@@ -11,7 +11,7 @@ import pathlib
 import subprocess
 import sys
 
-ROOMS = ["base", "io", "toml", "statistics"]  # of few includes: seconds a file
+ROOMS = ["core/base", "results/io", "study/toml", "core/statistics"]  # of few includes: seconds a file
 MOST = 6  # files in the run of minutes, five to fifteen seconds each
 
 source, build = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])

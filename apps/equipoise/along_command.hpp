@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::app {
 

@@ -8,8 +8,8 @@
 
 #include "along_command.hpp"
 #include "commands.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/reports/attractors_report.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/report/reports/attractors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

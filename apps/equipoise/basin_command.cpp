@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/changes/try_changes.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/analyses/sensitivity.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/one_study/sensitivity.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "report_command.hpp"

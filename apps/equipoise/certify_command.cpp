@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/base/read_file.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/core/base/read_file.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

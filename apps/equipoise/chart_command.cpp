@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/charts/chart_julia.hpp"
-#include "equipoise/charts/chart_plot.hpp"
-#include "equipoise/charts/chart_report.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/words/chart.hpp"
+#include "equipoise/extras/charts/chart_julia.hpp"
+#include "equipoise/extras/charts/chart_plot.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+#include "equipoise/extras/words/chart.hpp"
+#include "equipoise/machine/model/system.hpp"
 #include "plane_command.hpp"
 #include "words.hpp"
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/explain/study_check.hpp"
-#include "equipoise/sweeps/sweep_axis.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/explain/study_check.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "streams.hpp"

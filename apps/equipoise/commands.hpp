@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise::app {
 

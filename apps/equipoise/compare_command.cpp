@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/analyses/comparison.hpp"
-#include "equipoise/reports/comparison_report.hpp"
+#include "equipoise/analyses/one_study/comparison.hpp"
+#include "equipoise/report/reports/comparison_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/design/design.hpp"
-#include "equipoise/drawing/plot_file.hpp"
-#include "equipoise/html/design_html.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/plots/design_charts.hpp"
-#include "equipoise/reports/design_report.hpp"
+#include "equipoise/analyses/design/design.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/html/design_html.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/plots/design_charts.hpp"
+#include "equipoise/report/reports/design_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"

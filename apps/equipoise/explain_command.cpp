@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/running/deadline.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/analyses/basin_cost.hpp"
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/core/running/deadline.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/analyses/one_study/basin_cost.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "help.hpp"

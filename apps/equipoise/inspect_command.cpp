@@ -3,8 +3,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "equipoise/reports/inspection_report.hpp"
-#include "equipoise/result_files/inspection.hpp"
+#include "equipoise/report/reports/inspection_report.hpp"
+#include "equipoise/results/result_files/inspection.hpp"
 #include "streams.hpp"
 #include "help.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "team.hpp"
 #include "words.hpp"
 

@@ -15,10 +15,10 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/base/version.hpp"
-#include "equipoise/design/search.hpp"
-#include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/toml/overrides.hpp"
+#include "equipoise/analyses/design/search.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/study/toml/overrides.hpp"
 #include "job.hpp"
 #include "streams.hpp"
 #include "team.hpp"

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/plots/map_drawing.hpp"
-#include "equipoise/basin_slices/basin_slice.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/html/map_html.hpp"
-#include "equipoise/reports/map_report.hpp"
-#include "equipoise/start_runs/checks.hpp"
+#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/analyses/basin_slices/basin_slice.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/map_html.hpp"
+#include "equipoise/report/reports/map_report.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "options.hpp"
 #include "plane_axes.hpp"
 #include "progress.hpp"

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/explain/new_studies.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/explain/new_studies.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "help.hpp"

@@ -10,10 +10,10 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
-#include "equipoise/io/replacement.hpp"
-#include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/echo/given_value.hpp"
-#include "equipoise/running/parallel.hpp"
+#include "equipoise/results/io/replacement.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+#include "equipoise/core/running/parallel.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"

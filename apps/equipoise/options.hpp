@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/base/read_number.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/text/table_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {

@@ -1,8 +1,8 @@
 // Reads the axes of a plane as they were typed.
 #include "plane_axes.hpp"
 
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "help.hpp"
 #include "words.hpp"
 

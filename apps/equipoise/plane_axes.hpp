@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/basin_slices/slice_axis.hpp"
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
 #include "options.hpp"
 
 namespace equipoise::app {

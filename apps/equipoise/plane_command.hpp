@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "equipoise/stability/over_plane.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "plane_axes.hpp"

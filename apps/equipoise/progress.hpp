@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/running/run_options.hpp"
+#include "equipoise/core/running/run_options.hpp"
 
 namespace equipoise::app {
 

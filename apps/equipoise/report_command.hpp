@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/decision/verdict.hpp"
-#include "equipoise/shown/machine_page.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/report/decision/verdict.hpp"
+#include "equipoise/report/shown/machine_page.hpp"
 
 namespace equipoise::app {
 

@@ -12,12 +12,12 @@
 #include <fmt/ranges.h>
 
 #include "commands.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/drawing/document.hpp"
-#include "equipoise/publications/publication_verdicts.hpp"
-#include "equipoise/reproduction/reproduce.hpp"
-#include "equipoise/reproduction/reproduction.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/publications/publication_verdicts.hpp"
+#include "equipoise/extras/reproduction/reproduce.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
+#include "equipoise/report/drawing/document.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "reproduce_files.hpp"

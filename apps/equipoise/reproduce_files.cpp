@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/drawing/plot_file.hpp"
-#include "equipoise/reproduction/reproduction_charts.hpp"
-#include "equipoise/reproduction/reproduction_document.hpp"
-#include "equipoise/result_files/slice_file.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/reproduction/reproduction_charts.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"
 #include "words.hpp"
 

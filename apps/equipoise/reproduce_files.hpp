@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/reproduction/reproduction.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 namespace equipoise::app {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "equipoise/base/display_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "help.hpp"

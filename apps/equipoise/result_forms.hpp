@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::app {
 

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/text/start_text.hpp"
-#include "equipoise/result_files/trajectory_file.hpp"
-#include "equipoise/trajectory/output_times.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/results/result_files/trajectory_file.hpp"
+#include "equipoise/simulation/trajectory/output_times.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"

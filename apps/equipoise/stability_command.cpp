@@ -2,9 +2,9 @@
 #include <memory>
 #include <string>
 
-#include "equipoise/charts/stability_plot.hpp"
-#include "equipoise/charts/stability_report.hpp"
-#include "equipoise/stability/over_plane.hpp"
+#include "equipoise/extras/charts/stability_plot.hpp"
+#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
 #include "plane_command.hpp"
 
 namespace equipoise::app {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "equipoise/base/stop_flag.hpp"
-#include "equipoise/sweeps/survey.hpp"
+#include "equipoise/analyses/sweeps/survey.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
 #include "options.hpp"
 
 namespace equipoise::app {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/running/deadline.hpp"
+#include "equipoise/core/running/deadline.hpp"
 #include "streams.hpp"
 #include "help.hpp"
 #include "words.hpp"

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/base/nearest_name.hpp"
-#include "equipoise/text/table_text.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/nearest_name.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/batch/batch_task.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/batch/batch_task.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {

@@ -4,7 +4,7 @@
 
 #include <boost/numeric/odeint.hpp>
 
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {

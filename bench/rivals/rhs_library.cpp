@@ -1,7 +1,7 @@
 // The engine's equations as a plain C function, for rivals in other languages (two balls, one problem a process).
 #include <optional>
 
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 
 namespace {
 

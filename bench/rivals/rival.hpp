@@ -1,7 +1,7 @@
 // What every engine under comparison is: a name, its settings and a way to take many trajectories to an end.
 //
 // A new rival is one file that derives from Rival and one line in rivals.cpp. It must call the engine's own equations
-// (model/flow-inl.hpp), so that no rival solves anything but the same problem.
+// (machine/model/flow-inl.hpp), so that no rival solves anything but the same problem.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../timing.hpp"
-#include "equipoise/drives/speed.hpp"
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/machine/drives/speed.hpp"
+#include "equipoise/machine/model/parameters.hpp"
 
 namespace equipoise::bench {
 
@@ -34,14 +34,14 @@ class Rival {
   /// Starts a thread below which a timing would show the ends of its work rather than the work.
   std::size_t least_starts = 16;
 
-  /// Takes rows of 8 numbers (model/parameters.hpp) from segment.begin to problem.end. A trajectory that is lost ends
-  /// as not-a-number. Throws RunError if the rival cannot run.
+  /// Takes rows of 8 numbers (machine/model/parameters.hpp) from segment.begin to problem.end. A trajectory that is
+  /// lost ends as not-a-number. Throws RunError if the rival cannot run.
   virtual Cost run(const Problem& problem, std::vector<double>& states, int threads) = 0;
 };
 
 using RivalPointer = std::unique_ptr<Rival>;
 
-/// This engine: advance_batch() of kernels/batch_kernels.hpp.
+/// This engine: advance_batch() of simulation/kernels/batch_kernels.hpp.
 RivalPointer engine(double tolerance = 1e-6);
 RivalPointer odeint_dopri5();
 RivalPointer odeint_fehlberg78();

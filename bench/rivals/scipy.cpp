@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../child.hpp"
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {

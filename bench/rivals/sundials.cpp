@@ -10,8 +10,8 @@
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 #include "rival.hpp"
 
 namespace equipoise::bench {

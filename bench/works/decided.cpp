@@ -5,7 +5,7 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

@@ -6,8 +6,8 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "kernel_count.hpp"
 #include "kernel_peak.hpp"
 #include "works.hpp"

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "equipoise/batch/batch_block-inl.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/simulation/batch/batch_block-inl.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 
 namespace equipoise::bench {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "equipoise/model/parameters.hpp"
+#include "equipoise/machine/model/parameters.hpp"
 
 namespace equipoise::bench {
 

@@ -9,9 +9,9 @@
 
 #include "../child.hpp"
 #include "../table.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

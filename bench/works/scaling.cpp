@@ -5,8 +5,8 @@
 
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

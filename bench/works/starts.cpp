@@ -6,8 +6,8 @@
 #include "../child.hpp"
 #include "../problems.hpp"
 #include "../table.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

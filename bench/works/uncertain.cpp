@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "../table.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractor_search/family_mesh.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/rotor_family/family_mesh.hpp"
 #include "works.hpp"
 
 namespace equipoise::bench {

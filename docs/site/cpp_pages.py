@@ -1,36 +1,34 @@
-"""The C++ reference: Doxygen reads the public headers (those that are installed), one page a room shows them."""
+"""The C++ reference: Doxygen reads the public headers (those that are installed), a page for each chapter shows them."""
 import re
 import shutil
 import subprocess
 from xml.etree import ElementTree
 
-ROOMS = {  # in the order in which a reader meets them; a room that is not here comes last
-    "": "The whole library in one header", "study": "Studies", "toml": "A study's text", "units": "Units",
-    "echo": "A study written again", "ensembles": "Ensembles", "sampling": "Starts", "running": "Options of a long call",
-    "results": "Results", "decision": "The verdict", "changes": "Changes tried", "analyses": "Attractors, proofs, comparisons",
-    "continuation": "Attractors along a parameter", "basin_slices": "Maps", "sweeps": "Sweeps and capacities",
-    "design": "Designs", "trajectory": "Trajectories and equations", "explain": "What follows without simulation",
-    "model": "The model", "drives": "How the rotor turns", "mechanics": "What follows from the equations",
-    "types": "Plain types", "statistics": "Shares and their intervals", "columns": "Columns and figures",
-    "result_files": "Files of results", "cell_files": "Files of sweeps", "reports": "Text and JSON", "text": "Tables as text",
-    "html": "Pages", "shown": "What the page for one machine shows", "drawing": "Charts and documents", "plots": "Pictures",
-    "design_words": "A design in words", "attractors": "From a trajectory to its attractor", "periodic_orbits": "Periodic orbits",
-    "proof": "Certificates", "kernels": "Instruction sets", "base": "Errors and stopping", "literature": "The paper's numbers", "publications": "Other publications",
-    "reproduction": "The paper, computed again",
+CHAPTERS = {  # as the library is laid out, from the bottom up
+    "": "The whole library in one header", "core": "Errors, threads, statistics", "machine": "The machine and its equations",
+    "study": "Studies", "results": "Results and their files", "simulation": "Trajectories", "attractors": "Attractors",
+    "classification": "From a state to its outcome", "analyses": "Questions about many runs", "report": "Text, pictures, pages",
+    "extras": "Proofs, bifurcations, the paper",
 }
 
 
 def headers(source):
-    text = (source / "cmake/install.cmake").read_text()
-    listed = text[text.index("set(equipoise_public_headers"):]
-    return re.findall(r"[\w./-]+\.hpp", listed[:listed.index(")\n")])
+    """What the front doors include, as cmake/install.cmake finds it."""
+    found, left = [], ["equipoise.hpp", "paper.hpp"]
+    while left:
+        name = left.pop(0)
+        path = source / "src/equipoise" / name
+        if name not in found and path.exists():  # the version's header is made by the build
+            found.append(name)
+            left += re.findall(r'^#include "equipoise/([^"]+)"', path.read_text(), re.MULTILINE)
+    return found
 
 
 def doxygen(source, build, site, names):
     folder = site / "doxygen"
     folder.mkdir(parents=True, exist_ok=True)
     base = source / "src/equipoise"
-    version = build / "src/equipoise/include/equipoise/base/version.hpp"
+    version = build / "src/equipoise/include/equipoise/core/base/version.hpp"
     files = [base / name for name in names] + ([version] if version.exists() else [])
     newest = max(file.stat().st_mtime for file in files)
     mark = folder / "xml/index.xml"
@@ -92,21 +90,19 @@ def first_comment(path):
 def write(source, build, site, put):
     names = headers(source)
     xml = doxygen(source, build, site, names)
-    rooms = {}
+    chapters = {}
     for name in names:
-        rooms.setdefault(name.rpartition("/")[0], []).append(name)
-    order = [room for room in ROOMS if room in rooms] + sorted(room for room in rooms if room not in ROOMS)
+        chapters.setdefault(name.partition("/")[0] if "/" in name else "", []).append(name)
     pages = []
-    for room in order:
-        page = room or "equipoise"
+    for chapter in (one for one in CHAPTERS if one in chapters):
+        page = chapter or "equipoise"
         pages.append(page)
-        title = ROOMS.get(room, room.replace("_", " ").capitalize())
-        text = f"# {title}\n"
-        for name in rooms[room]:
+        text = f"# {CHAPTERS[chapter]}\n"
+        for name in chapters[chapter]:
             text += (f"\n## {name.rpartition('/')[2]}\n\n{first_comment(source / 'src/equipoise' / name)}\n\n"
                      f"```cpp\n#include <equipoise/{name}>\n```\n\n```{{doxygenfile}} {name}\n```\n")
         put(f"reference/cpp/{page}.md", text)
     put("reference/cpp/index.md",
-        "# The C++ interface\n\nThe public headers, as they are installed, by room. It is made from the headers of this version. The "
+        "# The C++ interface\n\nThe public headers, as they are installed, by chapter. It is made from the headers of this version. The "
         "[tour of the library](../../how-to/library.md) is the place to begin.\n\n```{toctree}\n:maxdepth: 1\n\n" + "\n".join(pages) + "\n```\n")
     return xml

@@ -7,8 +7,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "equipoise/running/deadline.hpp"
-#include "equipoise/running/run_options.hpp"
+#include "equipoise/core/running/deadline.hpp"
+#include "equipoise/core/running/run_options.hpp"
 
 namespace equipoise::python {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise::python {
 

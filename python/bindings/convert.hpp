@@ -9,8 +9,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include "equipoise/columns/column.hpp"
-#include "equipoise/toml/study_value.hpp"
+#include "equipoise/results/columns/column.hpp"
+#include "equipoise/study/toml/study_value.hpp"
 
 namespace equipoise::python {
 

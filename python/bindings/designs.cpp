@@ -1,10 +1,10 @@
 // Designs.
 #include "bindings.hpp"
 #include "call.hpp"
-#include "equipoise/design/design.hpp"
-#include "equipoise/html/design_html.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/reports/design_report.hpp"
+#include "equipoise/analyses/design/design.hpp"
+#include "equipoise/report/html/design_html.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/reports/design_report.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "bindings.hpp"
 #include "convert.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/trajectory/study_equations.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <exception>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise::python {
 

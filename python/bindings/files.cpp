@@ -2,11 +2,11 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
-#include "equipoise/reports/inspection_report.hpp"
-#include "equipoise/result_files/inspection.hpp"
-#include "equipoise/sweeps/merge.hpp"
+#include "equipoise/analyses/sweeps/merge.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/report/reports/inspection_report.hpp"
+#include "equipoise/results/result_files/inspection.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 

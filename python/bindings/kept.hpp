@@ -6,8 +6,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "equipoise/sweeps/sweep_plan.hpp"
-#include "equipoise/text/table_text.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise::python {
 

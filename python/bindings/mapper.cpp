@@ -3,8 +3,8 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/analyses/mapper.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
 #include "py_study.hpp"
 #include "starts.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <pybind11/stl.h>
 
-#include "equipoise/base/version.hpp"
-#include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/kernels/cpu_target.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
 
 PYBIND11_MODULE(_core, module) {
   using namespace equipoise;

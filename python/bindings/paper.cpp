@@ -3,10 +3,10 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
-#include "equipoise/drawing/document.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/paper.hpp"
-#include "equipoise/reproduction/reproduction.hpp"
-#include "equipoise/reproduction/reproduction_document.hpp"
+#include "equipoise/report/drawing/document.hpp"
 #include "kept.hpp"
 #include "py_study.hpp"
 

@@ -1,9 +1,9 @@
 // A study as Python holds it: its text, what was set on top of it, and what that reads as.
 #pragma once
 
-#include "equipoise/study/ball_details.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/study/contents/ball_details.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::python {
 

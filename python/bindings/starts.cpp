@@ -1,7 +1,7 @@
 // States to start from, as arrays.
 #include "starts.hpp"
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise::python {
 

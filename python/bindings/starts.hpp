@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "convert.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::python {
 

@@ -4,9 +4,9 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "equipoise/result_files/trajectory_file.hpp"
-#include "equipoise/trajectory/output_times.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/results/result_files/trajectory_file.hpp"
+#include "equipoise/simulation/trajectory/output_times.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "py_study.hpp"
 
 namespace equipoise::python {

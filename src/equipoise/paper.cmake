@@ -1,18 +1,20 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
-  publications/measures.cpp publications/publication_table.cpp publications/publication_verdicts.cpp
-  publications/rodrigues_2008.cpp publications/rodrigues_table.cpp publications/shaft_measures.cpp
-  literature/conclusions.cpp literature/published_tables.cpp literature/reproduction.cpp
-  reproduction/open_questions.cpp reproduction/paper_figures.cpp reproduction/reproduce.cpp
-    reproduction/reproduction.cpp reproduction/reproduction_charts.cpp reproduction/reproduction_document.cpp
-    reproduction/reproduction_words.cpp reproduction/table_7.cpp reproduction/whole_paper.cpp
+  extras/publications/measures.cpp extras/publications/publication_table.cpp
+    extras/publications/publication_verdicts.cpp extras/publications/rodrigues_2008.cpp
+    extras/publications/rodrigues_table.cpp extras/publications/shaft_measures.cpp
+  extras/literature/conclusions.cpp extras/literature/published_tables.cpp extras/literature/reproduction.cpp
+  extras/reproduction/open_questions.cpp extras/reproduction/paper_figures.cpp extras/reproduction/reproduce.cpp
+    extras/reproduction/reproduction.cpp extras/reproduction/reproduction_charts.cpp
+    extras/reproduction/reproduction_document.cpp extras/reproduction/reproduction_words.cpp
+    extras/reproduction/table_7.cpp extras/reproduction/whole_paper.cpp
 )
 
 # What the libraries carry inside themselves: how pages look; studies to begin with; the published tables and the studies of their rows.
 include(${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 set(page_files "")
 foreach(name document.css sheet.css)
-  list(APPEND page_files ${name}=${CMAKE_CURRENT_SOURCE_DIR}/drawing/${name})
+  list(APPEND page_files ${name}=${CMAKE_CURRENT_SOURCE_DIR}/report/drawing/${name})
 endforeach()
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp ARCHIVE page_files FILES ${page_files})
 target_sources(equipoise PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page_files.cpp)

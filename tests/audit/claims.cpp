@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/attractors/stuck.hpp"
-#include "equipoise/base/angles.hpp"
+#include "equipoise/attractors/equilibria/stuck.hpp"
+#include "equipoise/core/base/angles.hpp"
 
 namespace equipoise::audit {
 

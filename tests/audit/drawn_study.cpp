@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/model/system.hpp"
+#include "equipoise/machine/model/system.hpp"
 
 namespace equipoise::audit {
 

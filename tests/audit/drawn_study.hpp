@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::audit {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "equipoise/statistics/comparison.hpp"
+#include "equipoise/core/statistics/comparison.hpp"
 
 namespace equipoise::audit {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/running/cpu_time.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
 
 namespace equipoise::audit {
 

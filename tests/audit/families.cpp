@@ -14,8 +14,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
 #include "late_motion.hpp"
 #include "machines.hpp"
 

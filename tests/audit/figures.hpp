@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/results/basin_result.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
 
 namespace equipoise::audit {
 

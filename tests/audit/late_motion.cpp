@@ -10,12 +10,12 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 
 namespace equipoise::audit {
 

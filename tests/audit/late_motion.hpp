@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "equipoise/rotor_family/study_family.hpp"
-#include "equipoise/spin_up/own_starts.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/classification/rotor_family/study_family.hpp"
+#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::audit {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "claims.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
 #include "late_motion.hpp"
 
 namespace equipoise::audit {

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/echo/physical_echo.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
 
 namespace equipoise::audit {
 

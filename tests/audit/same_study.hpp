@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/model/scales.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/machine/datasheet/scales.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::audit {
 

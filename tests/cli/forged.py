@@ -6,7 +6,7 @@ WORD = (1 << 64) - 1
 
 
 def checksum(data):
-    """As src/equipoise/io/checksum.hpp sums."""
+    """As src/equipoise/results/io/checksum.hpp sums."""
     total = 0x243F6A8885A308D3
     padded = data + bytes(-len(data) % 8)
     # What is left of the last word is mixed even if it is empty.

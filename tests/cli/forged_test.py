@@ -75,7 +75,7 @@ class Forged(Case):
         self.harmless(run("inspect", forged))
 
     def test_what_only_reads_keeps_a_damaged_file(self):
-        # A journal whose header is sound (src/equipoise/io/journal.cpp) and whose first record is not.
+        # A journal whose header is sound (src/equipoise/results/io/journal.cpp) and whose first record is not.
         part, identity = self.path("s.nc.part"), b"study\n[file]\nversion = 0\n"
         with open(part, "wb") as file:
             file.write(struct.pack("<QQQ", 0x314C4E524A505145, len(identity), checksum(identity)) + identity + bytes(5000))

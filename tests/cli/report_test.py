@@ -254,7 +254,7 @@ def run_page(path, *arguments):
 
 
 def words_of(outcome):
-    """As a share is told (text/text.cpp), of 200 starts."""
+    """As a share is told (report/text/text.cpp), of 200 starts."""
     low, high = 100 * outcome["low"], 100 * outcome["high"]
     return f"more than {low:.1f} %" if outcome["count"] == 200 else f"{low:.1f} to {high:.1f} %"
 

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace attractors_test {

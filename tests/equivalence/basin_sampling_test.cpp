@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/files.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/ensembles/basin_header.hpp"
-#include "equipoise/ensembles/sampling_choice.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/sampling_choice.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
 namespace basin_sampling_test {

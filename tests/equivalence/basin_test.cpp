@@ -10,12 +10,12 @@
 #include "../support/files.hpp"
 #include "../support/sizes.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/analyses/comparison.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/ensembles/basin_header.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/one_study/comparison.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 namespace equipoise {
 namespace basin_test {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/classification/start_runs/undecided.hpp"
+#include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {
 namespace bursts_test {

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/sweeps/capacity.hpp"
-#include "equipoise/sweeps/sweep_axis.hpp"
-#include "equipoise/sweeps/sweep_plan.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/sweeps/capacity.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise {
 namespace capacity_goals_test {

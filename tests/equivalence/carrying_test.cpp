@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/explain/study_check.hpp"
-#include "equipoise/mechanics/carrying.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/text/carrying_text.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/machine/balance/carrying.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/study_check.hpp"
+#include "equipoise/report/text/carrying_text.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/studies.hpp"
 

@@ -11,10 +11,10 @@
 #include <complex>
 
 #include "../support/parameters.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace coincident_balls_test {
 

@@ -1,7 +1,7 @@
 // Attractors continued along the speed (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05): where an
 // earlier, independent code saw them, more accurate figures recorded with this code, and properties of branches however
 // they are found.
-#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/analyses/continuation/continuation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/continuation/branch_follower.hpp"
-#include "equipoise/reports/branches_report.hpp"
+#include "equipoise/analyses/continuation/branch_follower.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/reports/branches_report.hpp"
 #include "../support/studies.hpp"
 
 namespace continuation_test {

@@ -7,15 +7,15 @@
 
 #include "../support/parameters.hpp"
 #include "../support/sizes.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/attractors/nearest_balanced.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/classification/classification_rule.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
-#include "equipoise/trapping_regions/continuum_region.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/attractors/equilibria/nearest_balanced.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
 namespace continuum_decisions_test {

@@ -12,11 +12,11 @@
 
 #include "../support/files.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/design/design.hpp"
-#include "equipoise/design/ensembles.hpp"
-#include "equipoise/design/search.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/reports/design_report.hpp"
+#include "equipoise/analyses/design/design.hpp"
+#include "equipoise/analyses/design/ensembles.hpp"
+#include "equipoise/analyses/design/search.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/report/reports/design_report.hpp"
 
 namespace equipoise {
 namespace design_test {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/explain/drag_scan.hpp"
-#include "equipoise/explain/rules_of_thumb.hpp"
+#include "equipoise/report/explain/balanced_motion.hpp"
+#include "equipoise/report/explain/drag_scan.hpp"
+#include "equipoise/report/explain/rules_of_thumb.hpp"
 
 namespace equipoise {
 namespace drawn_rules_test {

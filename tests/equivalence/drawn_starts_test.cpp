@@ -11,11 +11,11 @@
 #include "../support/files.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/analyses/sensitivity.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/one_study/sensitivity.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
 namespace drawn_starts_test {

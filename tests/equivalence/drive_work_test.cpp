@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 #include "transient_lanes.hpp"
 
 namespace equipoise {

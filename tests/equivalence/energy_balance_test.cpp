@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/model/flow-inl.hpp"
-#include "equipoise/mechanics/frames.hpp"
-#include "equipoise/model/smooth_flow-inl.hpp"
-#include "equipoise/model/state_layout.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/machine/mechanics/frames.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
 namespace energy_balance_test {

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/continuation/continuation.hpp"
-#include "equipoise/continuation/parameter_line.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/sampling/sampling.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/analyses/continuation/continuation.hpp"
+#include "equipoise/analyses/continuation/parameter_line.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
 
 namespace event_fates_test {
 

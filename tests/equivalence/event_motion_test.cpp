@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/event_motion.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/attractors/stuck.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/periodic_orbits/return_map.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/equilibria/stuck.hpp"
+#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/attractors/periodic_orbits/return_map.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace event_motion_test {
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
 
 namespace equipoise {
 namespace few_starts_test {

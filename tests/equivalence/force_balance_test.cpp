@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "equipoise/math/dense.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 #include "lagrangian.hpp"
 
 namespace force_balance_test {

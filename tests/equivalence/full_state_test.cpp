@@ -9,13 +9,13 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/io/netcdf.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

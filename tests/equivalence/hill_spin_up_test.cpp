@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/model/parameters.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/machine/model/parameters.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace hill_spin_up_test {
 

@@ -9,15 +9,15 @@
 
 #include "../support/parameters.hpp"
 #include "../support/refusals.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractor_search/cost.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/ensembles/basin_header.hpp"
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/results/basin_result.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/attractor_search/cost.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/undecided.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
 
 namespace equipoise {
 namespace horizon_test {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "lane_studies.hpp"
 
 namespace hybrid_batch_test {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/event_trajectory-inl.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/state_layout.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/simulation/integrate/event_trajectory-inl.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace hybrid_energy_test {
 

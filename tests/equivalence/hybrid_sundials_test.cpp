@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "lagrangian.hpp"
 
 namespace hybrid_sundials_test {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cases.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "lagrangian.hpp"
 
 namespace inertial_frame_test {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace lagrangian {
 
@@ -51,7 +51,7 @@ struct FixedState {
   std::vector<double> theta, theta_dot;
 };
 
-/// A state `z` as in model/parameters.hpp, while the rotor turns like this.
+/// A state `z` as in machine/model/parameters.hpp, while the rotor turns like this.
 FixedState in_fixed_axes(int balls, const Rotation& rotor, const double* z);
 
 /// Second derivatives, and the torque that the prescribed rotation needs.

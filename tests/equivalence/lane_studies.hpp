@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/event_trajectory-inl.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/state_layout.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/simulation/integrate/event_trajectory-inl.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace lanes {
 

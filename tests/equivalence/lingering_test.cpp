@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
 namespace lingering_test {

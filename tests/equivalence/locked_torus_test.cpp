@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/start_runs/undecided.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/classification/start_runs/undecided.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
 
 namespace equipoise {
 namespace locked_torus_test {

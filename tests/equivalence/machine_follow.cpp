@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/state_layout.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "machine_scale.hpp"
 
 namespace machine_follow {

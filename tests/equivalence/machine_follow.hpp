@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace machine_follow {
 

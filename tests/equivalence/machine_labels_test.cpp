@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "../support/sizes.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "machine_follow.hpp"
 
 namespace machine_labels_test {

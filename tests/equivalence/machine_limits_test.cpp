@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/model/state_layout.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace machine_limits_test {
 

@@ -12,15 +12,15 @@
 
 #include <Eigen/Dense>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace machine_motions_test {

@@ -1,5 +1,5 @@
 // The page's content against independent knowledge: paths of motions, runs, distributions.
-#include "equipoise/shown/machine_page.hpp"
+#include "equipoise/report/shown/machine_page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,15 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/html/machine_html.hpp"
-#include "equipoise/plots/drawings.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/shown/motion_path.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/machine_html.hpp"
+#include "equipoise/report/plots/drawings.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/report/shown/motion_path.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace machine_page_test {

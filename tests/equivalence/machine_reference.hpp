@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace machine_reference {
 

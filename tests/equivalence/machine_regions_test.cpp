@@ -7,15 +7,15 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/trapping_regions/continuum_region.hpp"
-#include "equipoise/trapping_regions/orbit_forms.hpp"
-#include "equipoise/trapping_regions/trials.hpp"
-#include "equipoise/trapping_regions/validated_level.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
+#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
+#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 
 namespace equipoise {
 namespace machine_regions_test {

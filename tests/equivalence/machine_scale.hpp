@@ -1,8 +1,8 @@
 // The step errors allowed for machines in ensembles.
 #pragma once
 
-#include "equipoise/integrate/event_trajectory-inl.hpp"
-#include "equipoise/model/state_layout.hpp"
+#include "equipoise/simulation/integrate/event_trajectory-inl.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "machine_reference.hpp"
 
 namespace machine_test {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/model/system.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/machine/model/system.hpp"
 #include "machine_follow.hpp"
 
 namespace many_balls_fates_test {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/parameters.hpp"
 
 namespace motion_test {

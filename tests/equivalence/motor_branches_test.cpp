@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "equipoise/continuation/continuation.hpp"
+#include "equipoise/analyses/continuation/continuation.hpp"
 
 namespace equipoise {
 namespace motor_branches_test {

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/observation.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/one_study/observation.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
 namespace observation_test {

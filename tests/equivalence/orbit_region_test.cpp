@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/trapping_regions/orbit_forms.hpp"
-#include "equipoise/trapping_regions/trials.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
 
 namespace equipoise {
 namespace orbit_region_test {

@@ -1,6 +1,6 @@
 // Periodic orbits, equilibria and exponents against figures recorded with an earlier, independent code
 // (two balls, mu = 0.05 each, lambda = 0.01, zeta = 0.5, beta = 0.05 unless said).
-#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <limits>
 
 #include "../support/parameters.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace orbit_test {
 

@@ -6,16 +6,16 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/balanced_regions/family_regions.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/rotor_family/direct_values.hpp"
-#include "equipoise/rotor_family/drawn_source.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/spin_up/own_starts.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/balanced_regions/family_regions.hpp"
+#include "equipoise/classification/rotor_family/direct_values.hpp"
+#include "equipoise/classification/rotor_family/drawn_source.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/own_starts.hpp"
 
 #include "lane_studies.hpp"
 #include "../support/sizes.hpp"

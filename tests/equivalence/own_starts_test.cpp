@@ -14,13 +14,13 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/comparison.hpp"
-#include "equipoise/analyses/mapper.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/ensembles/write_basin.hpp"
-#include "equipoise/result_files/basin_outcomes.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/write_basin.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
+#include "equipoise/analyses/one_study/comparison.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
 #include "../support/studies.hpp"

@@ -1,6 +1,6 @@
 // Trapping regions around motions whose phase no angle tells, and around those whose place differs between the rotors
 // of a family.
-#include "equipoise/trapping_regions/path_region.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/rotor_family/drawn_source.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/rotor_family/drawn_source.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
 
 namespace equipoise {
 namespace path_region_test {

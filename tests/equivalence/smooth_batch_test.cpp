@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "lane_studies.hpp"
 
 namespace smooth_batch_test {

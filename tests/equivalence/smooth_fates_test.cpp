@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
 namespace smooth_fates_test {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
 #include "machine_follow.hpp"
 
 namespace stalled_fates_test {

@@ -12,12 +12,12 @@
 
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/decision/standards_text.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/standards/hand_arm.hpp"
-#include "equipoise/standards/severity.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/standards/hand_arm.hpp"
+#include "equipoise/machine/standards/severity.hpp"
+#include "equipoise/report/decision/standards_text.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
 
 namespace equipoise {
 namespace standards_of_starts_test {

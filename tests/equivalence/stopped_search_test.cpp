@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractors/motion_bytes.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/running/search_log.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/motions/motion_bytes.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/core/running/search_log.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace stopped_search_test {

@@ -9,17 +9,17 @@
 #include <gtest/gtest.h>
 
 #include "../support/sizes.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace stroboscopic_test {

@@ -9,9 +9,9 @@
 #include <boost/numeric/odeint.hpp>
 #include <gtest/gtest.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/trajectory/study_equations.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
 

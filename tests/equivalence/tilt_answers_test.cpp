@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_description.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/periodic_orbits/equilibria.hpp"
-#include "equipoise/reports/attractors_report.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/attractors/equilibria/equilibria.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_description.hpp"
+#include "equipoise/report/reports/attractors_report.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/columns/watched_shaft.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/model/bearings.hpp"
-#include "equipoise/reports/basin_report.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/machine/model/bearings.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/results/columns/watched_shaft.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {

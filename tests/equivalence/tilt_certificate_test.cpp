@@ -11,17 +11,17 @@
 
 #include <Eigen/Dense>
 
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/proof/certificate.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
-#include "equipoise/words/proof.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/proved_regions/certificate.hpp"
+#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {

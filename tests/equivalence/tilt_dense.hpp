@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "equipoise/columns/transient_figures.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise::tilting {

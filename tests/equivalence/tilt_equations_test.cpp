@@ -9,13 +9,13 @@
 #include <complex>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/random.hpp"
-#include "equipoise/drives/full_state.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/system.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/drives/full_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/system.hpp"
 #include "tilt_fixed_axes.hpp"
 
 namespace tilt_equations_test {

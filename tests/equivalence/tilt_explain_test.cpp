@@ -10,14 +10,14 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/explain/study_check.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/mechanics/whirl.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/mechanics/whirl.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/study_check.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/refusals.hpp"
 #include "tilt_fixed_flow.hpp"

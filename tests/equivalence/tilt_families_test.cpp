@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/basin_slices/basin_slice.hpp"
-#include "equipoise/basin_slices/start_pixels.hpp"
-#include "equipoise/rotor_family/direct_values.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
+#include "equipoise/analyses/basin_slices/basin_slice.hpp"
+#include "equipoise/analyses/basin_slices/start_pixels.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/classification/rotor_family/direct_values.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "tilt_fixed_flow.hpp"
 
 namespace equipoise {

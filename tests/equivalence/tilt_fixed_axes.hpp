@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/model/system.hpp"
+#include "equipoise/machine/model/system.hpp"
 
 namespace equipoise::tilting {
 

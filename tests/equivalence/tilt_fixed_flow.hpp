@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "tilt_fixed_axes.hpp"
 
 namespace equipoise::tilting {

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/design/design.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/html/machine_html.hpp"
-#include "equipoise/mechanics/tilt_balance.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/shown/machine_page.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/text/transient_report.hpp"
+#include "equipoise/analyses/design/design.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/machine/balance/tilt_balance.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/machine_html.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/report/shown/machine_page.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "tilt_dense.hpp"
 
 namespace equipoise {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 #include "tilt_dense.hpp"
 #include "transient_lanes.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/analyses/observation.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/sampling/starts.hpp"
+#include "equipoise/analyses/one_study/observation.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 #include "tilt_dense.hpp"
 
 namespace equipoise {

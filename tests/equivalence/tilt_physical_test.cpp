@@ -14,10 +14,10 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/echo/physical_echo.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
 #include "../support/refusals.hpp"
 #include "../support/study_difference.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/math/dense.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/core/math/dense.hpp"
 #include "tilt_dense.hpp"
 
 namespace equipoise::tilting {

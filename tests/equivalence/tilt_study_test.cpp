@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/capability.hpp"
-#include "equipoise/mechanics/forced_vibration.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/followed_run.hpp"
-#include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/trajectory/study_equations.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/capability.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/simulation/trajectory/followed_run.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/simulation/trajectory/study_equations.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/refusals.hpp"
 #include "tilt_fixed_flow.hpp"
 

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/attractors/motion_figures.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/whirl.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/spin_up/held_run.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/attractors/motions/motion_figures.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/whirl.hpp"
+#include "equipoise/simulation/spin_up/held_run.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 #include "tilt_dense.hpp"
 #include "transient_lanes.hpp"
 

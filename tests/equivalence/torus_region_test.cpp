@@ -1,6 +1,6 @@
 // Trapping regions around tori: V vanishes on the torus, however the balls are numbered, and interior states stay
 // inside.
-#include "equipoise/trapping_regions/torus_region.hpp"
+#include "equipoise/classification/trapping_regions/torus_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractors/motion_statistics.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/trapping_regions/validated_level.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 
 namespace equipoise {
 namespace torus_region_test {

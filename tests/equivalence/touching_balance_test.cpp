@@ -6,17 +6,17 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/room_in_race.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/periodic_orbits/continuum_draws.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/spin_up/spin_up.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/attractors/equilibria/continuum_draws.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace touching_balance_test {

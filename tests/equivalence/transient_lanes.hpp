@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
 

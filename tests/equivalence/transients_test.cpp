@@ -9,12 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/transients/transient_watch.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/simulation/transients/transient_watch.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 #include "transient_lanes.hpp"
 
 namespace equipoise {

@@ -10,15 +10,15 @@
 
 #include "../support/studies.hpp"
 #include "../support/study_difference.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/changes/try_changes.hpp"
-#include "equipoise/decision/plain_names.hpp"
-#include "equipoise/decision/verdict.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/study/below_resonance.hpp"
-#include "equipoise/text/below_resonance.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/study/contents/below_resonance.hpp"
 
 namespace equipoise {
 namespace verdict_test {

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/ensemble.hpp"
-#include "equipoise/analyses/mapper.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/trajectory/followed_run.hpp"
-#include "equipoise/trajectory/simulate.hpp"
-#include "equipoise/trajectory/study_equations.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/mapper/ensemble.hpp"
+#include "equipoise/analyses/mapper/mapper.hpp"
+#include "equipoise/simulation/trajectory/followed_run.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/batch/batch_block-inl.hpp"
-#include "equipoise/model/flow-inl.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/simulation/batch/batch_block-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace window_sampling_test {

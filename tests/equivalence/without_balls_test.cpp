@@ -11,17 +11,17 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/studies.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/mechanics/forced_vibration.hpp"
-#include "equipoise/mechanics/turning_inertia.hpp"
-#include "equipoise/model/unbalance.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/rotor_family/horizon.hpp"
-#include "equipoise/spin_up/held_run.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/text/transient_report.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/machine/mechanics/forced_vibration.hpp"
+#include "equipoise/machine/mechanics/turning_inertia.hpp"
+#include "equipoise/machine/model/unbalance.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/simulation/spin_up/held_run.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace without_balls_test {

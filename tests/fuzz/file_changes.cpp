@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "equipoise/io/checksum.hpp"
+#include "equipoise/results/io/checksum.hpp"
 
 namespace equipoise::fuzz {
 

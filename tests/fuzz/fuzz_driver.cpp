@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "equipoise/study/keys.hpp"
+#include "equipoise/study/contents/keys.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 // Present if a sanitizer is linked in.

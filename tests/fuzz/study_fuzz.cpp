@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/study_difference.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // Other publications: the table is whole, symbols mean what their mapping says, verdicts follow from both sides'
 // errors, and the page in the documentation has them.
-#include "equipoise/publications/publication_verdicts.hpp"
+#include "equipoise/extras/publications/publication_verdicts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace publications_test {
 

@@ -10,10 +10,10 @@
 #include <random>
 #include <vector>
 
-#include "equipoise/math/dense.hpp"
-#include "equipoise/publications/measures.hpp"
-#include "equipoise/publications/publication.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/publications/measures.hpp"
+#include "equipoise/extras/publications/publication.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace reversed_sign_test {
 

@@ -9,10 +9,10 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/literature/reproduction.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/sweeps/sweep.hpp"
-#include "equipoise/sweeps/sweep_axis.hpp"
+#include "equipoise/analyses/sweeps/sweep.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+#include "equipoise/extras/literature/reproduction.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace sweep_tables_test {

@@ -19,7 +19,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "table_7_elsewhere.hpp"
 #include "table_7_fit.hpp"
 #include "table_7_variants.hpp"

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "equipoise/drives/speed.hpp"
-#include "equipoise/reproduction/table_7.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/extras/reproduction/table_7.hpp"
+#include "equipoise/machine/drives/speed.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 

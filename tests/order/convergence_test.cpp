@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 
 namespace convergence_test {
 

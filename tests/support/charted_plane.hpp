@@ -1,12 +1,12 @@
 // The paper's rotor, the chart of a rotor over a plane, and branches of cycles that are born on its Hopf curves.
 #pragma once
 
-#include "equipoise/curves/balance_plane.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
-#include "equipoise/cycles/cycle_branch.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/stability/plane_studies.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+#include "equipoise/extras/cycles/cycle_branch.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
 #include "studies.hpp"
 
 namespace equipoise {

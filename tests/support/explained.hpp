@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "studies.hpp"
 
 namespace equipoise {

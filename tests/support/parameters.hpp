@@ -1,8 +1,8 @@
 // The rotor that most tests start from, as parameters; studies of rotors.
 #pragma once
 
-#include "equipoise/model/parameters.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/machine/model/parameters.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 

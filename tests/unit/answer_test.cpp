@@ -1,5 +1,5 @@
 // The page's sentence, its numbers and the data of its drawings, from results made by hand.
-#include "equipoise/answers/answer.hpp"
+#include "equipoise/report/answers/answer.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/drawing/svg.hpp"
-#include "equipoise/html/given_keys.hpp"
-#include "equipoise/answers/quantities.hpp"
-#include "equipoise/shown/shown_runs.hpp"
-#include "equipoise/statistics/quantile.hpp"
+#include "equipoise/report/drawing/svg.hpp"
+#include "equipoise/report/html/given_keys.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/shown/shown_runs.hpp"
+#include "equipoise/core/statistics/quantile.hpp"
 
 namespace equipoise {
 namespace answer_test {

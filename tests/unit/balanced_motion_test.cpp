@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/periodic_orbits/stroboscopic_section.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace balanced_motion_test {

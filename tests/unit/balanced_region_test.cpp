@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/trapping_regions/orbit_forms.hpp"
-#include "equipoise/trapping_regions/trials.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/parameters.hpp"
 
 namespace equipoise {

@@ -1,6 +1,6 @@
 // Existence and angles of balanced states: the polygon inequality and its edge cases (docs/explanation/equations.md,
 // "Existence").
-#include "equipoise/mechanics/balanced_state.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <complex>
 #include <initializer_list>
 
-#include "equipoise/base/angles.hpp"
+#include "equipoise/core/base/angles.hpp"
 
 namespace balanced_state_test {
 

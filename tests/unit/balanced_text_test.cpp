@@ -4,9 +4,9 @@
 #include <string>
 
 #include "../support/parameters.hpp"
-#include "equipoise/reproduction/reproduction_words.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/types/fate.hpp"
+#include "equipoise/extras/reproduction/reproduction_words.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 namespace balanced_text_test {

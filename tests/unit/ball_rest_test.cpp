@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "equipoise/integrate/ball_rest-inl.hpp"
+#include "equipoise/simulation/integrate/ball_rest-inl.hpp"
 
 namespace ball_rest_test {
 

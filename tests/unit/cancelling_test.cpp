@@ -1,5 +1,5 @@
 // What balls with a size can cancel: by hand where a formula exists, and never less than randomly placed balls.
-#include "equipoise/mechanics/cancelling.hpp"
+#include "equipoise/machine/balance/cancelling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
+#include "equipoise/core/base/angles.hpp"
 
 namespace cancelling_test {
 

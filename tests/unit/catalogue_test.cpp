@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/catalogue.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace catalogue_test {

@@ -4,16 +4,16 @@
 #include <stdexcept>
 
 #include "../support/studies.hpp"
-#include "equipoise/drawing/chart_svg.hpp"
-#include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/drawing/raster.hpp"
-#include "equipoise/answers/answer.hpp"
-#include "equipoise/answers/quantities.hpp"
-#include "equipoise/plots/sweep_layers.hpp"
-#include "equipoise/reports/result_tables.hpp"
-#include "equipoise/reports/sweep_report.hpp"
-#include "equipoise/result_files/basin_file.hpp"
-#include "equipoise/types/fate.hpp"
+#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/plots/sweep_layers.hpp"
+#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/reports/sweep_report.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 namespace cell_answer_test {

@@ -1,6 +1,6 @@
 // Certificates: every stable case of the paper is proved nearly up to the sampled critical level, and nothing false is
 // proved.
-#include "equipoise/proof/certificate.hpp"
+#include "equipoise/classification/proved_regions/certificate.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -15,16 +15,16 @@
 
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/balanced_regions/critical_level.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/math/lyapunov.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/balanced_regions/critical_level.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/core/math/lyapunov.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace certificate_test {
 

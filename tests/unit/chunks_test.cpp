@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "equipoise/ensembles/chunks.hpp"
-#include "equipoise/sweeps/cell_desk.hpp"
+#include "equipoise/analyses/ensembles/chunks.hpp"
+#include "equipoise/analyses/sweeps/cell_desk.hpp"
 
 namespace equipoise {
 namespace chunks_test {

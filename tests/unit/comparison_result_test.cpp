@@ -1,5 +1,5 @@
 // Two ensembles compared: pairs, names, bounds, and what cannot be paired.
-#include "equipoise/analyses/comparison.hpp"
+#include "equipoise/analyses/one_study/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/reports/comparison_report.hpp"
-#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/statistics/comparison.hpp"
+#include "equipoise/core/statistics/comparison.hpp"
 
 namespace equipoise {
 namespace comparison_test {

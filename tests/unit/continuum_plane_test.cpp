@@ -10,19 +10,19 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/charts/chart_plot.hpp"
-#include "equipoise/charts/chart_report.hpp"
-#include "equipoise/charts/stability_plot.hpp"
-#include "equipoise/charts/stability_report.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/inscribed_polygon.hpp"
-#include "equipoise/basin_slices/slice_axis.hpp"
-#include "equipoise/stability/balance_at.hpp"
-#include "equipoise/stability/balanced_rates.hpp"
-#include "equipoise/stability/over_plane.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/charts/chart_plot.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/stability_plot.hpp"
+#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/inscribed_polygon.hpp"
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {

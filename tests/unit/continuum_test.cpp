@@ -7,11 +7,11 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/periodic_orbits/continuum_of_equilibria.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/attractors/equilibria/continuum_of_equilibria.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "../support/parameters.hpp"
 
 namespace equipoise {

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/continuation/branch_events.hpp"
-#include "equipoise/continuation/branch_follower.hpp"
-#include "equipoise/curves/cycle_curve.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/analyses/continuation/branch_events.hpp"
+#include "equipoise/analyses/continuation/branch_follower.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/extras/curves/cycle_curve.hpp"
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {

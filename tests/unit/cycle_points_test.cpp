@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/charts/chart_report.hpp"
-#include "equipoise/curves/cycle_curve.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/curves/cycle_curve.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/curves/cycle_curve.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/extras/curves/cycle_curve.hpp"
 #include "../support/charted_plane.hpp"
 
 namespace equipoise {

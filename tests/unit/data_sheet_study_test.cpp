@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/datasheet/oils.hpp"
-#include "equipoise/datasheet/vibration_data.hpp"
-#include "equipoise/echo/physical_echo.hpp"
-#include "equipoise/study/ball_details.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/machine/datasheet/oils.hpp"
+#include "equipoise/machine/datasheet/vibration_data.hpp"
+#include "equipoise/study/contents/ball_details.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
 #include "../support/studies.hpp"
 #include "../support/study_difference.hpp"
 

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/nearest_name.hpp"
-#include "equipoise/datasheet/ball_drag.hpp"
-#include "equipoise/datasheet/materials.hpp"
-#include "equipoise/datasheet/oils.hpp"
-#include "equipoise/datasheet/vibration_data.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/nearest_name.hpp"
+#include "equipoise/machine/datasheet/ball_drag.hpp"
+#include "equipoise/machine/datasheet/materials.hpp"
+#include "equipoise/machine/datasheet/oils.hpp"
+#include "equipoise/machine/datasheet/vibration_data.hpp"
 
 namespace equipoise {
 namespace datasheet_test {

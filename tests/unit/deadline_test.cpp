@@ -1,5 +1,5 @@
 // Times as written, and a flag set by a clock.
-#include "equipoise/running/deadline.hpp"
+#include "equipoise/core/running/deadline.hpp"
 
 #include <chrono>
 #include <string>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/refusals.hpp"
-#include "equipoise/base/error.hpp"
+#include "equipoise/core/base/error.hpp"
 
 namespace equipoise {
 namespace deadline_test {

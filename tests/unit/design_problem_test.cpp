@@ -10,13 +10,13 @@
 #include "../support/refusals.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/base/random.hpp"
-#include "equipoise/design/problem.hpp"
-#include "equipoise/design/search.hpp"
-#include "equipoise/design/settings.hpp"
-#include "equipoise/design/standing.hpp"
-#include "equipoise/design_words/design_words.hpp"
-#include "equipoise/drives/spin_up_shape.hpp"
+#include "equipoise/analyses/design/problem.hpp"
+#include "equipoise/analyses/design/search.hpp"
+#include "equipoise/analyses/design/settings.hpp"
+#include "equipoise/analyses/design/standing.hpp"
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/machine/drives/spin_up_shape.hpp"
+#include "equipoise/report/answers/design_words.hpp"
 
 namespace equipoise {
 namespace design_problem_test {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/random.hpp"
-#include "equipoise/design/search.hpp"
+#include "equipoise/analyses/design/search.hpp"
+#include "equipoise/core/base/random.hpp"
 
 namespace equipoise {
 namespace design_search_test {

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/base/percent_text.hpp"
-#include "equipoise/drawing/html_text.hpp"
-#include "equipoise/text/csv.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/report/drawing/html_text.hpp"
+#include "equipoise/report/text/csv.hpp"
 
 namespace equipoise {
 namespace display_text_test {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/drawing/document.hpp"
-#include "equipoise/text/table_text.hpp"
+#include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise {
 namespace document_test {

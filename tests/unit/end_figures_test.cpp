@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/transients/transient_watch.hpp"
-#include "equipoise/types/transient_table.hpp"
+#include "equipoise/results/types/transient_table.hpp"
+#include "equipoise/simulation/transients/transient_watch.hpp"
 
 namespace equipoise {
 namespace end_figures_test {

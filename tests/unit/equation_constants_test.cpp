@@ -31,7 +31,7 @@ void sin_cos(const Noted& a, Noted& sine, Noted& cosine) {
 
 }  // namespace equation_constants_test
 
-#include "equipoise/model/flow-inl.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
 
 namespace equipoise {
 namespace equation_constants_test {

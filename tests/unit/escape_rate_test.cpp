@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/random.hpp"
-#include "equipoise/statistics/escape_rate.hpp"
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/core/statistics/escape_rate.hpp"
 
 namespace equipoise {
 namespace escape_rate_test {

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/ensembles/sampling_choice.hpp"
-#include "equipoise/ensembles/tally.hpp"
-#include "equipoise/sampling/jittered_grid.hpp"
-#include "equipoise/statistics/even_share.hpp"
+#include "equipoise/analyses/ensembles/sampling_choice.hpp"
+#include "equipoise/analyses/ensembles/tally.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/statistics/even_share.hpp"
+#include "equipoise/study/sampling/jittered_grid.hpp"
 
 namespace equipoise {
 namespace even_share_test {

@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/text/grade_text.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/report/explain/balanced_motion.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/text/grade_text.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"
 

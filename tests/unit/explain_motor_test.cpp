@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/text/text.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"

@@ -1,13 +1,13 @@
 // How features of a motion change from rotor to rotor.
-#include "equipoise/attractor_search/feature_trends.hpp"
+#include "equipoise/classification/rotor_family/feature_trends.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/batch/own_rotor.hpp"
-#include "equipoise/classification/window_features.hpp"
-#include "equipoise/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/simulation/batch/own_rotor.hpp"
+#include "equipoise/simulation/rule/window_features.hpp"
 
 namespace equipoise {
 namespace feature_trends_test {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/error.hpp"
-#include "equipoise/html/form.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/html/form.hpp"
 #include "../support/files.hpp"
 #include "../support/studies.hpp"
 

@@ -12,12 +12,12 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/gravity_well.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/held_state.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/mechanics/gravity_well.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/held_state.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace gravity_well_test {

@@ -1,5 +1,5 @@
 // Outward rounding: intervals, affine forms and what is built on them contain the exact result, in 400-bit arithmetic.
-#include "equipoise/math/interval.hpp"
+#include "equipoise/core/math/interval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,13 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/affine_form.hpp"
-#include "equipoise/math/expansion.hpp"
-#include "equipoise/math/gradient.hpp"
-#include "equipoise/math/krawczyk.hpp"
-#include "equipoise/math/positive_definite.hpp"
-#include "equipoise/math/proven_sine.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/affine_form.hpp"
+#include "equipoise/core/math/expansion.hpp"
+#include "equipoise/core/math/gradient.hpp"
+#include "equipoise/core/math/krawczyk.hpp"
+#include "equipoise/core/math/positive_definite.hpp"
+#include "equipoise/core/math/proven_sine.hpp"
 
 namespace interval_test {
 
@@ -116,8 +116,8 @@ TEST(Interval, SineAndCosineHoldTheValuesOfNumbers) {
 }
 
 // At an extremum and around it, also where the interval ends next to it.
-// What proofs take for granted: the error stated in math/proven_sine.hpp, near multiples of pi/2 too, where little is
-// left.
+// What proofs take for granted: the error stated in core/math/proven_sine.hpp, near multiples of pi/2 too, where little
+// is left.
 TEST(ProvenSine, KeepsItsStatedError) {
   Random random;
   const auto check = [](double a) {

@@ -1,11 +1,11 @@
 // Pixels on which alike balls move as one.
-#include "equipoise/basin_slices/invariant_pixels.hpp"
+#include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
+#include "equipoise/core/base/angles.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

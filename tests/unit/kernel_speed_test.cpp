@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/kernels/batch_kernels.hpp"
-#include "equipoise/literature/paper_rotor.hpp"
-#include "equipoise/model/flow-inl.hpp"
-#include "equipoise/sampling/starts.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
 namespace kernel_speed_test {

@@ -8,12 +8,12 @@
 
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/text/transient_report.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
 
 namespace equipoise {
 namespace limits_kept_test {

@@ -1,6 +1,6 @@
 // The Jacobian against the second-order form M z'' + C z' + K z = 0 about balanced states
 // (docs/explanation/equations.md, "Linearisation"), against recorded eigenvalues and against differences.
-#include "equipoise/mechanics/linearisation.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 #include <complex>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/math/gradient.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/smooth_flow-inl.hpp"
-#include "equipoise/model/system.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/core/math/gradient.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
+#include "equipoise/machine/model/system.hpp"
 #include "../support/parameters.hpp"
 
 namespace linearisation_test {

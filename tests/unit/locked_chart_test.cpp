@@ -9,18 +9,18 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/charts/chart_plot.hpp"
-#include "equipoise/charts/chart_regions_text.hpp"
-#include "equipoise/charts/chart_report.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/continuation/branch_events.hpp"
-#include "equipoise/continuation/branch_follower.hpp"
-#include "equipoise/curves/bifurcation_chart.hpp"
-#include "equipoise/curves/locked_states.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
+#include "equipoise/extras/charts/chart_plot.hpp"
+#include "equipoise/extras/charts/chart_regions_text.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/analyses/continuation/branch_events.hpp"
+#include "equipoise/analyses/continuation/branch_follower.hpp"
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+#include "equipoise/extras/curves/locked_states.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

@@ -12,15 +12,15 @@
 #include <Eigen/Dense>
 
 #include "../support/studies.hpp"
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/balanced_regions/balanced_analysis.hpp"
-#include "equipoise/balanced_regions/balanced_region.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/proof/certificate.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/proved_regions/certificate.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace machine_certificate_test {
 

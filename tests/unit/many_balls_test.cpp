@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractors/motion_description.hpp"
-#include "equipoise/attractors/motion_symmetry.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/assignment.hpp"
-#include "equipoise/math/orders.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/recurrence.hpp"
+#include "equipoise/attractors/motions/motion_description.hpp"
+#include "equipoise/attractors/motions/motion_symmetry.hpp"
+#include "equipoise/attractors/periodic_orbits/recurrence.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/assignment.hpp"
+#include "equipoise/core/math/orders.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
 namespace many_balls_test {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/attractors/mean_rate.hpp"
-#include "equipoise/base/angles.hpp"
+#include "equipoise/attractors/motions/mean_rate.hpp"
+#include "equipoise/core/base/angles.hpp"
 
 namespace equipoise {
 namespace mean_rate_test {

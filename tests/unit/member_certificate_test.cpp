@@ -1,6 +1,6 @@
 // Proofs about members of a continuum: true at random points of the equations, consistent with linear theory, and
 // refuted once anything in them is changed.
-#include "equipoise/proof/member_certificate.hpp"
+#include "equipoise/extras/proof/member_certificate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <random>
 #include <string>
 
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/periodic_orbits/continuum_draws.hpp"
-#include "equipoise/reports/certificate_json.hpp"
-#include "equipoise/reports/certify_report.hpp"
+#include "equipoise/attractors/equilibria/continuum_draws.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace member_certificate_test {
 

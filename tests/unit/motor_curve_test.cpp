@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/drives/motor.hpp"
-#include "equipoise/drives/nameplate.hpp"
-#include "equipoise/mechanics/held_speed.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/drives/motor.hpp"
+#include "equipoise/machine/drives/nameplate.hpp"
+#include "equipoise/machine/mechanics/held_speed.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
 

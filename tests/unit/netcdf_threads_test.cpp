@@ -9,7 +9,7 @@
 #include <netcdf.h>
 #include <unistd.h>
 
-#include "equipoise/io/netcdf.hpp"
+#include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
 namespace netcdf_threads_test {

@@ -7,18 +7,18 @@
 #include <nlohmann/json.hpp>
 
 #include "../support/studies.hpp"
-#include "equipoise/analyses/attractors.hpp"
-#include "equipoise/analyses/certify.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/explain/study_check.hpp"
-#include "equipoise/answers/answer.hpp"
-#include "equipoise/html/given_machine.hpp"
-#include "equipoise/html/machine_html.hpp"
-#include "equipoise/reports/basin_report.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/shown/machine_page.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/extras/proof/certify.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/report/explain/study_check.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/machine_html.hpp"
+#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/shown/machine_page.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise {
 namespace no_balls_test {

@@ -11,8 +11,8 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
-#include "equipoise/base/pack-inl.hpp"
-#include "equipoise/batch/step_control-inl.hpp"
+#include "equipoise/core/base/pack-inl.hpp"
+#include "equipoise/simulation/batch/step_control-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

@@ -12,11 +12,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/study/physical.hpp"
-#include "equipoise/echo/physical_echo.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/study/contents/physical.hpp"
+#include "equipoise/study/echo/physical_echo.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/studies.hpp"
 #include "../support/study_difference.hpp"
 

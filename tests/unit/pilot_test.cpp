@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/classification/pilot.hpp"
+#include "equipoise/simulation/rule/pilot.hpp"
 
 namespace equipoise {
 namespace pilot_test {

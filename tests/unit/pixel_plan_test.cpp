@@ -1,5 +1,5 @@
 // Which pixels of a painted slice are computed, and how the others are filled in.
-#include "equipoise/basin_slices/pixel_plan.hpp"
+#include "equipoise/analyses/basin_slices/pixel_plan.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/basin_slices/reused_pixels.hpp"
-#include "equipoise/basin_slices/slice_names.hpp"
-#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/analyses/basin_slices/reused_pixels.hpp"
+#include "equipoise/analyses/basin_slices/slice_names.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise {
 namespace pixel_plan_test {

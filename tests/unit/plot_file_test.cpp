@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/base/display_text.hpp"
-#include "equipoise/drawing/chart_svg.hpp"
-#include "equipoise/drawing/plot_file.hpp"
-#include "equipoise/drawing/svg.hpp"
-#include "equipoise/plots/zero_line.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/svg.hpp"
+#include "equipoise/report/plots/zero_line.hpp"
 
 namespace equipoise {
 namespace plot_file_test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/statistics/quantile.hpp"
+#include "equipoise/core/statistics/quantile.hpp"
 
 namespace equipoise {
 namespace quantile_test {

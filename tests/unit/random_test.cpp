@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/random.hpp"
+#include "equipoise/core/base/random.hpp"
 
 namespace equipoise {
 namespace random_test {

@@ -1,5 +1,5 @@
 // Numbers read by the C library against std::from_chars(): the same bits, and the same end.
-#include "equipoise/base/read_number.hpp"
+#include "equipoise/core/base/read_number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Work on other threads, callbacks on the caller's: order, stops, exceptions on either side.
-#include "equipoise/running/reporting.hpp"
+#include "equipoise/core/running/reporting.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/running/stage_progress.hpp"
+#include "equipoise/core/running/stage_progress.hpp"
 
 namespace equipoise {
 namespace reporting_test {

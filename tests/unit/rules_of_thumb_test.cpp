@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/explain/balanced_motion.hpp"
-#include "equipoise/explain/drag_scan.hpp"
-#include "equipoise/explain/rules_of_thumb.hpp"
-#include "equipoise/reports/explain_report.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/report/explain/balanced_motion.hpp"
+#include "equipoise/report/explain/drag_scan.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "../support/studies.hpp"
 #include "../support/explained.hpp"
 

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/study_difference.hpp"
 #include "../support/studies.hpp"
 

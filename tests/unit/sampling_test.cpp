@@ -10,11 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/sampling/jittered_grid.hpp"
-#include "equipoise/sampling/sampling.hpp"
-#include "equipoise/sampling/scrambled_sobol.hpp"
-#include "equipoise/sampling/starts.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/study/sampling/jittered_grid.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
+#include "equipoise/study/sampling/scrambled_sobol.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
 namespace sampling_test {

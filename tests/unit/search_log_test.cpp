@@ -1,5 +1,5 @@
 // What long work records, and what it gets back: the same bits or nothing.
-#include "equipoise/running/search_log.hpp"
+#include "equipoise/core/running/search_log.hpp"
 
 #include <filesystem>
 #include <map>
@@ -11,12 +11,12 @@
 #include <unistd.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/attractors/motion_bytes.hpp"
-#include "equipoise/classification/pilot.hpp"
-#include "equipoise/io/journal.hpp"
-#include "equipoise/io/kept_search_log.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_bytes.hpp"
+#include "equipoise/results/io/journal.hpp"
+#include "equipoise/results/io/kept_search_log.hpp"
+#include "equipoise/simulation/rule/pilot.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace search_log_test {

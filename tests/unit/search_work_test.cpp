@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "../support/parameters.hpp"
-#include "equipoise/attractor_search/attractor_search.hpp"
-#include "equipoise/attractor_search/pilot_run.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/attractor_search/pilot_run.hpp"
 
 namespace equipoise {
 namespace search_work_test {

@@ -1,5 +1,5 @@
 // Figures of slices whose basins are known.
-#include "equipoise/basin_slices/slice_figures.hpp"
+#include "equipoise/analyses/basin_slices/slice_figures.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/basin_slices/slice_axis.hpp"
-#include "equipoise/mechanics/balanced_state.hpp"
-#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 #include "../support/studies.hpp"
 
 namespace equipoise {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/random.hpp"
-#include "equipoise/statistics/sobol_indices.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/core/statistics/sobol_indices.hpp"
 
 namespace equipoise {
 namespace sobol_indices_test {

@@ -1,5 +1,5 @@
 // The rotor's motion cut into segments: psi and its derivatives under both laws, jumps, clamp and the ramp function.
-#include "equipoise/drives/speed.hpp"
+#include "equipoise/machine/drives/speed.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/standards/hand_arm.hpp"
-#include "equipoise/standards/severity.hpp"
-#include "equipoise/standards/walking.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/standards/hand_arm.hpp"
+#include "equipoise/machine/standards/severity.hpp"
+#include "equipoise/machine/standards/walking.hpp"
 
 namespace equipoise::standards {
 namespace standards_test {

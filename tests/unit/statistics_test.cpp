@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/sampling/starts.hpp"
-#include "equipoise/statistics/share.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/statistics/share.hpp"
+#include "equipoise/study/sampling/starts.hpp"
 
 namespace equipoise {
 namespace statistics_test {

@@ -8,10 +8,10 @@
 #include <complex>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/math/dense.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace steady_state_test {
 

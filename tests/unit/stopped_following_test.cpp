@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/attractors/motion.hpp"
-#include "equipoise/periodic_orbits/orbit.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/shown/motion_path.hpp"
-#include "equipoise/start_runs/start_runner.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/report/shown/motion_path.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace stopped_following_test {

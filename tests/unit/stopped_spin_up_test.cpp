@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/spin_up/start_source.hpp"
-#include "equipoise/start_runs/checks.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/spin_up/start_source.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace stopped_spin_up_test {

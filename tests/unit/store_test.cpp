@@ -15,13 +15,13 @@
 
 #include "../support/refusals.hpp"
 #include "../support/files.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/io/checksum.hpp"
-#include "equipoise/io/journal.hpp"
-#include "equipoise/io/netcdf.hpp"
-#include "equipoise/io/replacement.hpp"
-#include "equipoise/io/sealed_file.hpp"
-#include "equipoise/result_files/basin_file.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/io/checksum.hpp"
+#include "equipoise/results/io/journal.hpp"
+#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/replacement.hpp"
+#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise {
 namespace store_test {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/explain/study_check.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/explain/study_check.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/explained.hpp"
 #include "../support/studies.hpp"
 

@@ -10,8 +10,8 @@
 #include "../support/refusals.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/toml/overrides.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/toml/overrides.hpp"
 
 namespace equipoise {
 namespace study_errors_test {

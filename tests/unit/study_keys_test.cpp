@@ -8,9 +8,9 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/study/keys.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/study/contents/keys.hpp"
 #include "../support/snapshots.hpp"
 #include "../support/studies.hpp"
 

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/study/ball_details.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/toml/overrides.hpp"
+#include "equipoise/study/contents/ball_details.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/toml/overrides.hpp"
 #include "../support/studies.hpp"
 #include "../support/refusals.hpp"
 #include "../support/study_difference.hpp"

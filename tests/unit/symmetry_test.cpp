@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/integrate/adaptive-inl.hpp"
-#include "equipoise/integrate/clamped.hpp"
-#include "equipoise/mechanics/energy.hpp"
-#include "equipoise/model/ball_count.hpp"
-#include "equipoise/model/flow-inl.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/simulation/integrate/clamped.hpp"
+#include "equipoise/machine/mechanics/energy.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace symmetry_test {
 

@@ -9,14 +9,14 @@
 
 #include <Eigen/Dense>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/capability.hpp"
-#include "equipoise/mechanics/linearisation.hpp"
-#include "equipoise/model/smooth_flow-inl.hpp"
-#include "equipoise/model/system.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/trajectory/simulate.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/mechanics/capability.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/snapshots.hpp"
 
 namespace equipoise {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/kernels/cpu_target.hpp"
-#include "equipoise/periodic_orbits/variational.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/attractors/periodic_orbits/variational.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 namespace tangent_test {

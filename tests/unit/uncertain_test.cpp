@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "../support/studies.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/study/study.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "../support/study_difference.hpp"
 
 namespace equipoise {

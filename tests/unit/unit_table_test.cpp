@@ -1,13 +1,13 @@
 // The table of units: what each is worth by its definition, and what the table does not have.
-#include "equipoise/units/unit_table.hpp"
+#include "equipoise/study/units/unit_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/units/units.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/study/units/units.hpp"
 
 namespace equipoise::study {
 namespace unit_table_test {

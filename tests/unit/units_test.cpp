@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/base/angles.hpp"
-#include "equipoise/mechanics/balance_grade.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/units/units.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/machine/balance/balance_grade.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/units/units.hpp"
 
 namespace equipoise::study {
 namespace units_test {

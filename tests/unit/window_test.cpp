@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/batch/own_rotor.hpp"
-#include "equipoise/classification/window_features.hpp"
+#include "equipoise/simulation/batch/own_rotor.hpp"
+#include "equipoise/simulation/rule/window_features.hpp"
 
 namespace equipoise {
 namespace window_test {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "bulk.hpp"
-#include "equipoise/columns/transient_figures.hpp"
-#include "equipoise/running/run_options.hpp"
-#include "equipoise/study/study.hpp"
-#include "equipoise/types/fate.hpp"
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::web {
 

@@ -11,19 +11,19 @@
 #include <fmt/format.h>
 
 #include "calls.hpp"
-#include "equipoise/analyses/ensemble.hpp"
-#include "equipoise/attractors/catalogue.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/changes/usual_changes.hpp"
-#include "equipoise/decision/balancer_blocks.hpp"
-#include "equipoise/decision/verdict_json.hpp"
-#include "equipoise/ensembles/ensemble_runner.hpp"
-#include "equipoise/ensembles/tally.hpp"
-#include "equipoise/ensembles/without_balls.hpp"
-#include "equipoise/sampling/sampling.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/start_runs/transient_tally.hpp"
-#include "equipoise/types/outcomes.hpp"
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
+#include "equipoise/analyses/ensembles/tally.hpp"
+#include "equipoise/analyses/ensembles/without_balls.hpp"
+#include "equipoise/analyses/mapper/ensemble.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/decision/balancer_blocks.hpp"
+#include "equipoise/report/decision/usual_changes.hpp"
+#include "equipoise/report/decision/verdict_json.hpp"
+#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise::web {
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "calls.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/base/version.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/version.hpp"
 
 // The worker's listener, if it has set one. What clang-format takes for C++ must be both.
 EM_JS(void, equipoise_tell, (const char* what, double done, double total, int preparing), {

@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "calls.hpp"
-#include "equipoise/analyses/comparison.hpp"
-#include "equipoise/analyses/ensemble.hpp"
-#include "equipoise/decision/plain_names.hpp"
-#include "equipoise/results/outcome_share.hpp"
-#include "equipoise/types/outcomes.hpp"
-#include "equipoise/drawing/plot_parts.hpp"
-#include "equipoise/reports/comparison_report.hpp"
-#include "equipoise/text/motion_words.hpp"
-#include "equipoise/shown/motion_path.hpp"
+#include "equipoise/analyses/one_study/comparison.hpp"
+#include "equipoise/analyses/mapper/ensemble.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/text/motion_words.hpp"
+#include "equipoise/report/shown/motion_path.hpp"
 
 namespace equipoise::web {
 

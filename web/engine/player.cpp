@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "calls.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/ensembles/basin.hpp"
-#include "equipoise/results/trajectory.hpp"
-#include "equipoise/spin_up/held_run.hpp"
-#include "equipoise/spin_up/initial_state.hpp"
-#include "equipoise/trajectory/followed_run.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/commands/trajectory.hpp"
+#include "equipoise/simulation/spin_up/held_run.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/trajectory/followed_run.hpp"
 
 namespace equipoise::web {
 

@@ -8,17 +8,17 @@
 #include <fmt/format.h>
 
 #include "calls.hpp"
-#include "equipoise/base/angles.hpp"
-#include "equipoise/base/embedded.hpp"
-#include "equipoise/base/error.hpp"
-#include "equipoise/explain/explain.hpp"
-#include "equipoise/start_runs/checks.hpp"
-#include "equipoise/model/stroboscopic_section.hpp"
-#include "equipoise/html/form.hpp"
-#include "equipoise/reports/explain_report.hpp"
-#include "equipoise/text/text.hpp"
-#include "equipoise/study/ball_details.hpp"
-#include "equipoise/trajectory/output_times.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/embedded.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/report/html/form.hpp"
+#include "equipoise/report/explain/explain_report.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/study/contents/ball_details.hpp"
+#include "equipoise/simulation/trajectory/output_times.hpp"
 
 namespace equipoise::embedded {
 extern const Archive preset_files;

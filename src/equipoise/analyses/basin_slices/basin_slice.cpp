@@ -1,0 +1,267 @@
+// From a study and two axes to a basin slice: pixels are requested, computed, kept and put together.
+#include "equipoise/analyses/basin_slices/basin_slice.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/basin_slices/pixel_plan.hpp"
+#include "equipoise/analyses/basin_slices/reused_pixels.hpp"
+#include "equipoise/analyses/basin_slices/slice_assembly.hpp"
+#include "equipoise/analyses/basin_slices/slice_names.hpp"
+#include "equipoise/analyses/basin_slices/slice_store.hpp"
+#include "equipoise/analyses/basin_slices/start_pixels.hpp"
+#include "equipoise/analyses/continuation/parameter_line.hpp"
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/parallel.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Unless the study states it: long enough for pixels of a family whose rotors may settle slowly.
+constexpr double default_horizon = 3000.0;
+// Starts requested at once: 16 MB of numbers, minutes of work.
+constexpr std::size_t most_starts_asked = std::size_t{1} << 22;
+
+void check(const BasinSlice& map) {
+  for (const SliceAxis* axis : {&map.x, &map.y}) {
+    const auto reject = [&](const std::string& value, const std::string& problem) {
+      throw InputError("map", axis->key, value, problem);
+    };
+    if (axis->pixels < 1 || axis->pixels > most_slice_pixels)
+      reject(fmt::format("{}", axis->pixels), fmt::format(words::sweeps::pixels_range, most_slice_pixels));
+    if (!std::isfinite(axis->low) || !std::isfinite(axis->high) || !(axis->low < axis->high))
+      reject(fmt::format("{} to {}", axis->low, axis->high), words::sweeps::rising_range);
+  }
+  if (map.x.key == map.y.key) throw InputError("map", map.x.key, "", words::sweeps::same_key_twice);
+  for (const AngleLink& link : map.links)
+    if (std::min(link.ball, link.of) < 1 || std::max(link.ball, link.of) > map.study.parameters.balls ||
+        link.ball == link.of)
+      throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
+                       fmt::format(words::sweeps::tie_balls, map.study.parameters.balls));
+  for (std::size_t k = 0; k < map.links.size(); ++k) {
+    const AngleLink& link = map.links[k];
+    const auto moved = [&](const std::string& by) {
+      throw InputError("map", "links", fmt::format("phi_{} = phi_{} + {}", link.ball, link.of, link.offset),
+                       fmt::format(words::sweeps::tied_already, link.ball, by));
+    };
+    for (const SliceAxis* axis : {&map.x, &map.y})
+      if (axis->key == fmt::format("initial.phi_{}", link.ball)) moved(words::sweeps::an_axis);
+    for (std::size_t other = 0; other < k; ++other)
+      if (map.links[other].ball == link.ball) moved(words::sweeps::another_tie);
+  }
+  if (map.block != 0 && (map.block < 2 || map.block > largest_map_block || !std::has_single_bit(unsigned(map.block))))
+    throw InputError("map", "block", fmt::format("{}", map.block),
+                     fmt::format(words::sweeps::block_size, largest_map_block));
+  if (map.block != 0 && draws_starts(map))
+    throw InputError("map", "block", fmt::format("{}", map.block), words::sweeps::block_needs_phi);
+  for (const int column : {0, map.x.pixels - 1})
+    for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
+  const auto with_x = [&](int column) {
+    return to_toml(study_with(study_with(map.study, map.x.key, map.x.centre(column)), map.y.key, map.y.centre(0)));
+  };
+  if (map.x.pixels > 1 && with_x(0) == with_x(map.x.pixels - 1))
+    throw InputError("map", map.x.key, "", fmt::format(words::sweeps::set_by_other_axis, map.y.key));
+}
+
+// Along a parameter no rule is made that could use other grounds.
+void check_decides(const Study& study) {
+  const ClassificationMode decide = study.numerics.decide;
+  if (decide != ClassificationMode::validated)
+    throw InputError(study.name, "numerics.decide", classification_mode_names[static_cast<std::size_t>(decide)],
+                     words::sweeps::line_needs_validated);
+}
+
+// A slice of another size numbers its pixels differently, and so draws other starts.
+void check_reuse(const BasinSlice& map, const std::string& from) {
+  if (!from.empty() && draws_starts(map)) throw InputError("map", "from", from, words::sweeps::reuse_needs_phi);
+}
+
+void check_memory(const BasinSlice& map, const std::string& output) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
+  if (output.empty() && pixels > most_pixels_in_memory)
+    throw InputError("map", "size", fmt::format("{}x{}", map.x.pixels, map.y.pixels),
+                     fmt::format(words::sweeps::too_many_in_memory, 1e-6 * static_cast<double>(most_pixels_in_memory)));
+}
+
+class Mapper {
+ public:
+  Mapper(const Study& study, const BasinSliceSettings& settings) : settings_(settings) {
+    map_.study = with_medians(study);
+    map_.x = settings.x;
+    map_.y = settings.y;
+    map_.links = settings.links;
+    map_.block = settings.block;
+  }
+
+  BasinSlice run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu_begin = cpu_seconds();
+    check(map_);
+    check_memory(map_, settings_.output);
+    check_reuse(map_, settings_.from);
+    prepare();
+    open();
+    if (file_ && file_->complete()) {
+      read_whole();
+    } else {
+      compute();
+      put_together();
+    }
+    map_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    map_.cpu_seconds = cpu_seconds() - cpu_begin;
+    return std::move(map_);
+  }
+
+ private:
+  void prepare() {
+    map_.threads = thread_count(settings_.threads);
+    map_.cpu_target = cpu_target();
+    starts_ = maps_starts(map_);
+    if (starts_) {
+      map_.study = with_horizon(map_.study);
+      map_.balance_margin = {static_cast<float>(balance_margin(map_.study.parameters))};
+      map_.balance_growth = {static_cast<float>(balance_growth(map_.study.system()))};
+    } else {
+      check_decides(map_.study);
+      if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
+    }
+    const BasinFileHeader of_starts = basin_file_header(map_.study, true, false);
+    header_ = {to_toml(map_.study), map_.x, map_.y, map_.links, map_.block, of_starts.arithmetic, starts_};
+    header_.components = of_starts.variables.size();
+    if (!starts_) return;
+    header_.rotor.balance_margin = map_.balance_margin.front();
+    header_.rotor.balance_growth = map_.balance_growth.front();
+  }
+
+  void open() {
+    if (!settings_.output.empty()) {
+      auto file = std::make_unique<SliceStore>(settings_.output, header_);
+      file_ = file.get();
+      give_notice(settings_, file_->loss());
+      store_ = std::move(file);
+      for (const OutcomeShare& code : file_->codes()) names_.know(code);
+    } else {
+      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
+    }
+  }
+
+  void read_whole() {
+    std::map<short, OutcomeShare> codes;
+    for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
+    SliceAssembly(map_, *store_, nullptr, codes).run({});
+    map_.pixels_kept = map_.pixels_computed;
+    map_.read_whole = true;
+  }
+
+  void compute() {
+    plan_.emplace(map_.x.pixels, map_.y.pixels, map_.block);
+    if (file_)
+      file_->for_each_known([&](std::uint32_t position, short code) {
+        if (code > 0 && !names_.listed(code)) return names_.avoid(code);  // computed again
+        plan_->know(position, code);
+        names_.see(code, position);
+      });
+    map_.pixels_kept = plan_->known_count();
+    if (!settings_.from.empty()) reuse();
+    for (;;) {
+      const auto positions = plan_->next(most_starts_asked);
+      if (positions.empty() || !compute(positions)) break;
+    }
+    complete_ = plan_->settled() == plan_->size();
+    plan_->close();
+  }
+
+  void reuse() {
+    const std::uint64_t before = plan_->known_count();
+    reused_pixels(settings_.from, header_, *plan_, [&](const DonePixels& done) { take(done); });
+    map_.pixels_reused = plan_->known_count() - before;
+  }
+
+  bool compute(const std::vector<std::uint32_t>& positions) {
+    const TakePixels taken = [&](const DonePixels& done) { take(done); };
+    if (!start_pixels_) {
+      const auto discovered = [&](const std::vector<double>& state) {
+        if (file_) file_->append_attractor_search(state);
+      };
+      const auto met = file_ ? file_->discoveries() : std::vector<std::vector<double>>{};
+      start_pixels_.emplace(map_, settings_, met, discovered, file_ ? &file_->notes() : nullptr);
+    }
+    return start_pixels_->compute(positions, taken);
+  }
+
+  void take(const DonePixels& done) {
+    std::vector<SlicePixel> pixels = done.pixels;
+    const MotionName* last = nullptr;
+    short code = 0;
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      const MotionName* const motion = done.motions[k];
+      if (motion && motion != last) code = code_of_motion(*motion);
+      last = motion ? motion : last;
+      if (motion) pixels[k].code = code;
+    }
+    store_->append(done.positions, pixels);
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      plan_->know(done.positions[k], pixels[k].code);
+      names_.see(pixels[k].code, done.positions[k]);
+    }
+    if (settings_.progress) settings_.progress({plan_->settled(), plan_->size(), "pixels", {}});
+  }
+
+  // A name is in the file before its first pixel.
+  short code_of_motion(const MotionName& motion) {
+    const std::size_t before = names_.codes().size();
+    const short code = names_.code(motion);
+    if (file_ && names_.codes().size() > before) file_->append_code(names_.codes().back());
+    return code;
+  }
+
+  void put_together() {
+    const auto seen = names_.seen(complete_);  // a run that continues must find the codes that this one gave
+    SliceAssembly assembly(map_, *store_, &*plan_, seen);
+    if (!file_ || !file_->unfinished()) return assembly.run({});
+    file_->finish(
+        [&](const std::string& path) {
+          io::SliceWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
+          assembly.run([&](int first, int rows, const SlicePixel* pixels) { writer.write_rows(first, rows, pixels); });
+          writer.finish(map_.codes);
+        },
+        complete_);
+  }
+
+  const BasinSliceSettings& settings_;
+  bool starts_ = false, complete_ = false;
+  BasinSlice map_;
+  io::SliceFileHeader header_;
+  std::unique_ptr<PixelStore> store_;
+  SliceStore* file_ = nullptr;  // the store, if it is a file
+  SliceNames names_;
+  std::optional<PixelPlan> plan_;
+  std::optional<StartPixels> start_pixels_;
+};
+
+}  // namespace
+
+BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings) {
+  check_has_balls(study);
+  const ChosenCpuTarget chosen(settings.cpu_target);
+  return reported(settings, [&](const BasinSliceSettings& s) { return Mapper(study, s).run(); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,234 @@
+// Decides pixels as chunks of starts.
+#include "equipoise/analyses/basin_slices/start_pixels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "equipoise/analyses/continuation/parameter_line.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/attractors/periodic_orbits/return_map.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/balance/tilt_balance.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/result_files/start_columns.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Whether the key's values are starts of one rotor, which lanes take in any order.
+bool is_start(const Study& study, const std::string& key) {
+  InitialState any;
+  if (!initial_value(any, study.parameters.balls, key)) return false;
+  // While the balls are held, starts can differ only in their angles.
+  return SliceAxis{key}.angle() || (key != "initial.psi" && study.release_time() == 0.0);
+}
+
+}  // namespace
+
+bool maps_starts(const BasinSlice& map) { return is_start(map.study, map.x.key) && is_start(map.study, map.y.key); }
+
+double balance_margin(const model::Parameters& p) {
+  if (p.tilts()) return model::tilt_balance_margin(p);
+  const double largest = std::max(p.eccentricity, *std::max_element(p.mass.begin(), p.mass.begin() + p.balls));
+  return p.eccentricity + p.total_mass() - 2.0 * largest;
+}
+
+double balance_growth(const model::System& system) {
+  const model::Parameters& p = system.parameters();
+  double least = std::numeric_limits<double>::quiet_NaN();
+  if (!system.prescribed() || !p.race_is_centred() || !system.autonomous()) return least;
+  for (const auto& phi : model::balanced_states(p).angles) {
+    const Eigen::VectorXd centre = model::balanced_state(system, system.speed(), phi.data());
+    least = std::fmin(least, dense::largest_real_part(model::jacobian(system, centre)));
+  }
+  return least;
+}
+
+namespace {
+
+// The start of [initial], with drawn ball angles if the slice draws them.
+void place_start(const BasinSlice& map, int column, int row, Study& study) {
+  if (draws_starts(map)) {
+    const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(map.x.pixels);
+    const Sampler sampler(SamplingMethod::random, study.parameters.balls, 0, false);
+    study.initial = start_of(study, sampler, study.sampling.seed, pixel + static_cast<std::uint64_t>(column));
+  }
+  tie(study.initial, map.links);
+}
+
+// The family of the studies of a slice's pixels, over those axes that are no initial values.
+StudyFamily family_of(const BasinSlice& map) {
+  std::vector<StudyFamily::Quantile> values;
+  std::vector<std::string> keys;
+  for (const SliceAxis* axis : {&map.x, &map.y}) {
+    if (is_start(map.study, axis->key)) continue;
+    keys.push_back(axis->key);
+    values.push_back({[low = axis->low, high = axis->high](double f) { return (1.0 - f) * low + f * high; }});
+  }
+  return {std::move(values), [study = map.study, keys](std::span<const double> at) {
+            Study result = study;
+            for (std::size_t k = 0; k < keys.size(); ++k) result = study_with(result, keys[k], at[k]);
+            return result;
+          }};
+}
+
+// For a slice whose lines have one rotor each and are long enough to probe: whether the lines are columns.
+std::optional<bool> lines_are_columns(const BasinSlice& map) {
+  const bool start_along_x = is_start(map.study, map.x.key);
+  if (start_along_x == is_start(map.study, map.y.key)) return std::nullopt;
+  if (!LineMotions::pays(start_along_x ? map.x.pixels : map.y.pixels)) return std::nullopt;
+  return !start_along_x;
+}
+
+std::unique_ptr<StartRunner> runner_of(const BasinSlice& map, const RunOptions& options, SearchLog* notes) {
+  const AttractorSearchSettings settings{
+      .threads = map.threads, .stop = options.stop, .progress = options.progress, .notes = notes};
+  if (maps_starts(map)) return std::make_unique<StartRunner>(map.study, settings);
+  FamilyStarts starts{static_cast<double>(map.x.pixels) * map.y.pixels};
+  if (const auto columns = lines_are_columns(map)) starts.rotors = *columns ? map.x.pixels : map.y.pixels;
+  return std::make_unique<StartRunner>(map.study, family_of(map), starts, settings);
+}
+
+}  // namespace
+
+Study study_at(const BasinSlice& map, int column, int row) {
+  Study study = study_with(map.study, map.x.key, map.x.centre(column));
+  study = study_with(study, map.y.key, map.y.centre(row));
+  place_start(map, column, row, study);
+  return study;
+}
+
+StartPixels::StartPixels(const BasinSlice& map, const RunOptions& options, const std::vector<std::vector<double>>& met,
+                         const Discovered& discovered, SearchLog* notes)
+    : map_(map), options_(options), discovered_(discovered), runner_(runner_of(map, options, notes)) {
+  if (runner_->stopped()) return;
+  if (const auto columns = lines_are_columns(map)) lines_.emplace(map, *columns, *runner_, notes);
+  for (const Attractor& a : runner_->catalogue().attractors()) listed_.insert(a.id);
+  for (const std::vector<double>& state : of_family() ? std::vector<std::vector<double>>{} : met) {
+    const std::optional<UnlistedStart> start = runner_->follow(state);
+    unread_ = !start;
+    if (unread_) return;
+    listed_.insert(runner_->list(*start));
+  }
+}
+
+bool StartPixels::compute(const std::vector<std::uint32_t>& positions, const TakePixels& take) {
+  if (unread_ || runner_->stopped()) return false;
+  const auto start_at = [&](std::uint32_t position) { return family_start(position); };
+  if (lines_ && !lines_->look_along(positions, start_at, options_)) return false;
+  const ChunkWork work{
+      .decide = [&](Chunk& chunk) { return decide(positions, chunk); }, .threads = map_.threads, .stop = options_.stop};
+  const std::atomic<bool> finished{false};
+  std::atomic<bool> lost{false};
+  bool whole = true;  // all chunks so far
+  compute_chunks(work, 0, positions.size(), finished, lost, [&](const std::shared_ptr<Chunk>& chunk) {
+    whole = whole && chunk->complete;
+    if (whole) hand_on(positions, *chunk, take);
+  });
+  return whole && !lost;
+}
+
+InitialState StartPixels::start(std::uint32_t position) const {
+  const std::uint32_t columns = static_cast<std::uint32_t>(map_.x.pixels);
+  InitialState s = map_.study.initial;
+  *initial_value(s, map_.study.parameters.balls, map_.x.key) = map_.x.centre(static_cast<int>(position % columns));
+  *initial_value(s, map_.study.parameters.balls, map_.y.key) = map_.y.centre(static_cast<int>(position / columns));
+  tie(s, map_.links);
+  return s;
+}
+
+FamilyStart StartPixels::family_start(std::uint32_t position) const {
+  const std::uint32_t columns = static_cast<std::uint32_t>(map_.x.pixels);
+  const int column = static_cast<int>(position % columns), row = static_cast<int>(position / columns);
+  FamilyStart result;
+  std::vector<double> values;
+  const std::array<std::pair<const SliceAxis*, double>, 2> axes{std::pair{&map_.x, map_.x.centre(column)},
+                                                                std::pair{&map_.y, map_.y.centre(row)}};
+  for (const auto& [axis, value] : axes) {
+    if (is_start(map_.study, axis->key)) continue;
+    values.push_back(value);
+    result.fractions.push_back((value - axis->low) / (axis->high - axis->low));
+  }
+  Study& study = result.own.study = runner_->family()->at(values);
+  for (const auto& [axis, value] : axes)
+    if (is_start(map_.study, axis->key)) *initial_value(study.initial, study.parameters.balls, axis->key) = value;
+  place_start(map_, column, row, study);
+  result.own.start = parted(study.parameters, study.initial);
+  return result;
+}
+
+bool StartPixels::decide(const std::vector<std::uint32_t>& positions, Chunk& chunk) const {
+  if (of_family()) {
+    std::vector<FamilyStart> starts;
+    for (std::size_t i = 0; i < chunk.count; ++i) {
+      const std::uint32_t position = positions[chunk.first + i];
+      starts.push_back(family_start(position));
+      if (lines_) starts.back().met = &lines_->at(position);
+    }
+    return runner_->run_family(std::move(starts), chunk);
+  }
+  std::vector<InitialState> starts;
+  for (std::size_t i = 0; i < chunk.count; ++i) starts.push_back(start(positions[chunk.first + i]));
+  return runner_->run_from(starts, chunk);
+}
+
+// Passes pixels on in order.
+void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& chunk, const TakePixels& take) {
+  std::map<std::size_t, double> followed;  // largest r of what starts were followed to
+  for (const UnlistedStart& u : chunk.unlisted) {
+    const int id = runner_->settle(u, chunk.fates[u.place]);
+    if (id > 0 && listed_.insert(id).second && !of_family()) discovered_(u.state);
+    if (u.motion) followed[u.place] = u.motion->r_max;
+  }
+  DonePixels done;
+  for (std::size_t i = 0; i < chunk.count; ++i) {
+    const std::uint32_t position = positions[chunk.first + i];
+    const MotionName* motion = nullptr;
+    const auto own = of_family() ? std::optional<FamilyStart>(family_start(position)) : std::nullopt;
+    const InitialState begin = own ? own->own.start : start(position);
+    SlicePixel pixel;
+    if (overlap(map_.study.parameters, begin.phi.data())) {  // no such start
+      pixel.code = failed_code;
+    } else {
+      pixel = pixel_of(own, chunk.fates[i], motion);
+      if (const auto at = followed.find(i); motion && at != followed.end())
+        pixel.r_max = static_cast<float>(at->second);
+    }
+    pixel.computed = true;
+    if (own) add_balance(own->own.study, pixel);
+    done.positions.push_back(position);
+    done.pixels.push_back(pixel);
+    done.motions.push_back(motion);
+  }
+  take(done);
+}
+
+void StartPixels::add_balance(const Study& study, SlicePixel& pixel) {
+  pixel.balance_growth = static_cast<float>(balance_growth(study.system()));
+  pixel.balance_margin = static_cast<float>(balance_margin(study.parameters));
+}
+
+SlicePixel StartPixels::pixel_of(const std::optional<FamilyStart>& own, const Fate& fate, const MotionName*& motion) {
+  SlicePixel pixel;
+  pixel.time = static_cast<float>(fate.time);
+  pixel.code = code_of(fate);
+  const Attractor* a = fate.outcome == Outcome::attracted ? runner_->catalogue().find(fate.attractor) : nullptr;
+  if (!a) return pixel;
+  auto& name = names_[a->id];
+  if (!name) name = std::make_unique<MotionName>(MotionName{a->name, a->alias, a->id < first_free_id ? a->id : 0});
+  motion = name.get();
+  pixel.r_max = own ? fate.radius : static_cast<float>(a->motion.r_max);
+  return pixel;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,33 @@
+// Design: the best balancer and spin-up for a machine that a budget of trajectories can find.
+// This room: candidates as studies, the search, its checks and margins.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "equipoise/analyses/design/problem.hpp"
+#include "equipoise/analyses/sweeps/survey.hpp"
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/results/commands/design_result.hpp"
+
+namespace equipoise {
+
+/// Progress is in trajectories.
+struct DesignOptions : RunOptions {
+  std::string output;  ///< NetCDF file; an unfinished one of the same design is resumed, a finished one read
+  SurveyHelpers helpers;
+  /// Says, from any thread, that the search has had its time; the best by then is still checked. Empty: the budget
+  /// says.
+  std::function<bool()> search_time_over;
+};
+
+/// For other processes of a job: a block is a candidate.
+Survey design_survey(const DesignProblem& problem, const DesignOptions& options);
+
+/// Searches with two thirds of the budget, all candidates on the same starts; follows the best with more of them;
+/// judges the front on starts that the search did not see; and moves the numbers of the chosen one, each by itself. The
+/// result depends on the problem alone. Stopped, it tells what the search has found by then. Throws InputError for
+/// unusable output files, RunError if the output fails later.
+DesignResult design(const DesignProblem& problem, const DesignOptions& options = {});
+
+}  // namespace equipoise

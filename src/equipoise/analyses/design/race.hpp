@@ -1,0 +1,53 @@
+// The search's judge: every candidate gets a first look, those that might win get more starts.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "equipoise/analyses/design/ensembles.hpp"
+#include "equipoise/analyses/design/problem.hpp"
+#include "equipoise/analyses/design/search.hpp"
+#include "equipoise/analyses/design/standing.hpp"
+#include "equipoise/results/commands/design_result.hpp"
+
+namespace equipoise {
+
+class Race {
+ public:
+  /// `budget`: trajectories after which the search is over.
+  Race(const DesignProblem& problem, const DesignStanding& standing, DesignEnsembles& ensembles, std::uint64_t budget,
+       std::uint64_t seed, std::function<void(const DesignCandidate*)> told);
+
+  /// As a Judge, who judges the study itself before all else: throws SearchOver when the budget is spent, when nothing
+  /// new is proposed, or when stopped.
+  std::vector<SearchWorth> judge(const std::vector<SearchPoint>& points);
+
+  /// All candidates that were examined, each with its largest sample.
+  const std::vector<DesignCandidate>& candidates() const { return candidates_; }
+  const std::vector<DesignStep>& history() const { return history_; }
+
+ private:
+  std::size_t enter(const SearchPoint& point);
+  void look(const std::vector<std::size_t>& places, std::uint64_t starts);
+  std::vector<std::size_t> might_win(const std::vector<std::size_t>& places) const;
+  void raise(std::vector<std::size_t> places);
+  void take_into_leaders(std::size_t place);
+  void note_best();
+
+  const DesignProblem& problem_;
+  const DesignStanding& standing_;
+  DesignEnsembles& ensembles_;
+  std::uint64_t budget_, seed_;
+  std::function<void(const DesignCandidate*)> told_;
+  std::vector<DesignCandidate> candidates_;
+  std::map<std::string, std::size_t> places_;  // by text
+  std::vector<std::size_t> leaders_;           // beaten by no other
+  std::vector<DesignStep> history_;
+  std::uint64_t looked_ = 0, raised_ = 0;  // trajectories
+  std::size_t idle_ = 0;                   // consecutive points without anything new
+};
+
+}  // namespace equipoise

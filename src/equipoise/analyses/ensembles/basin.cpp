@@ -1,0 +1,417 @@
+// Runs an ensemble: takes chunks of starts in by index order, counts and stores them; chooses sampling, resumes, ends.
+#include "equipoise/analyses/ensembles/basin.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/chunks.hpp"
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
+#include "equipoise/analyses/ensembles/open_starts.hpp"
+#include "equipoise/analyses/ensembles/sampling_choice.hpp"
+#include "equipoise/analyses/ensembles/start_arrays.hpp"
+#include "equipoise/analyses/ensembles/stored_starts.hpp"
+#include "equipoise/analyses/ensembles/tally.hpp"
+#include "equipoise/analyses/ensembles/without_balls.hpp"
+#include "equipoise/analyses/ensembles/write_basin.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/parallel.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/words/files.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::uint64_t open_ended_limit = 1'000'000'000;
+
+class BasinRun {
+ public:
+  BasinRun(const Study& study, const BasinOptions& options)
+      : options_(options),
+        gathers_(gathers_transients(study, options)),
+        threads_(thread_count(options.threads)),
+        searches_(options.searches ? *options.searches : own_searches_) {
+    result_.study = study;
+    if (study.speed.driven()) passed_speed_ = study.passed_speed();
+    result_.threads = threads_;
+    result_.cpu_target = cpu_target();
+    result_.half_width = options.half_width;
+    if (options.keep_starts) result_.every_start.emplace();
+    result_.own_starts = !options.initial.empty();
+  }
+
+  BasinResult run() {
+    check_runnable(result_.study, gathers_);
+    if (result_.own_starts) take_own_starts(options_, result_.study);
+    horizon_ = choose_horizon(result_.study);
+    result_.study.numerics.horizon = horizon_.time;
+    sample();
+    result_.starts = tally_->total();
+    result_.asked = limit_ < open_ended_limit || options_.limit_given ? limit_ : 0;
+    result_.partial = !finished_;
+    result_.grid = sampler_->grid();
+    count_all();
+    const BalanceNote balance = runner_->balance();
+    result_.balanced_stable = balance.stable;
+    result_.note = balance.note;
+    if (const std::optional<EscapeRate> chaos = tally_->chaos(catalogue())) note_chaos(result_, *chaos);
+    note_open_starts(result_, horizon_, look_at_these(undecided_), look_at_these(stalled_));
+    if (gathers_ && options_.without_balls && result_.starts > 0 && !is_set(options_.stop))
+      // As many starts as the file has, so that it says the same to every reader.
+      result_.without_balls =
+          without_balls({result_.study, *sampler_, std::max(result_.starts, file_ ? file_->stored() : 0),
+                         options_.initial, threads_, options_.stop});
+    const RunTime time = time_so_far();
+    result_.seconds = time.seconds;
+    result_.cpu_seconds = time.cpu_seconds;
+    if (file_) finish_file(time);
+    return result_;
+  }
+
+  const Catalogue& catalogue() const { return runner_->catalogue(); }
+  WarmStartLevels warm_start_levels() const { return runner_->warm_start_levels(); }
+
+ private:
+  InitialState start(std::uint64_t index) const {
+    if (result_.own_starts) return options_.initial[index];
+    return drawn_start_of(result_.study, *sampler_, result_.study.sampling.seed, index);
+  }
+  // How these starts go on at the end. The work is done only when the result is called.
+  LookAt look_at_these(const std::vector<std::uint64_t>& indices) const {
+    return [&] {
+      if (runner_->stopped() || is_set(options_.stop)) return std::vector<UndecidedEnd>{};
+      std::vector<InitialState> starts;
+      for (const std::uint64_t index : indices) starts.push_back(start(index));
+      return runner_->look_at(starts);
+    };
+  }
+
+  // Thread-safe.
+  bool decide(Chunk& c) const {
+    if (!result_.own_starts) return classify_chunk(*runner_, c);
+    const std::span<const InitialState> given(&options_.initial[c.first], c.count);
+    c.phi.clear();
+    for (const InitialState& s : given)
+      c.phi.insert(c.phi.end(), s.phi.begin(), s.phi.begin() + result_.study.parameters.balls);
+    return runner_->run_from(given, c);
+  }
+
+  void sample() {
+    const std::optional<SamplingMethod> given = result_.study.sampling.method;
+    if (!given && options_.half_width > 0.0)
+      choose_method();
+    else
+      set_method(given.value_or(SamplingMethod::random));
+    if (lost_) {  // interrupted before a method was chosen: begin no file, report what the pilot counted
+      for (auto& chunk : pilot_) commit(*chunk);
+      return;
+    }
+    open_file();
+    if (!runner_) make_runner();
+    read_stored();
+    for (auto& chunk : pilot_) commit(*chunk);
+    pilot_.clear();
+    if (finished_ || unread_ || runner_->stopped()) return;
+    // Damage may have left gaps in the file.
+    while (!finished_ && !lost_)
+      compute(tally_->total(), file_ ? std::min(limit_, file_->stored_next()) : limit_,
+              [&](const std::shared_ptr<Chunk>& chunk) { commit(*chunk); });
+  }
+
+  RunTime time_so_far() const {
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(),
+            cpu_seconds() - cpu_begin_};
+  }
+
+  void set_method(SamplingMethod method) {
+    Study& study = result_.study;
+    study.sampling.method = method;
+    const bool open_ended = options_.half_width > 0.0 && !options_.limit_given;
+    if (options_.half_width > 0.0 && method == SamplingMethod::grid)
+      throw InputError(study.name, "sampling.method", "grid", words::runs::grid_has_its_size);
+    sampler_.emplace(sampler_of(study));
+    limit_ = open_ended ? open_ended_limit : sampler_->grid() ? sampler_->grid()->starts() : study.sampling.starts;
+    runner_.reset();
+  }
+
+  void make_runner() {
+    const Study& study = result_.study;
+    AttractorSearchSettings search = search_settings(options_, &searches_);
+    if (file_) search.notes = &file_->notes();
+    runner_ = std::make_unique<StartRunner>(study, search, gathers_);
+    tally_.emplace(*sampler_, study.sampling.seed, runner_->settled());
+    transients_.emplace(study, *sampler_);
+    filed_.clear();
+    for (const Attractor& a : runner_->catalogue().attractors()) filed_.insert(a.id);
+  }
+
+  // Pilot starts are the first of a Sobol sample, so none is wasted if the ensemble goes on with Sobol starts.
+  void choose_method() {
+    SamplingChoice choice;
+    choice.random_starts = most_random_starts(options_.half_width);
+    const bool worth_it = choice.random_starts > static_cast<double>(pilot_starts);
+    if (worth_it && (!options_.limit_given || result_.study.sampling.starts > pilot_starts)) {
+      set_method(SamplingMethod::sobol);
+      make_runner();
+      Tally tally = *tally_;
+      compute(0, pilot_starts, [&](const std::shared_ptr<Chunk>& chunk) { try_chunk(chunk, tally); });
+      if (lost_ || runner_->stopped()) {
+        lost_ = true;
+        return;
+      }
+      choice = choose_sampling(tally.shares(), options_.half_width);
+    }
+    result_.choice = choice;
+    if (choice.method == SamplingMethod::sobol) return;
+    pilot_.clear();
+    set_method(SamplingMethod::random);
+  }
+
+  void try_chunk(const std::shared_ptr<Chunk>& chunk, Tally& tally) {
+    lost_ = lost_ || !chunk->complete;
+    if (lost_) return;
+    runner_->settle(*chunk);
+    for (const Fate& fate : chunk->fates) tally.add(fate);
+    pilot_.push_back(chunk);
+    report(tally, 0);
+  }
+
+  void open_file() {
+    if (options_.output.empty()) return;
+    const std::string own = result_.own_starts ? checksum_of(result_.study, options_.initial) : "";
+    file_ = std::make_unique<BasinFile>(options_.output,
+                                        basin_file_header(result_.study, options_.store_angles, gathers_, own));
+    give_notice(options_, file_->loss());
+  }
+
+  void count_all() {
+    tally_->count(runner_->catalogue(), result_);
+    if (result_.study.speed.driven()) {
+      // A grid's starts have unequal weights, so these shares leave them out.
+      if (!result_.grid) {
+        result_.passed = open_share(passed_, passed_ + below_, tally_->total());
+        result_.not_passed = open_share(held_below_, held_below_ + below_, tally_->total());
+      }
+    }
+    if (result_.study.parameters.balls_collide() && !result_.grid)
+      result_.met = open_share(met_, met_, tally_->total());
+    if (gathers_) result_.transients = transients_->result(runner_->catalogue());
+    if (result_.choice && result_.choice->method == SamplingMethod::sobol)  // a better estimate than the pilot's
+      result_.choice->random_starts = random_starts_for(tally_->shares(), options_.half_width);
+  }
+
+  // A file may hold more starts than this run asked for. Its summary covers all of them; a file that is already
+  // complete stays as it is.
+  void finish_file(const RunTime& time) {
+    if (file_->complete() && file_->unfinished() == 0 && (finished_ || file_->stored() >= limit_))
+      return file_->forget_notes();
+    if (unread_ || runner_->stopped()) return;  // the attractors that name the outcomes are not known yet
+    const bool all = tally_->total() == file_->stored();
+    if (file_->unfinished() == 0 && (!all || !finished_ || file_->complete())) return;
+    Tally whole = *tally_;
+    TransientTally figures = *transients_;
+    for_each_stored(*file_, tally_->total(), file_->stored(), gathers_, [&](const Fate& fate, const TransientRow* row) {
+      whole.add(fate);
+      if (row) figures.add(fate, *row);
+    });
+    Study study = result_.study;
+    if (finished_ && !sampler_->grid()) study.sampling.starts = file_->stored();
+    BasinResult told;
+    told.study = study;
+    whole.count(runner_->catalogue(), told);
+    std::optional<TransientGroup> told_of_all;
+    if (gathers_) told_of_all = figures.result(runner_->catalogue()).groups.front();
+    file_->finish(to_toml(study), outcome_summary(told), finished_, time, told_of_all, result_.without_balls);
+  }
+
+  // Counts what an earlier run left in the file. The motions that it met on the way are listed again first.
+  void read_stored() {
+    if (file_)
+      for (const std::vector<double>& state : file_->discoveries()) {
+        const std::optional<UnlistedStart> start = runner_->follow(state);
+        unread_ = !start;
+        if (unread_) return;
+        filed_.insert(runner_->list(*start));
+        if (options_.keep_starts) result_.discoveries.push_back(state);
+      }
+    const std::uint64_t stored = file_ ? std::min(file_->stored(), limit_) : 0;
+    take_stored();
+    if (stored > 0 && !finished_ && !runner_->stopped())
+      check_stored(*file_, options_.output, stored, result_.cpu_target, [&](Chunk& chunk) {
+        if (!decide(chunk)) return false;
+        runner_->settle(chunk);
+        return true;
+      });
+  }
+
+  // What the file holds behind the starts counted so far.
+  void take_stored() {
+    const std::uint64_t begin = tally_->total(), end = file_ ? std::min(file_->stored(), limit_) : 0;
+    if (begin >= end) return;
+    for_each_stored(*file_, begin, end, gathers_, [&](const Fate& fate, const TransientRow* row) {
+      if (finished_ || unread_) return;
+      if (fate.attractor > 0 && !filed_.contains(fate.attractor)) meet_again(tally_->total(), fate);
+      if (!unread_) take(fate, row);
+    });
+    result_.resumed_from += tally_->total() - begin;
+  }
+
+  // The file names a motion by a state on it. If damage has taken that, a start that came to it meets it again.
+  void meet_again(std::uint64_t index, const Fate& fate) {
+    Chunk chunk;
+    chunk.first = index;
+    chunk.count = 1;
+    unread_ = !decide(chunk);
+    if (unread_) return;
+    for (const UnlistedStart& start : chunk.unlisted) name_fate(chunk.fates.front(), start);
+    if (!filed_.contains(fate.attractor))
+      throw InputError(options_.output, "", "", fmt::format(words::files::outcome_without_name, index, fate.attractor));
+  }
+
+  void take(const Fate& fate, const TransientRow* row) {
+    tally_->add(fate);
+    if (result_.study.speed.driven()) count_passage(fate);
+    if (row) transients_->add(fate, *row);
+    // Pilot starts all count, even if fewer would have been narrow enough.
+    const std::uint64_t least = result_.choice ? result_.choice->pilot : 0;
+    const bool may_end = options_.half_width > 0.0 && tally_->at_checkpoint() &&
+                         (tally_->total() >= least || sampler_->method() == SamplingMethod::random);
+    const bool narrow = may_end && tally_->narrow(options_.half_width);
+    finished_ = narrow || tally_->total() == limit_;
+    if (fate.outcome == Outcome::undecided && undecided_.size() < undecided_looked_at)
+      undecided_.push_back(tally_->total() - 1);
+    if (fate.outcome == Outcome::stalled && stalled_.size() < undecided_looked_at)
+      stalled_.push_back(tally_->total() - 1);
+    if (result_.every_start && result_.every_start->starts < options_.keep_at_most)
+      add_start(result_.study, *sampler_, start(result_.every_start->starts), result_.own_starts, fate, row,
+                *result_.every_start);
+    met_ += fate.met;
+    if (options_.fate) options_.fate(fate);
+  }
+
+  // Judged by the speed of the motion that a start came to or, without one, by its last speed.
+  void count_passage(const Fate& fate) {
+    const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
+    const bool above = std::fabs(fate.mean_speed) >= passed_speed_;
+    if (!lost && above)
+      ++passed_;
+    else if (fate.outcome == Outcome::undecided)
+      ++below_;
+    else if (!lost)
+      ++held_below_;
+  }
+
+  void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
+    // Starts with rotors of their own have fates too large to send; so have the caller's own starts.
+    const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
+    const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
+                         .threads = threads_,
+                         .stop = options_.stop,
+                         .help = helped ? options_.help(sampler_->method()) : nullptr};
+    compute_chunks(work, first, limit, finished_, lost_, sink);
+  }
+
+  void report(const Tally& tally, std::uint64_t limit) const {
+    if (options_.progress)
+      options_.progress({tally.total(), limit, "starts", tally.share(Outcome::attracted, balanced_id).share});
+  }
+
+  // Takes chunks in, in order. No chunk after an incomplete one counts, so the result stays a prefix. Starts that the
+  // file already held are skipped.
+  void commit(Chunk& chunk) {
+    if (finished_) return;
+    if (!chunk.complete || stop_counting_) {
+      lost_ = stop_counting_ = true;
+      return;
+    }
+    if (chunk.first + chunk.count <= tally_->total()) return;
+    const std::size_t begin = static_cast<std::size_t>(tally_->total() - chunk.first);
+    std::size_t taken = begin;
+    auto unlisted = chunk.unlisted.begin();
+    while (taken < chunk.count && !finished_) {
+      while (unlisted != chunk.unlisted.end() && unlisted->place < taken) ++unlisted;
+      Fate& fate = chunk.fates[taken];
+      if (unlisted != chunk.unlisted.end() && unlisted->place == taken) name_fate(fate, *unlisted);
+      take(fate, chunk.row(taken));
+      ++taken;
+    }
+    if (file_)
+      append_starts(
+          *file_, result_.study, *sampler_, chunk, {begin, taken}, result_.own_starts,
+          [&](std::uint64_t index) { return start(index); }, time_so_far());
+    take_stored();
+    report(*tally_, options_.half_width > 0.0 ? 0 : limit_);
+  }
+
+  // Names the fate of a start whose motion the rule does not list. The motion decides, whenever it was first met.
+  void name_fate(Fate& fate, const UnlistedStart& start) {
+    const int id = runner_->settle(start, fate);
+    if (id == 0 || !filed_.insert(id).second) return;
+    if (file_) file_->append_attractor_search(start.state);
+    if (options_.keep_starts) result_.discoveries.push_back(start.state);
+  }
+
+  const BasinOptions& options_;
+  bool gathers_;  // transients
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double cpu_begin_ = cpu_seconds();
+  int threads_;
+  AttractorSearchCache own_searches_;
+  AttractorSearchCache& searches_;
+  BasinResult result_;
+  std::uint64_t limit_ = 0;
+  std::unique_ptr<BasinFile> file_;
+  std::optional<Sampler> sampler_;
+  std::unique_ptr<StartRunner> runner_;
+  std::optional<Tally> tally_;
+  std::optional<TransientTally> transients_;
+  std::vector<std::shared_ptr<Chunk>> pilot_;
+  std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // starts above resonance; below it for good; or when last
+                                                           // seen
+  std::uint64_t met_ = 0;                                  // starts whose balls touched
+  double passed_speed_ = 0.0;
+  std::set<int> filed_;  // motions known before the first start, or met and stored
+  std::atomic<bool> finished_{false}, lost_{false};
+  bool unread_ = false;  // stopped before the motions that the file names were listed
+  bool stop_counting_ = false;
+  Horizon horizon_;
+  std::vector<std::uint64_t> undecided_, stalled_;  // indices of the first few
+};
+
+}  // namespace
+
+BasinResult basin(const Study& study, const BasinOptions& options, Catalogue* catalogue,
+                  WarmStartLevels* warm_start_levels) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) {
+    if (study.parameters.balls == 0) return bare_basin(study, o);
+    BasinRun run(study, o);
+    BasinResult result = run.run();
+    if (catalogue) *catalogue = run.catalogue();
+    if (warm_start_levels) *warm_start_levels = run.warm_start_levels();
+    return result;
+  });
+}
+
+}  // namespace equipoise

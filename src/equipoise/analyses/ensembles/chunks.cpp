@@ -1,0 +1,144 @@
+// The queue: hands chunks out; they are decided side by side and passed on in order by the thread that has the next
+// one.
+#include "equipoise/analyses/ensembles/chunks.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "equipoise/core/running/parallel.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// How many chunks may be ahead of the first one not passed on: two a thread, and room for helpers.
+std::size_t most_open(const ChunkWork& work) {
+  constexpr std::size_t of_others = 64;
+  return 2 * static_cast<std::size_t>(work.threads) + (work.help ? of_others : 0);
+}
+
+}  // namespace
+
+ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t limit,
+                       const std::atomic<bool>& finished, std::atomic<bool>& lost, const ChunkSink& sink)
+    : work_(work),
+      limit_(limit),
+      finished_(finished),
+      lost_(lost),
+      sink_(sink),
+      size_(limit - first, work.threads),
+      most_open_(most_open(work)),
+      next_(first),
+      passed_(first) {}
+
+// With the lock held: the next chunk, if one can be had now.
+std::shared_ptr<Chunk> ChunkQueue::there(Taker taker) {
+  std::shared_ptr<Chunk> chunk;
+  if (!back_.empty() && !(taker == Taker::lending && back_.back()->from_elsewhere)) {
+    chunk = back_.back();
+    back_.pop_back();
+  } else if (next_ < limit_ && decided_.size() + out_ < most_open_) {
+    chunk = std::make_shared<Chunk>();
+    chunk->first = next_;
+    chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size_.next(), limit_ - next_));
+    next_ += chunk->count;
+    ++out_;
+  }
+  return chunk;
+}
+
+std::shared_ptr<Chunk> ChunkQueue::take(Taker taker) {
+  constexpr std::chrono::milliseconds until_a_look{20};  // between checks for a stop, which wakes no thread
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (finished_ || lost_) return nullptr;
+    if (is_set(work_.stop)) {
+      lost_ = passed_ < limit_;
+      return nullptr;
+    }
+    if (auto chunk = there(taker)) return chunk;
+    if (taker != Taker::waiting || (next_ >= limit_ && out_ == 0)) return nullptr;
+    changed_.wait_for(lock, until_a_look);
+  }
+}
+
+std::shared_ptr<Chunk> ChunkQueue::lend() { return take(Taker::lending); }
+
+void ChunkQueue::give_back(const std::shared_ptr<Chunk>& chunk) {
+  const std::lock_guard guard(mutex_);
+  back_.push_back(chunk);
+  changed_.notify_all();
+}
+
+bool ChunkQueue::work_off(bool wait) {
+  const auto chunk = take(wait ? Taker::waiting : Taker::passing_by);
+  if (!chunk) return false;
+  try {
+    const auto begin = std::chrono::steady_clock::now();
+    chunk->complete = !finished_ && work_.decide(*chunk);
+    if (!chunk->from_elsewhere)
+      size_.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    hand_in(chunk);
+  } catch (...) {
+    lost_ = true;
+    throw;
+  }
+  return true;
+}
+
+void ChunkQueue::hand_in(const std::shared_ptr<Chunk>& chunk) {
+  std::unique_lock lock(mutex_);
+  --out_;
+  decided_.emplace(chunk->first, chunk);
+  if (!passing_) pass_on(lock);
+  changed_.notify_all();
+}
+
+// One thread at a time passes chunks on, including those that other threads hand in meanwhile.
+void ChunkQueue::pass_on(std::unique_lock<std::mutex>& lock) {
+  passing_ = true;
+  while (!decided_.empty() && decided_.begin()->first == passed_) {
+    const auto chunk = decided_.begin()->second;
+    decided_.erase(decided_.begin());
+    lock.unlock();
+    sink_(chunk);
+    lock.lock();
+    passed_ += chunk->count;
+  }
+  passing_ = false;
+}
+
+namespace {
+
+// Makes helpers leave before the queue is destroyed.
+class Opened {
+ public:
+  Opened(ChunkHelp* help, ChunkQueue& queue) : help_(help) {
+    if (help_) help_->open(queue);
+  }
+  ~Opened() {
+    if (help_) help_->close();
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+
+ private:
+  ChunkHelp* help_;
+};
+
+}  // namespace
+
+void compute_chunks(const ChunkWork& work, std::uint64_t first, std::uint64_t limit, const std::atomic<bool>& finished,
+                    std::atomic<bool>& lost, const ChunkSink& sink) {
+  ChunkQueue queue(work, first, limit, finished, lost, sink);
+  {
+    const Opened opened(work.help, queue);
+    in_parallel(work.threads, static_cast<std::size_t>(work.threads), [&](std::size_t) {
+      while (queue.work_off(true)) {
+      }
+    });
+  }
+  if (!finished && !queue.passed_all()) lost = true;
+}
+
+}  // namespace equipoise

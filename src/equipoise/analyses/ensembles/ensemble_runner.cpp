@@ -1,0 +1,89 @@
+// Runners for the starts of an ensemble.
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/running/parallel.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+Study as_sampled(Study study, SamplingMethod method) {
+  study.sampling.method = method;
+  return with_horizon(std::move(study));
+}
+
+bool gathers_transients(const Study& study, const BasinOptions& options) {
+  return options.transients.value_or(study.limits.any() || study.standards.any());
+}
+
+void take_own_starts(const BasinOptions& options, Study& study) {
+  check_takes_starts(study);
+  if (options.half_width > 0.0)
+    throw InputError(words::runs::own_starts, "half_width", fmt::format("{}", options.half_width),
+                     words::runs::all_are_followed);
+  const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
+  if (method != SamplingMethod::random)
+    throw InputError(study.name, "sampling.method", sampling_method_names[static_cast<std::size_t>(method)],
+                     words::runs::not_drawn_here);
+  check_given_starts(study, options.initial);
+  study.sampling.method = method;
+  study.sampling.starts = options.initial.size();
+  study.sampling.box = {};
+}
+
+AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches) {
+  return {.threads = options.search_threads > 0 ? options.search_threads : thread_count(options.threads),
+          .stop = options.stop,
+          .warm_start_states = options.warm_start_states,
+          .cache = searches,
+          .progress = options.progress,
+          .warm_start = options.warm_start,
+          .brief = options.brief_search,
+          .few_starts = options.few_starts,
+          .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
+          .notes = options.notes};
+}
+
+std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
+                                             AttractorSearchCache& searches) {
+  return std::make_unique<StartRunner>(study, search_settings(options, &searches), gathers_transients(study, options));
+}
+
+std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
+                                            AttractorSearchCache& found, bool few_starts) {
+  const int threads = thread_count(options.threads);
+  const AttractorSearchSettings search{.threads = threads,
+                                       .stop = options.stop,
+                                       .cache = &found,
+                                       .progress = options.progress,
+                                       .few_starts = few_starts};
+  const bool searches = study.uncertain.empty();
+  if ((searches && search_attractors(study, search).stopped) || is_set(options.stop))
+    throw RunError(words::runs::stopped_before_attractors);
+  return std::make_unique<StartRunner>(
+      study, AttractorSearchSettings{.threads = threads, .cache = &found, .few_starts = few_starts}, transients);
+}
+
+bool classify_chunk(const StartRunner& runner, Chunk& chunk) {
+  if (!chunk.from_elsewhere) return runner.run(chunk.first, chunk.count, chunk);
+  for (UnlistedStart& start : chunk.unlisted) {
+    std::optional<UnlistedStart> followed = runner.follow(start.state);
+    if (!followed) return false;
+    followed->place = start.place;
+    start = *std::move(followed);
+  }
+  return true;
+}
+
+EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method) {
+  AttractorSearchCache searches;
+  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, searches);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,44 @@
+// The words of the note about open starts.
+#include "equipoise/analyses/ensembles/open_starts.hpp"
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/core/base/plain_number.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+void note_chaos(BasinResult& result, const EscapeRate& chaos) {
+  result.chaos = chaos;
+  result.chaos_watched_from = lasting_chaos;
+  const double time = result.study.scales ? result.study.scales->time() : 1.0;
+  const std::string unit = result.study.scales ? " s" : "";
+  const char* per = result.study.scales ? words::runs::second : words::runs::unit_of_time;
+  const auto number = [](double x) { return plain_number(x, 2); };
+  const std::string rate =
+      chaos.escapes == 0 ? fmt::format(words::runs::leaves_below, chaos.high / time, per, chaos.least * time, unit)
+                         : fmt::format(words::runs::leaves_at, chaos.rate / time, chaos.low / time, chaos.high / time,
+                                       per, chaos.median * time, chaos.least * time, chaos.most * time, unit);
+  result.note +=
+      (result.note.empty() ? "" : "; ") + fmt::format(words::runs::chaos_may_end, chaos.trajectories,
+                                                      number(lasting_chaos * time), unit, chaos.escapes, rate);
+}
+
+void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt& undecided, const LookAt& stalled) {
+  const auto add = [&](const std::string& words) { result.note += (result.note.empty() ? "" : "; ") + words; };
+  const double share = result.undecided.share;
+  const bool many = result.starts > 0 && share > undecided_worth_a_word;
+  const bool may_hold = result.study.speed.driven() && result.study.release.speed;
+  const std::vector<UndecidedEnd> ends = many || may_hold ? undecided() : std::vector<UndecidedEnd>{};
+  const std::string held = held_text(ends), held_stalled = may_hold ? held_text(stalled()) : "";
+  if (many)
+    add(fmt::format(words::runs::many_undecided, percent_text(share), why_undecided(result.study, horizon, ends)));
+  if (!many && !held.empty()) add(fmt::format(words::runs::undecided_held, held));
+  if (!held_stalled.empty()) add(fmt::format(words::runs::stalled_held, held_stalled));
+}
+
+}  // namespace equipoise

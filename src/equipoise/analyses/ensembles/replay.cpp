@@ -1,0 +1,55 @@
+// Decides one start of an ensemble by itself.
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+void check_own(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
+  check_takes_starts(study);
+  if (index >= given.size())
+    throw InputError(words::runs::own_starts, "index", fmt::format("{}", index),
+                     fmt::format(words::runs::own_start_index, given.size()));
+  check_given_starts(study, {&given[index], 1});
+}
+
+StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const bool gathers = gathers_transients(study, options);
+  check_runnable(study, gathers);
+  StartReplay replay;
+  replay.index = index;
+  const bool own = !options.initial.empty();
+  if (own) check_own(study, index, options.initial);
+  replay.start = own ? options.initial[index] : start_of(study, index);
+  replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
+  StartRunner runner(study, search_settings(options, options.searches), gathers);
+  Decided one;
+  if (runner.stopped() || !(own ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
+    throw RunError(words::runs::stopped_before_start);
+  runner.settle(one);
+  replay.fate = one.fates.front();
+  if (gathers) replay.transients = one.transients.front();
+  if (const Attractor* a = runner.catalogue().find(replay.fate.attractor)) replay.name = a->name;
+  return replay;
+}
+
+}  // namespace
+
+StartReplay replay_start(const Study& study, std::uint64_t index, const BasinOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const BasinOptions& o) { return replayed(study, index, o); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,49 @@
+// Follows an ensemble's rotor without balls, and with balls held where they start.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/results/commands/without_balls.hpp"
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
+
+namespace equipoise {
+
+struct OneBodyTask {
+  const Study& study;  ///< with its horizon
+  const Sampler& sampler;
+  std::uint64_t starts = 0;               ///< of the ensemble, 1 or more
+  std::span<const InitialState> given{};  ///< the caller's own starts; empty: drawn
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+};
+
+/// Depends neither on threads nor on an earlier run. Empty if stopped.
+std::optional<WithoutBalls> without_balls(const OneBodyTask& task);
+
+/// What one start came to as one body.
+struct OneBodyRun {
+  Fate fate;
+  TransientRow row;
+};
+/// For callers that show results as they come: the runs of starts first .. first + count - 1, and what they come to.
+/// without_balls() counts the runs without balls of `bare_runs_needed` starts, and with balls held of
+/// most_held_starts, both from start 0 on and no more than the ensemble has.
+std::vector<OneBodyRun> one_body_runs(const OneBodyTask& task, bool balls, std::uint64_t first, std::uint64_t count);
+std::uint64_t bare_runs_needed(const OneBodyTask& task);
+/// Without `held`, nothing is told of those.
+WithoutBalls counted_runs(const OneBodyTask& task, std::span<const OneBodyRun> bare, std::span<const OneBodyRun> held);
+
+/// basin() of a study without balls: starts draw what else is uncertain, up to most_bare_runs of them; else one run
+/// tells all. Throws InputError for what needs starts of balls: an output file, starts of one's own, a half-width, a
+/// grid.
+BasinResult bare_basin(const Study& study, const BasinOptions& options);
+inline constexpr std::uint64_t most_bare_runs = 10000;
+
+}  // namespace equipoise

@@ -1,0 +1,131 @@
+// Writes the arrays of a result as the columns of a file.
+#include "equipoise/analyses/ensembles/write_basin.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/commands/left_grade.hpp"
+#include "equipoise/results/result_files/basin_netcdf.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
+#include "equipoise/results/result_files/start_columns.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// From arrays that hold starts with whole states.
+std::vector<InitialState> initial_states(const StartArrays& a) {
+  const std::size_t balls = static_cast<std::size_t>(a.balls);
+  std::vector<InitialState> starts(a.starts);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    InitialState& s = starts[i];
+    const double* rotor = &a.rotor_state[4 * i];
+    s.psi = a.psi[i];
+    s.x = rotor[0], s.y = rotor[1], s.x_dot = rotor[2], s.y_dot = rotor[3];
+    for (std::size_t k = 0; k < balls; ++k) {
+      s.phi[k] = a.phi[balls * i + k];
+      s.phi_dot[k] = a.phi_dot[balls * i + k];
+    }
+  }
+  return starts;
+}
+
+std::vector<Fate> fates_of(const StartArrays& a) {
+  std::vector<Fate> fates(a.starts);
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    if (!io::fate_from(a.outcome[i], a.decided_by[i], a.decision_time[i], fates[i]))
+      throw InputError("every_start", fmt::format("outcome[{}]", i), fmt::format("{}", a.outcome[i]),
+                       words::runs::not_an_outcome);
+    if (!a.mean_speed.empty()) fates[i].mean_speed = a.mean_speed[i];
+    if (!a.left_unbalance.empty()) fates[i].unbalance = a.left_unbalance[i];
+    if (!a.balls_met.empty()) fates[i].met = a.balls_met[i] != 0;
+  }
+  return fates;
+}
+
+std::vector<TransientRow> rows_of(const StartArrays& a) {
+  std::vector<TransientRow> rows(a.starts);
+  for (std::size_t k = 0; k < transient_figures.size(); ++k)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*transient_figures[k].value = a.transients[k][i];
+  return rows;
+}
+
+// `own`: checksum of starts of the caller's own.
+BasinFileHeader header_of(const BasinResult& result, const std::string& own) {
+  return basin_file_header(result.study, true, result.transients.has_value(), own, result.cpu_target);
+}
+
+void check_whole(const BasinResult& result) {
+  const std::uint64_t kept = result.every_start ? result.every_start->starts : 0;
+  if (result.starts == 0 || kept != result.starts)
+    throw InputError("basin file", "every_start", fmt::format("{}", kept),
+                     fmt::format(words::runs::not_all_starts, result.starts));
+}
+
+}  // namespace
+
+std::vector<io::StartColumn> start_columns(const BasinResult& result) {
+  return io::start_columns(header_of(result, result.own_starts ? "given" : ""));
+}
+
+std::vector<OutcomeShare> outcome_summary(const BasinResult& result) {
+  std::vector<OutcomeShare> lines = result.attractors, others = result.others();
+  for (OutcomeShare& a : lines)
+    if (result.study.scales)
+      for (const double u : a.unbalance) a.grade.push_back(left_balance_grade(u, result.study));
+  std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.id > b.id; });
+  lines.insert(lines.end(), others.begin(), others.end());
+  return lines;
+}
+
+void write_basin_file(const std::string& path, const BasinResult& result) {
+  check_whole(result);
+  const std::string place = io::path_for_whole_results(path);
+  const StartArrays& a = *result.every_start;
+  const std::string own = result.own_starts ? checksum_of(result.study, initial_states(a)) : "";
+  const BasinFileHeader header = header_of(result, own);
+  const std::vector<io::StartColumn> columns = io::start_columns(header);
+  const std::vector<Fate> fates = fates_of(a);
+  const std::vector<TransientRow> rows = result.transients ? rows_of(a) : std::vector<TransientRow>{};
+  const std::vector<char> bytes = io::pack(columns, {.count = a.starts,
+                                                     .phi = a.phi.data(),
+                                                     .fates = fates.data(),
+                                                     .rotor = a.rotor_state.data(),
+                                                     .phi_dot = a.phi_dot.data(),
+                                                     .psi = a.psi.data(),
+                                                     .weight = a.weight.data(),
+                                                     .rows = rows.data(),
+                                                     .drawn = a.drawn.data()});
+  std::vector<std::size_t> begins{0};  // where each column begins in `bytes`
+  for (const io::StartColumn& c : columns) begins.push_back(begins.back() + a.starts * c.bytes());
+  Study study = result.study;
+  if (!result.partial && !result.grid) study.sampling.starts = result.starts;
+  io::BasinContents contents{header,
+                             columns,
+                             result.starts,
+                             {},
+                             result.discoveries,
+                             {result.cpu_target},
+                             outcome_summary(result),
+                             to_toml(study),
+                             !result.partial,
+                             {result.seconds, result.cpu_seconds}};
+  if (result.transients) contents.all = result.transients->groups.front();
+  contents.without_balls = result.without_balls;
+  contents.read = [&](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
+    const std::size_t each = columns[column].bytes();
+    std::memcpy(values, &bytes[begins[column] + first * each], count * each);
+  };
+  io::write_basin_netcdf(place, contents);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,56 @@
+// Times an attractor search and some hundred starts.
+#include "equipoise/analyses/one_study/basin_cost.hpp"
+
+#include <algorithm>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/classification/rotor_family/horizon.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/deadline.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// At first as many starts as a block of lanes takes at once. A few undecided starts may cost more than all others, so
+// the number then grows until shares of one in a thousand are met.
+constexpr std::uint64_t first_starts = 512, most_starts = 8192;
+constexpr double enough = 0.5;  // seconds of CPU on starts
+
+}  // namespace
+
+BasinCost measure_cost(const Study& asked, const RunOptions& options, double patience) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const RunOptions& o) {
+    const bool gathers = gathers_transients(asked, {});
+    check_runnable(asked, gathers);
+    Study study = with_horizon(asked);
+    study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
+    BasinCost cost;
+    cost.starts = study.sampling.starts;
+    StopFlag stop{is_set(o.stop)};
+    const Deadline deadline(stop, patience);
+    const double begin = cpu_seconds();
+    const StartRunner runner(study, {.threads = 1, .stop = &stop, .progress = o.progress}, gathers);
+    cost.search = cpu_seconds() - begin;
+    cost.search_ended = !runner.stopped();
+    const double searched = cpu_seconds();
+    for (std::uint64_t next = first_starts; cost.search_ended && cost.measured < std::min(cost.starts, most_starts);) {
+      const std::uint64_t count = std::min(next, std::min(cost.starts, most_starts) - cost.measured);
+      Decided decided;
+      if (!runner.run(cost.measured, count, decided)) break;
+      cost.measured += count;
+      const double taken = cpu_seconds() - searched;
+      cost.a_start = taken / static_cast<double>(cost.measured);
+      if (taken > enough) break;
+      next = cost.measured;
+    }
+    return cost;
+  });
+}
+
+}  // namespace equipoise

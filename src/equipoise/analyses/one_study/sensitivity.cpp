@@ -1,0 +1,121 @@
+// Runs the rows of a pick-freeze design as chunks of starts.
+#include "equipoise/analyses/one_study/sensitivity.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/chunks.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
+#include "equipoise/core/running/parallel.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+class PickFreeze {
+ public:
+  PickFreeze(const Study& study, const SensitivityOptions& options)
+      : options_(options),
+        runner_(at_random(study), {.threads = thread_count(options.threads), .stop = options.stop}),
+        keys_(study.uncertain.values.size() + 1) {
+    rows_.inputs = keys_;
+  }
+
+  SensitivityResult run(const Study& study) {
+    const ChunkWork work{.decide = [&](Chunk& chunk) { return decide(chunk); },
+                         .threads = thread_count(options_.threads),
+                         .stop = options_.stop};
+    const std::atomic<bool> finished{false};
+    std::atomic<bool> lost{false};
+    compute_chunks(work, 0, options_.rows, finished, lost, [&](const std::shared_ptr<Chunk>& chunk) { take(*chunk); });
+    result_.rows = rows_.rows();
+    result_.evaluations = rows_.outcomes.size();
+    result_.partial = result_.rows < options_.rows;
+    if (result_.rows > 0) result_.balanced = wilson_share(balanced_, 2 * result_.rows);
+    name_indices(study);
+    return std::move(result_);
+  }
+
+ private:
+  static Study at_random(Study study) {
+    study.sampling.method = SamplingMethod::random;
+    return study;
+  }
+
+  // Row i: starts 2 i and 2 i + 1, then the first with one input of the second. The last input is where it begins.
+  bool decide(Chunk& chunk) const {
+    std::vector<DrawnStart> drawn;
+    for (std::uint64_t row = chunk.first; row < chunk.first + chunk.count; ++row) {
+      const std::uint64_t a = 2 * row, b = a + 1;
+      const std::vector<double> of_a = runner_.fractions_of(a), of_b = runner_.fractions_of(b);
+      drawn.push_back({a, of_a});
+      drawn.push_back({b, of_b});
+      for (std::size_t k = 0; k < of_a.size(); ++k) {
+        drawn.push_back({a, of_a});
+        drawn.back().fractions[k] = of_b[k];
+      }
+      drawn.push_back({b, of_a});
+    }
+    if (runner_.stopped() || !runner_.run_drawn(drawn, chunk)) return false;
+    for (const UnlistedStart& u : chunk.unlisted)
+      if (u.motion && u.motion->stable) chunk.fates[u.place].attractor = static_cast<short>(u.name.id);
+    return true;
+  }
+
+  // Takes chunks in order. None counts after an incomplete one.
+  void take(const Chunk& chunk) {
+    if (!chunk.complete || !whole_) {
+      whole_ = false;
+      return;
+    }
+    for (std::size_t i = 0; i < chunk.fates.size(); ++i) {
+      const Fate& fate = chunk.fates[i];
+      const bool balanced = fate.outcome == Outcome::attracted && fate.attractor == balanced_id;
+      rows_.outcomes.push_back(balanced ? 1.0 : 0.0);
+      if (i % (keys_ + 2) < 2) balanced_ += balanced;
+      result_.undecided += fate.outcome == Outcome::undecided;
+    }
+    if (options_.progress) options_.progress({rows_.rows(), options_.rows, words::runs::sensitivity_rows, {}});
+  }
+
+  void name_indices(const Study& study) {
+    const std::vector<SobolIndices> indices = sobol_indices(rows_, study.sampling.seed);
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      const bool value = k < study.uncertain.values.size();
+      result_.inputs.push_back({value ? study.uncertain.values[k].key : start_input, indices[k]});
+    }
+    std::stable_sort(result_.inputs.begin(), result_.inputs.end(),
+                     [](const auto& a, const auto& b) { return a.indices.total.value > b.indices.total.value; });
+  }
+
+  const SensitivityOptions& options_;
+  StartRunner runner_;
+  std::size_t keys_;  // number of inputs
+  PickFreezeRows rows_;
+  SensitivityResult result_;
+  std::uint64_t balanced_ = 0;
+  bool whole_ = true;
+};
+
+}  // namespace
+
+void check_sensitivity(const Study& study) {
+  if (study.uncertain.empty()) throw InputError(study.name, "", "", words::runs::no_uncertain_value);
+  check_runnable(study, false);
+}
+
+SensitivityResult sensitivity(const Study& study, const SensitivityOptions& options) {
+  check_sensitivity(study);
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const SensitivityOptions& o) { return PickFreeze(study, o).run(study); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,383 @@
+// Trials in one cell after another: a scan, then three bisections that share their trials.
+#include "equipoise/analyses/sweeps/capacity.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/sweeps/cell_desk.hpp"
+#include "equipoise/analyses/sweeps/survey_run.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+#include "equipoise/analyses/sweeps/sweep_cell.hpp"
+#include "equipoise/analyses/sweeps/varied_unbalance.hpp"
+#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/attractors/motions/catalogue.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/results/cell_files/capacity_file.hpp"
+#include "equipoise/results/cell_files/sweep_cells.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/study/toml/overrides.hpp"
+#include "equipoise/study/units/units.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr int scan = 8;  // values of the range tried first
+
+// Values have few digits, so that they read back as shown.
+double few_digits(double value) { return number_in(fmt::format("{:.6g}", value)); }
+
+std::string setting(const CapacityOptions& options, double value) {
+  return fmt::format("{}={}{}{}", options.key, value, options.unit.empty() ? "" : " ", options.unit);
+}
+
+// The overrides of a trial.
+std::vector<std::string> settings(const SweepPlan& plan, const CapacityOptions& options, double value) {
+  if (!varies_all_unbalances(plan.source())) return {setting(options, value)};
+  const double wanted = study::measure(fmt::format("{} {}", value, options.unit), {study::Dimension::unbalance}).value;
+  return unbalances_in_proportion(plan, wanted);
+}
+
+// Of the starts that do what is asked.
+Share asked_share(const BasinResult& result, const std::string& by) {
+  if (by == "balanced") return result.attractors.front().share;
+  const TransientGroup& all = result.transients->groups.front();
+  if (by == "limits") return all.kept().value();
+  for (std::size_t k = 0; k < transient_limits.size(); ++k)
+    if (by == transient_limits[k].name && all.exceeded[k]) return complement(*all.exceeded[k]);
+  throw std::logic_error(words::sweeps::no_such_limit);
+}
+
+// One cell's trials, each search beginning with what the nearest earlier one found. Those that are known are taken when
+// their turn comes, so that all others come out as if there had been one run.
+class Boundary {
+ public:
+  /// `workers`: who makes trials that are not known; null: nobody, it stops there.
+  Boundary(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, std::vector<CapacityTrial> known,
+           const BlockWorkers* workers)
+      : plan_(plan), options_(options), cell_(cell), known_(std::move(known)), workers_(workers) {}
+
+  // For a stopped search.
+  OpenCapacity open() const {
+    OpenCapacity known;
+    known.trials = trials_.size();
+    for (const auto& [value, made] : trials_) {
+      if (made.balanced.least < options_.at_least || made.unstable) break;
+      known.low = value;
+    }
+    for (const auto& [value, made] : trials_)
+      if (!known.high && made.most() < options_.at_least) known.high = value;
+    return known;
+  }
+
+  // Empty if stopped.
+  std::optional<CapacityCell> find() {
+    // Beyond the first value at which the share is surely too small nothing matters.
+    for (int k = 0; k <= scan; ++k) {
+      const CapacityTrial* made = trial(options_.from + (options_.to - options_.from) * k / scan);
+      if (!made) return std::nullopt;
+      if (made->most() < options_.at_least) break;
+    }
+    const auto likely = crossing([&](const CapacityTrial& t) { return t.balanced.share < options_.at_least; });
+    const auto last_sure = crossing([&](const CapacityTrial& t) { return t.balanced.least < options_.at_least; });
+    const auto first_short = crossing([&](const CapacityTrial& t) { return t.most() < options_.at_least; });
+    if (stopped_) return std::nullopt;
+    CapacityCell result;
+    for (const auto& [value, made] : trials_) result.trials.push_back(made);
+    result.never = likely.first < options_.from;
+    result.always = likely.second > options_.to;
+    if (!result.never && !result.always) result.value = 0.5 * (likely.first + likely.second);
+    result.low = std::max(last_sure.first, options_.from);
+    result.high = std::min(first_short.second, options_.to);
+    return result;
+  }
+
+ private:
+  // Null if stopped.
+  const CapacityTrial* trial(double at) {
+    const double value = few_digits(at);
+    if (const auto made = trials_.find(value); made != trials_.end()) return &made->second;
+    for (const CapacityTrial& t : known_)
+      if (t.value == value) return &trials_.emplace(value, t).first->second;
+    const auto made = stopped_ ? std::nullopt : run(value);
+    stopped_ = !made;
+    if (!made) return nullptr;
+    workers_->deliver(cell_, io::bytes_of(std::vector{*made}));
+    return &trials_.emplace(value, *made).first->second;
+  }
+
+  std::optional<CapacityTrial> run(double value) const {
+    if (!workers_ || is_set(workers_->stop)) return std::nullopt;
+    CellAtWork at{cell_, settings(plan_, options_, value)};
+    const Study study = plan_.study_of(cell_, at.more);
+    CapacityTrial made;
+    made.value = value;
+    // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
+    if (options_.by == "balanced" && study.uncertain.empty() &&
+        !analyse_balanced(study.system(), workers_->stop).stable) {
+      made.unstable = true;
+      return is_set(workers_->stop) ? std::nullopt : std::optional(made);
+    }
+    if (const auto* near = nearest(value)) at.start.warm_start_states = near->states;
+    at.start.warm_start = !at.start.warm_start_states.empty();
+    Catalogue catalogue;
+    const BasinResult result = cell_ensemble(plan_, at, study, *workers_, nullptr, catalogue, nullptr);
+    if (result.partial) return std::nullopt;
+    made.balanced = asked_share(result, options_.by);
+    made.undecided = result.undecided;
+    const auto size = static_cast<Eigen::Index>(study.system().dimension());
+    for (const Attractor& a : catalogue.attractors())
+      if (a.motion.state.size() == size) made.states.emplace_back(a.motion.state.data(), a.motion.state.data() + size);
+    return made;
+  }
+
+  const CapacityTrial* nearest(double value) const {
+    const CapacityTrial* found = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [at, made] : trials_)
+      if (!made.unstable && std::fabs(at - value) < least) {
+        least = std::fabs(at - value);
+        found = &made;
+      }
+    return found;
+  }
+
+  // The first value at which it falls short, and the last before it; beyond the range if there is none.
+  template <class Short>
+  std::pair<double, double> crossing(const Short& falls_short) {
+    const double outside = options_.to - options_.from;
+    for (;;) {
+      if (stopped_) return {};
+      double last = options_.from - outside, first = options_.to + outside;
+      for (const auto& [value, made] : trials_) {
+        if (falls_short(made)) {
+          first = value;
+          break;
+        }
+        last = value;
+      }
+      const bool inside = last >= few_digits(options_.from) && first <= few_digits(options_.to);
+      if (!inside || first - last <= options_.precision * outside) return {last, first};
+      const double middle = few_digits(0.5 * (last + first));
+      if (middle <= last || middle >= first) return {last, first};
+      trial(middle);
+    }
+  }
+
+  const SweepPlan& plan_;
+  const CapacityOptions& options_;
+  const std::size_t cell_;
+  const std::vector<CapacityTrial> known_;
+  const BlockWorkers* const workers_;
+  std::map<double, CapacityTrial> trials_;  // by value
+  bool stopped_ = false;
+};
+
+// Everything that determines the results, as text.
+std::string capacity_identity(const SweepPlan& plan, const CapacityOptions& o) {
+  return plan.identity() + fmt::format("[capacity]\nof = {}\nunit = {}\n", o.key, o.unit.empty() ? "none" : o.unit) +
+         fmt::format("from = {}\nto = {}\nat_least = {}\nprecision = {}\n", o.from, o.to, o.at_least, o.precision) +
+         (o.by == "balanced" ? "" : fmt::format("by = {}\n", o.by)) +
+         (varies_all_unbalances(plan.source()) ? "with = all unbalances\n" : "");
+}
+
+class CapacityRun final : public SurveyRun {
+ public:
+  CapacityRun(const SweepPlan& plan, const CapacityOptions& options)
+      : SurveyRun(options), plan_(plan), options_(options), known_(plan.cells()) {
+    result_.study = plan.study();
+    result_.key = options.key;
+    result_.unit = options.unit;
+    result_.from = options.from;
+    result_.to = options.to;
+    result_.precision = options.precision;
+    result_.at_least = options.at_least;
+    result_.by = options.by;
+    result_.starts = plan.study().sampling.starts;
+    result_.axes = plan.axes();
+    result_.cells.resize(plan.cells());
+    result_.open.resize(plan.cells());
+    const double halvings = std::ceil(std::log2(1.0 / (scan * options.precision)));
+    result_.most_trials = plan.cells() * (scan + 1 + 3 * static_cast<std::uint64_t>(std::max(halvings, 0.0)));
+    result_.threads = threads_;
+    result_.cpu_target = cpu_target();
+  }
+
+  CapacityResult run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu_begin = cpu_seconds();
+    check();
+    if (!options_.output.empty()) {
+      file_ = io::open_capacity_file(options_.output, capacity_identity(plan_, options_), known_);
+      give_notice(options_, file_->loss());
+      for (const auto& trials : known_) result_.resumed_trials += trials.size();
+    }
+    std::vector<std::size_t> missing;
+    for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
+      if (!find(cell)) missing.push_back(cell);
+    const std::exception_ptr failure =
+        work(capacity_survey(plan_, options_), missing, file_ ? &file_->notes() : nullptr, options_.helpers);
+    if (failure) std::rethrow_exception(failure);  // what is done is kept beside the output
+    for (const std::size_t cell : begun())
+      if (!result_.cells[cell]) {
+        Boundary boundary(plan_, options_, cell, known_[cell], nullptr);
+        boundary.find();
+        result_.open[cell] = boundary.open();
+      }
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.cpu_seconds = cpu_seconds() - cpu_begin;
+    if (file_) io::finish_capacity_file(*file_, result_);
+    return std::move(result_);
+  }
+
+  CellRecord known(std::size_t cell) const override {
+    const std::lock_guard guard(taking_);
+    return known_[cell].empty() ? CellRecord{} : io::bytes_of(known_[cell]);
+  }
+
+  void deliver(std::size_t cell, const CellRecord& made) override {
+    const auto trials = io::trials_from(made);
+    const std::lock_guard guard(taking_);
+    result_.trials += trials.size();
+    if (file_) file_->append(cell, made);
+    known_[cell].insert(known_[cell].end(), trials.begin(), trials.end());
+    find(cell);
+  }
+
+ private:
+  void check() const {
+    for (std::size_t cell = 0; cell < plan_.cells(); ++cell)
+      for (const double part : {0.0, 1.0 / scan, 1.0}) {  // between the ends, a key of whole numbers shows itself
+        const double value = few_digits(options_.from + (options_.to - options_.from) * part);
+        check_runnable(capacity_study(plan_, options_, cell, value), plan_.transients());
+      }
+  }
+
+  // Whether its trials say where the boundary lies.
+  bool find(std::size_t cell) {
+    result_.cells[cell] = Boundary(plan_, options_, cell, known_[cell], nullptr).find();
+    if (!result_.cells[cell]) return false;
+    ++done_;
+    if (options_.progress) options_.progress({done_, plan_.cells(), "cells", std::nullopt});
+    return true;
+  }
+
+  const SweepPlan& plan_;
+  const CapacityOptions& options_;
+  CapacityResult result_;
+  std::unique_ptr<io::CellFile> file_;
+  std::vector<std::vector<CapacityTrial>> known_;
+  std::uint64_t done_ = 0;
+  mutable std::mutex taking_;
+};
+
+}  // namespace
+
+std::vector<std::string> capacity_goals(const Study& study) {
+  std::vector<std::string> goals{"balanced"};
+  if (study.limits.any()) goals.emplace_back("limits");
+  for (const TransientLimit& l : transient_limits)
+    if (study.limits.*l.limit) goals.emplace_back(l.name);
+  return goals;
+}
+
+std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option) {
+  const std::string unbalance = "rotor.unbalance", eccentricity = "rotor.eccentricity";
+  const std::string& stated = source.states(unbalance) ? unbalance : eccentricity;
+  if (text.empty()) return stated;
+  if ((text == unbalance || text == eccentricity) && text != stated)
+    throw InputError(option, "", text, fmt::format(words::sweeps::states_another_key, stated));
+  return text;
+}
+
+namespace {
+
+// From a fiftieth of what the balls can cancel in the cell with the least to all of it in the cell with the most.
+std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
+  constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
+  const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;
+  if (!unbalance && key != "rotor.eccentricity") return std::nullopt;
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
+    const Study study = plan.study_of(cell);
+    const double scale = unbalance  ? study.scales->unbalance() * grams_and_millimetres
+                         : physical ? study.scales->length * millimetres
+                                    : 1.0;
+    const double most = study.parameters.total_mass() * scale;
+    low = std::min(low, least * most);
+    high = std::max(high, most);
+  }
+  if (!physical) return CapacityRange{low, high, ""};
+  return CapacityRange{few_digits(low), few_digits(high), unbalance ? "g mm" : "mm"};
+}
+
+}  // namespace
+
+CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
+                             const std::string& option) {
+  if (text.empty()) {
+    if (const auto usual = usual_range(plan, key)) return *usual;
+    throw InputError(option, key, "", words::sweeps::range_missing);
+  }
+  const auto reject = [&] { throw InputError(option, key, display_text(text), words::sweeps::range_form); };
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) reject();
+  const SweepParameter ends = sweep_parameter(key + "=" + text.substr(0, colon) + "," + text.substr(colon + 1), option);
+  if (ends.values.size() != 2 || !(ends.values[0] < ends.values[1])) reject();
+  return {ends.values[0], ends.values[1], ends.unit};
+}
+
+Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value) {
+  try {
+    return plan.study_of(cell, settings(plan, options, value));
+  } catch (const InputError& e) {
+    if (e.where() != overrides_name || e.key() != options.key) throw;
+    throw InputError(options.of, e.key(), e.value(), e.problem());
+  }
+}
+
+Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {
+  return {[&](std::size_t cell, const BlockWorkers& workers) {
+            std::vector<CapacityTrial> known;
+            if (const CellRecord kept = workers.known(cell); !kept.empty()) known = io::trials_from(kept);
+            return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
+          },
+          sweep_survey(plan).helper_for};
+}
+
+CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {
+  const auto reject = [&](const std::string& what, const std::string& value, const std::string& problem) {
+    throw InputError("capacity", what, value, problem);
+  };
+  if (!(options.from < options.to))
+    reject("range", fmt::format("{} to {}", options.from, options.to), words::sweeps::must_rise);
+  if (!(options.at_least > 0.0 && options.at_least < 1.0))
+    reject("at_least", fmt::format("{}", options.at_least), words::sweeps::share_range);
+  if (!(options.precision >= 1e-4 && options.precision <= 0.1))
+    reject("precision", fmt::format("{}", options.precision), words::sweeps::precision_range);
+  const std::vector<std::string> goals = capacity_goals(plan.study());
+  if (std::find(goals.begin(), goals.end(), options.by) == goals.end())
+    reject("by", options.by, fmt::format(words::sweeps::one_of, fmt::join(goals, ", ")));
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const CapacityOptions& o) { return CapacityRun(plan, o).run(); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,59 @@
+// Capacity: the largest value of a parameter, such as the unbalance, at which starts still balance as often as asked.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/analyses/sweeps/survey.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/analyses/sweeps/varied_unbalance.hpp"
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/results/commands/capacity_result.hpp"
+
+namespace equipoise {
+
+/// Progress is in cells.
+struct CapacityOptions : RunOptions {
+  std::string key;              ///< as in --set
+  std::string unit;             ///< of quantities; empty for plain numbers
+  double from = 0.0, to = 0.0;  ///< range of the search, in that unit; from < to
+  std::string of = "of";        ///< names the key in errors
+  double at_least = 0.95;       ///< share of starts that do what is asked, in (0, 1)
+  std::string by = "balanced";  ///< CapacityResult::by; the plan has to gather transients for all others
+  double precision = 0.005;     ///< of the boundary and its ends, relative to to - from
+  std::string output;           ///< NetCDF file; an unfinished one of the same capacity is resumed, a finished one read
+  SurveyHelpers helpers;
+};
+
+/// What `by` may be for this study: "balanced", and where it states limits "limits" and each of them that bounds a
+/// figure.
+std::vector<std::string> capacity_goals(const Study& study);
+
+/// The key of the parameter to maximise, from its name as written; empty: rotor.unbalance if the study states it, else
+/// rotor.eccentricity. `option` names it in errors. Throws InputError if the study states the other.
+std::string capacity_key(const StudySource& source, const std::string& text, const std::string& option);
+
+struct CapacityRange {
+  double from = 0.0, to = 0.0;
+  std::string unit;
+};
+/// The range as written, "LOW:HIGH" in numbers or quantities of one unit ("20 g mm:400 g mm"). Empty: for
+/// rotor.unbalance (in g mm) and rotor.eccentricity (plain, or in mm) from a fiftieth to all that the balls can cancel,
+/// over all cells. `option` names it in errors. Throws InputError.
+CapacityRange capacity_range(const SweepPlan& plan, const std::string& key, const std::string& text,
+                             const std::string& option);
+
+/// The study of a trial: the cell's with the key at this value, in the options' unit.
+Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std::size_t cell, double value);
+
+/// For other processes of a job, which make trials: a block is a cell, a record a trial or more.
+Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options);
+
+/// In every cell of the plan: values in steps of an eighth of the range up to the first at which too few starts
+/// balance, then bisection where the balanced share, and each end of its interval, first falls below what is asked, all
+/// on the same starts. Throws InputError if a study at either end of the range, or one step into it, is none, or for
+/// unusable output files, RunError if the output fails later. The result depends on the plan and on what is asked alone.
+CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options);
+
+}  // namespace equipoise

@@ -1,0 +1,83 @@
+// Reads a sweep's settings from a file's identity; puts the cells of several files into one.
+#include "equipoise/analyses/sweeps/merge.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/sweeps/attractor_labels.hpp"
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/results/cell_files/cell_file.hpp"
+#include "equipoise/results/cell_files/sweep_cells.hpp"
+#include "equipoise/results/cell_files/sweep_file.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// The inverse of SweepPlan::identity(), as far as results need it.
+SweepResult asked_for(const std::string& identity, const std::string& path) {
+  SweepResult result;
+  const io::IdentityLines lines(identity);
+  const std::vector<std::string> over = lines.over();
+  const std::size_t axes = std::strtoul(lines.value("sweep.axes").c_str(), nullptr, 10);
+  if (over.empty() || axes == 0) throw InputError(path, "", "", words::sweeps::no_sweep_named);
+  result.half_width = number_in(lines.value("sweep.half_width"));
+  result.transients = lines.value("transients") != "none";
+  result.study = parse_kept_study(lines.study, path);
+  result.axes = sweep_axes(over, axes < over.size(), path);
+  std::size_t cells = 1;
+  for (const SweepAxis& axis : result.axes) cells *= axis.size();
+  result.identity = identity;
+  result.cells.resize(cells);
+  result.cpu_target = cpu_target();
+  return result;
+}
+
+void require_cell(const SweepResult& sweep, std::size_t cell, const std::string& path) {
+  if (cell >= sweep.cells.size())
+    throw InputError(path, "", "", fmt::format(words::sweeps::cell_beyond, cell, sweep.cells.size()));
+}
+
+}  // namespace
+
+SweepResult stored_sweep(const std::string& path) {
+  const StoredSweep stored = read_sweep(path);
+  SweepResult result = asked_for(stored.identity, path);
+  for (const auto& [k, cell] : stored.cells) {
+    require_cell(result, k, path);
+    result.cells[k] = cell;
+  }
+  for (const auto& cell : result.cells) result.resumed_cells += cell != nullptr;
+  label_attractors(result.axes, result.cells);
+  return result;
+}
+
+SweepResult merge_sweeps(const std::vector<std::string>& files, const std::string& output) {
+  if (files.empty()) throw InputError("merge", "", "", words::sweeps::no_files);
+  const std::string identity = read_sweep(files.front()).identity;
+  SweepResult result = asked_for(identity, files.front());
+  const auto into = io::open_sweep_file(output, identity, result.cells);
+  for (const std::string& path : files) {
+    const StoredSweep part = read_sweep(path);
+    if (const std::string how = io::difference(part.identity, identity); !how.empty())
+      throw InputError(path, "", "", fmt::format(words::sweeps::another_sweep, files.front(), how));
+    for (const auto& [k, cell] : part.cells) {
+      require_cell(result, k, path);
+      if (result.cells[k]) continue;
+      into->append(k, io::bytes_of(*cell));
+      result.cells[k] = cell;
+    }
+  }
+  label_attractors(result.axes, result.cells);
+  io::finish_sweep_file(*into, result);
+  return result;
+}
+
+}  // namespace equipoise

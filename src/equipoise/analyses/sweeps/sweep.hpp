@@ -1,0 +1,31 @@
+// Sweeps: an ensemble at every combination of some parameters' values.
+// This room: an ensemble in every cell; the largest unbalance.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "equipoise/analyses/sweeps/survey.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/results/commands/sweep_result.hpp"
+
+namespace equipoise {
+
+/// Progress is in cells.
+struct SweepOptions : RunOptions {
+  std::string output;  ///< NetCDF file; an unfinished one of the same sweep is resumed, a finished one read
+  /// Only every `shards`-th block, starting with number `shard`; other processes have the rest
+  /// (analyses/sweeps/merge.hpp).
+  std::size_t shard = 0, shards = 1;
+  /// Called with every finished cell and its index, never from two threads at once.
+  std::function<void(std::size_t, const SweepCell&)> cell;
+  SurveyHelpers helpers;
+};
+
+/// Runs the ensembles. The result depends only on the plan. Throws InputError for unusable output files, RunError if
+/// the output fails later.
+SweepResult sweep(const SweepPlan& plan, const SweepOptions& options = {});
+
+}  // namespace equipoise

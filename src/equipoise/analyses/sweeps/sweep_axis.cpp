@@ -1,0 +1,115 @@
+// Reads KEY=FROM:TO:STEP and KEY=A,B,C.
+#include "equipoise/analyses/sweeps/sweep_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/core/base/stepped_values.hpp"
+
+namespace equipoise {
+
+namespace {
+
+struct Token {
+  double value = 0.0;
+  std::string unit;
+};
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.push_back(trimmed(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return parts;
+}
+
+bool read_token(const std::string& text, Token& token) {
+  const char* end = text.data() + text.size();
+  const auto read = read_number(text.data(), end, token.value);
+  if (read.error != std::errc() || !std::isfinite(token.value)) return false;
+  token.unit = trimmed(std::string(read.end, end));
+  return true;
+}
+
+bool has_repeats(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
+}
+
+}  // namespace
+
+SweepParameter sweep_parameter(const std::string& text, const std::string& option) {
+  const auto reject = [&](const std::string& problem) { throw InputError(option, "", display_text(text), problem); };
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) reject(words::sweeps::axis_form);
+  SweepParameter parameter;
+  parameter.key = trimmed(text.substr(0, equals));
+  const std::string list = text.substr(equals + 1);
+  const bool range = list.find(':') != std::string::npos;
+  std::vector<double> numbers;
+  for (const std::string& part : parts_of(list, range ? ':' : ',')) {
+    Token token;
+    if (!read_token(part, token)) reject(words::sweeps::axis_form);
+    if (numbers.empty()) parameter.unit = token.unit;
+    if (token.unit != parameter.unit) reject(fmt::format(words::sweeps::mixed_units, parameter.unit, token.unit));
+    numbers.push_back(token.value);
+  }
+  if (range) {
+    if (numbers.size() != 3) reject(words::sweeps::axis_form);
+    const std::string problem = stepped_values(numbers[0], numbers[1], numbers[2], most_sweep_cells, parameter.values);
+    if (!problem.empty()) reject(problem);
+  } else {
+    parameter.values = numbers;
+  }
+  for (const double value : parameter.values)
+    parameter.given.push_back(parameter.unit.empty() ? fmt::format("{}", value)
+                                                     : fmt::format("{} {}", value, parameter.unit));
+  return parameter;
+}
+
+std::vector<SweepAxis> sweep_axes(const std::vector<std::string>& texts, bool zip, const std::string& option) {
+  std::vector<SweepAxis> axes;
+  std::size_t cells = 1;
+  std::vector<std::string> keys;
+  for (const std::string& text : texts) {
+    SweepParameter parameter = sweep_parameter(text, option);
+    const auto reject = [&](const std::string& problem) {
+      throw InputError(option, parameter.key, display_text(text.substr(text.find('=') + 1)), problem);
+    };
+    if (std::find(keys.begin(), keys.end(), parameter.key) != keys.end()) reject(words::sweeps::varied_twice);
+    keys.push_back(parameter.key);
+    const std::size_t size = parameter.values.size();
+    const bool along_another = zip && !axes.empty();
+    if (!along_another && has_repeats(parameter.values))
+      reject(zip ? words::sweeps::repeats_on_zipped_axis : words::sweeps::repeats);
+    if (along_another) {
+      if (axes.front().size() != size)
+        reject(fmt::format(words::sweeps::zipped_sizes, size, plural(size), keys.front(), axes.front().size()));
+      axes.front().parameters.push_back(std::move(parameter));
+      continue;
+    }
+    if (size > most_sweep_cells / cells) reject(fmt::format(words::sweeps::too_many_cells, most_sweep_cells));
+    cells *= size;
+    axes.push_back({{std::move(parameter)}});
+  }
+  if (axes.empty() || axes.size() > most_sweep_axes)
+    throw InputError(option, "", fmt::format("{} parameters", axes.size()),
+                     fmt::format(words::sweeps::number_of_axes, most_sweep_axes));
+  return axes;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,91 @@
+// Studies of cells, checked before any work; blocks along the longest axis.
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
+#include "equipoise/study/contents/physical.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
+
+namespace equipoise {
+
+Study StudySource::with(const std::vector<std::string>& more) const {
+  std::vector<std::string> all = overrides;
+  all.insert(all.end(), more.begin(), more.end());
+  return parse_study(toml, name, all);
+}
+
+bool StudySource::states(const std::string& key) const {
+  return study::parse_document(toml, name, overrides).root.find_path(key) != nullptr;
+}
+
+bool StudySource::physical() const { return study::is_physical(study::parse_document(toml, name, overrides)); }
+
+SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request,
+                     const std::string& option)
+    : source_(std::move(source)), axes_(std::move(axes)), request_(request), study_(source_.with()) {
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    cells_ *= axes_[a].size();
+    if (axes_[a].size() > axes_[chain_].size()) chain_ = a;
+  }
+  const std::size_t length = chain_length();
+  lines_ = cells_ / length;
+  blocks_in_line_ = (length + block_length - 1) / block_length;
+  BasinOptions options;
+  options.transients = request_.transients;
+  transients_ = gathers_transients(study_, options);
+  for (std::size_t cell = 0; cell < cells_; ++cell) {
+    try {
+      check_runnable(study_of(cell), transients_);
+    } catch (const InputError& e) {
+      throw InputError(option, e.key(), e.value(), e.problem() + " (in the cell " + title_of(cell) + ")");
+    }
+  }
+}
+
+std::vector<std::string> SweepPlan::overrides_of(std::size_t cell) const {
+  std::vector<std::string> overrides;
+  visit_parameters(axes_, cell,
+                   [&](const SweepParameter& p, std::size_t k) { overrides.push_back(p.key + "=" + p.given[k]); });
+  return overrides;
+}
+
+Study SweepPlan::study_of(std::size_t cell, const std::vector<std::string>& more) const {
+  std::vector<std::string> overrides = overrides_of(cell);
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return source_.with(overrides);
+}
+
+std::string SweepPlan::title_of(std::size_t cell) const { return cell_title(axes_, cell); }
+
+std::vector<std::size_t> SweepPlan::cells_of(std::size_t block) const {
+  const std::size_t line = block / blocks_in_line_, first = block % blocks_in_line_ * block_length;
+  const std::size_t length = chain_length();
+  std::size_t stride = 1;  // between neighbours along the chain
+  for (std::size_t a = chain_ + 1; a < axes_.size(); ++a) stride *= axes_[a].size();
+  const std::size_t begin = line / stride * stride * length + line % stride;
+  std::vector<std::size_t> cells;
+  for (std::size_t k = first; k < std::min(first + block_length, length); ++k) cells.push_back(begin + k * stride);
+  return cells;
+}
+
+std::string SweepPlan::identity() const {
+  BasinFileHeader header = basin_file_header(study_, false, transients_);
+  header.study = to_toml(study_);
+  std::string text = io::identity_of(header) + "[sweep]\n";
+  for (const SweepAxis& axis : axes_)
+    for (const SweepParameter& p : axis.parameters)
+      text += fmt::format("over.{} = {}\n", p.key, fmt::join(p.given, ", "));
+  text += fmt::format("axes = {}\nhalf_width = {}\nstarts_are_a_limit = {}\n", axes_.size(), request_.half_width,
+                      request_.limit_given);
+  return text;
+}
+
+}  // namespace equipoise

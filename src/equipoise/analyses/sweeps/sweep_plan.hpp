@@ -1,0 +1,73 @@
+// The cells of a sweep: the study of each, and the order in which they are computed.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "equipoise/results/commands/sweep_result.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+namespace equipoise {
+
+/// A study that can be read again with other values.
+struct StudySource {
+  std::string toml, name;
+  std::vector<std::string> overrides;
+
+  Study with(const std::vector<std::string>& more = {}) const;
+  /// Whether it states this key ("rotor.unbalance").
+  bool states(const std::string& key) const;
+  /// Whether its values are quantities in physical units.
+  bool physical() const;
+};
+
+/// What is wanted of every cell.
+struct CellRequest {
+  double half_width = 0.0;   ///< BasinOptions::half_width
+  bool limit_given = false;  ///< BasinOptions::limit_given
+  std::optional<bool> transients;
+};
+
+/// Cells form blocks along the axis with the most values. A search begins with what was found in the previous cell of
+/// its block, so a block is one piece of work. Blocks are independent of each other and of their order.
+class SweepPlan {
+ public:
+  static constexpr std::size_t block_length = 8;
+
+  /// No axes: one cell. Throws InputError, naming `option`, if a cell's study is invalid or cannot be decided.
+  SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request, const std::string& option);
+
+  const Study& study() const { return study_; }
+  const StudySource& source() const { return source_; }
+  const std::vector<SweepAxis>& axes() const { return axes_; }
+  const CellRequest& request() const { return request_; }
+  /// Whether transients are gathered: in all cells or none.
+  bool transients() const { return transients_; }
+
+  std::size_t cells() const { return cells_; }
+  Study study_of(std::size_t cell) const { return study_of(cell, {}); }
+  /// With further overrides.
+  Study study_of(std::size_t cell, const std::vector<std::string>& more) const;
+  std::size_t blocks() const { return lines_ * blocks_in_line_; }
+  /// In the order of computation.
+  std::vector<std::size_t> cells_of(std::size_t block) const;
+  /// "speed.final = 2.4, balancer.drag = 0.05".
+  std::string title_of(std::size_t cell) const;
+
+  /// Everything that determines the results, as text.
+  std::string identity() const;
+
+ private:
+  std::vector<std::string> overrides_of(std::size_t cell) const;
+  std::size_t chain_length() const { return axes_.empty() ? 1 : axes_[chain_].size(); }
+
+  StudySource source_;
+  std::vector<SweepAxis> axes_;
+  CellRequest request_;
+  Study study_;
+  bool transients_ = false;
+  std::size_t cells_ = 1, chain_ = 0, lines_ = 1, blocks_in_line_ = 1;
+};
+
+}  // namespace equipoise

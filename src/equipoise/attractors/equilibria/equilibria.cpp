@@ -1,0 +1,165 @@
+// Newton's method from random ball angles.
+#include "equipoise/attractors/equilibria/equilibria.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "equipoise/attractors/equilibria/continuum_draws.hpp"
+#include "equipoise/attractors/periodic_orbits/recurrence.hpp"
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/core/math/assignment.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/results/types/motion.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Eigen::VectorXd;
+
+// Refined equilibria are exact to 1e-10; different ones lie farther apart, except those just born.
+constexpr double same_equilibrium = 1e-6;
+// A balanced rotor is centred to rounding.
+constexpr double centred_rotor = 1e-9;
+
+// The components of the centre and of the slope, which the equations are linear in while the balls are held.
+std::vector<int> rotor_places(const model::System& system) {
+  std::vector<int> places{0, 1, 2, 3};
+  for (int k = 0; system.tilts() && k < 4; ++k) places.push_back(system.layout().tilt + k);
+  return places;
+}
+
+// Where the rotor rests with its balls held at the angles of `state`.
+void rest_rotor(const model::System& system, VectorXd& state) {
+  const std::vector<int> places = rotor_places(system);
+  const VectorXd rate = model::rate(system, state);
+  const Eigen::MatrixXd jacobian = model::jacobian(system, state);
+  const Eigen::MatrixXd own = jacobian(places, places);
+  const VectorXd rest = rate(places);
+  state(places) -= dense::inverse(own) * rest;
+}
+
+// With balls that are alike in the order that makes the distance least.
+double distance_in_any_order(const model::System& system, const StateDifference& difference, const VectorXd& a,
+                             const VectorXd& b) {
+  const int n = system.balls();
+  Eigen::MatrixXd cost(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double apart = wrapped(a[model::index::phi(i)] - b[model::index::phi(k)]);
+      cost(i, k) = system.alike(i, k) ? apart * apart : no_pair;
+    }
+  const std::vector<int> pairs = cheapest_pairs(cost);
+  VectorXd d = difference(a, b);
+  for (int i = 0; i < n; ++i) d[model::index::phi(i)] = d[model::index::q(i, n)] = 0.0;
+  double square = d.squaredNorm();
+  for (int i = 0; i < n; ++i) square += cost(i, pairs[static_cast<std::size_t>(i)]);
+  return std::sqrt(square);
+}
+
+// A race at rest is on the axis to rounding, and rotors of one continuum rest alike.
+constexpr double race_on_axis = 1e-9, rotors_alike = 1e-6;
+
+std::vector<int> free_balls(const model::System& system, const VectorXd& equilibrium) {
+  std::vector<int> balls;
+  for (int i = 0; i < system.balls(); ++i)
+    if (has_free_angle(system, equilibrium, i)) balls.push_back(i);
+  return balls;
+}
+
+}  // namespace
+
+bool has_free_angle(const model::System& system, const VectorXd& equilibrium, int i) {
+  const model::Parameters& p = system.parameters();
+  if (!system.tilts() || !system.autonomous() || !system.prescribed()) return false;
+  const auto& plane = p.tilt.plane;
+  const double z = plane[static_cast<std::size_t>(i)];
+  if (std::count(plane.begin(), plane.begin() + p.balls, z) < 3) return false;
+  const VectorXd centre = equilibrium.head(2), slope = equilibrium.segment(system.layout().tilt, 2);
+  return (centre + z * slope).norm() < race_on_axis && model::off_balance(p, equilibrium) >= race_on_axis;
+}
+
+int free_angles(const model::System& system, const VectorXd& equilibrium) {
+  return std::max(static_cast<int>(free_balls(system, equilibrium).size()) - 2, 0);
+}
+
+ContinuumPart partly_balanced_part(const model::System& system, const VectorXd& equilibrium) {
+  constexpr int draws = 256;
+  const model::Parameters& p = system.parameters();
+  const std::vector<int> balls = free_balls(system, equilibrium);
+  model::Parameters race;  // what else its balls have to cancel
+  race.balls = static_cast<int>(balls.size());
+  std::complex<double> sum;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    race.mass[k] = p.mass[static_cast<std::size_t>(balls[k])];
+    sum += std::polar(race.mass[k], equilibrium[model::index::phi(balls[k])]);
+  }
+  race.eccentricity = std::abs(sum);
+  const double turn = std::arg(-sum);
+  const auto zeros = static_cast<std::size_t>(free_angles(system, equilibrium));
+  ContinuumDraws source(race);
+  ContinuumPart part;
+  std::vector<double> stable, growing;
+  std::array<double, model::max_balls> phi{};
+  for (; part.drawn < draws && source.next(phi); ++part.drawn) {
+    VectorXd member = equilibrium;
+    for (std::size_t k = 0; k < balls.size(); ++k) member[model::index::phi(balls[k])] = phi[k] + turn;
+    const Eigen::VectorXcd all = dense::eigenvalues(model::jacobian(system, member));
+    std::vector<std::complex<double>> rates(all.begin(), all.end());
+    std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
+    double largest = -1e300;
+    for (std::size_t k = zeros; k < rates.size(); ++k) largest = std::max(largest, rates[k].real());
+    (largest < -zero_eigenvalue ? stable : growing).push_back(largest);
+  }
+  part.stable = static_cast<int>(stable.size());
+  if (!stable.empty()) {
+    part.slowest_rate = *std::max_element(stable.begin(), stable.end());
+    part.fastest_rate = *std::min_element(stable.begin(), stable.end());
+  }
+  if (!growing.empty()) {
+    part.least_growth = std::max(0.0, *std::min_element(growing.begin(), growing.end()));
+    part.most_growth = *std::max_element(growing.begin(), growing.end());
+  }
+  return part;
+}
+
+bool same_continuum(const model::System& system, const VectorXd& a, const VectorXd& b) {
+  if (free_angles(system, a) == 0 || free_angles(system, b) == 0) return false;
+  const int tilt = system.layout().tilt;
+  const double apart = std::hypot((a - b).head(4).norm(), (a - b).segment(tilt, 4).norm());
+  return apart < rotors_alike * system.parameters().all_unbalances();
+}
+
+std::vector<Equilibrium> unbalanced_equilibria(const model::System& system, int starts, const StopFlag* stop) {
+  const StateDifference difference(system);
+  RandomStream random;
+  std::vector<Equilibrium> found;
+  for (int k = 0; k < starts && !is_set(stop); ++k) {
+    VectorXd state = VectorXd::Zero(system.dimension());
+    for (int i = 0; i < system.balls(); ++i) state[model::index::phi(i)] = two_pi * random.uniform();
+    rest_rotor(system, state);
+    if (!state.allFinite()) continue;
+    std::optional<Equilibrium> e = refine_equilibrium(system, state);
+    if (!e || model::off_balance(system.parameters(), e->state) < centred_rotor) continue;
+    e->state = system.with_angles_reduced(e->state);
+    const auto is_it = [&](const Equilibrium& other) {
+      return same_continuum(system, e->state, other.state) ||
+             distance_in_any_order(system, difference, e->state, other.state) < same_equilibrium;
+    };
+    if (std::none_of(found.begin(), found.end(), is_it)) found.push_back(std::move(*e));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Equilibrium& a, const Equilibrium& b) {
+    return a.eigenvalues[0].real() < b.eigenvalues[0].real();
+  });
+  return found;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,162 @@
+// Follows a motion once round and applies the watch of transients to it.
+#include "equipoise/attractors/motions/motion_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/attractors/periodic_orbits/event_run-inl.hpp"
+#include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
+#include "equipoise/simulation/transients/transient_watch.hpp"
+#include "equipoise/results/types/fate.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+constexpr double figure_tolerance = 1e-9;  // figures are stored in single precision, 6e-8
+constexpr double least_stretch = 2000;     // for a torus or chaos
+constexpr double neutral_rate = 1e-9;      // exponents closer to 0 belong to shifts
+
+MotionFigures figures_of(const TransientSums& sums) {
+  const TransientWindow& w = sums.window;
+  return {std::sqrt(sums.free_peak.square), std::sqrt(sums.force_peak),
+          std::sqrt(w.force / w.length),    std::sqrt(w.velocity / w.length),
+          size_of(w.unbalance) / w.length,  std::sqrt(sums.dynamic_peak),
+          std::sqrt(w.dynamic / w.length),  std::sqrt(std::max(w.directions[0], w.directions[1]) / w.length)};
+}
+
+TransientSettings one_window() {
+  TransientSettings settings;
+  settings.window = std::numeric_limits<double>::infinity();
+  return settings;
+}
+
+// A system, and where its shaft is watched if it tilts.
+struct Watched {
+  const model::System& system;
+  const WatchedShaft& shaft;
+
+  // The rotor's angle is 0 at the motion's state, unless the state contains it.
+  TransientSample sample(double t, const double* z) const {
+    const model::StateLayout& at = system.layout();
+    const double psi = at.psi < 0 ? system.speed() * t : z[at.psi];
+    if (!system.tilts()) return transient_sample(system.parameters(), psi, t, z);
+    return transient_sample(system.parameters(), shaft, psi, t, z, z + at.tilt);
+  }
+};
+
+template <class Flow>
+MotionFigures followed(const Watched& watched, const Flow& flow, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
+  const model::System& system = watched.system;
+  TransientWatch watch(one_window());
+  std::array<double, Flow::dimension> z;
+  std::copy_n(motion.state.data(), motion.state.size(), z.begin());
+  watch.begin(sample(0.0, z.data()));
+  if (duration > 0.0) {
+    const auto scale = kernels::error_scale<Flow::dimension>(system, figure_tolerance);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, system.dimension());
+    integrator.advance(0.0, duration, z.data(), [&](double, double to, auto&& state_at) {
+      watch.step_to(to, [&](double t) {
+        std::array<double, Flow::dimension> at;
+        state_at(t, at.data());
+        return sample(t, at.data());
+      });
+    });
+  }
+  return figures_of(watch.sums());
+}
+
+// Rates may jump at events.
+MotionFigures followed_with_events(const Watched& watched, const Motion& motion, double duration) {
+  const auto sample = [&](double t, const double* z) { return watched.sample(t, z); };
+  const model::System& system = watched.system;
+  kernels::EventRun run(system, motion.state.data(), 0.0, kernels::event_scale(system, figure_tolerance));
+  TransientWatch watch(one_window());
+  long events = -1;
+  std::array<double, kernels::EventRun::dimension> z;
+  run.advance(duration, [&](double from, double to, auto& state_at) {
+    state_at(from, z.data());
+    if (events != run.events()) watch.begin(sample(from, z.data()));
+    events = run.events();
+    watch.step_to(to, [&](double t) {
+      state_at(t, z.data());
+      return sample(t, z.data());
+    });
+    return false;
+  });
+  return figures_of(watch.sums());
+}
+
+MotionFigures followed(const Watched& watched, const Motion& motion, double duration) {
+  if (motion.eventful && duration > 0.0) return followed_with_events(watched, motion, duration);
+  using PlainFlow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
+  using GeneralFlow = kernels::SmoothFlow<double, model::any_count>;
+  using TiltFlow = kernels::SmoothFlow<double, model::any_count, true>;
+  const model::System& system = watched.system;
+  if (system.tilts()) return followed(watched, TiltFlow(system, 0.0), motion, duration);
+  if (!system.plain()) return followed(watched, GeneralFlow(system, 0.0), motion, duration);
+  const model::Segment segment{0.0, std::numeric_limits<double>::infinity(), 0.0, motion.speed, 0.0, false};
+  return followed(watched, PlainFlow(system.parameters(), segment), motion, duration);
+}
+
+double stretch(const model::Parameters& p, const Motion& motion) {
+  switch (motion.kind) {
+    case MotionKind::equilibrium:
+      return model::depends_on_rotor_angle(p) ? two_pi / std::fabs(motion.speed) : 0.0;
+    case MotionKind::periodic:
+      return motion.period;
+    default:
+      return std::max(least_stretch, motion.duration);
+  }
+}
+
+// Nothing moves in fixed axes.
+bool balanced_exactly(const model::Parameters& p, const Motion& motion) {
+  if (motion.kind != MotionKind::equilibrium || p.gravity != 0.0) return false;
+  constexpr double rounding = 1e-10;  // refined equilibria are better than this
+  if (p.tilts() && motion.state.tail(4).cwiseAbs().maxCoeff() >= rounding) return false;
+  return motion.state.head(4).cwiseAbs().maxCoeff() < rounding;
+}
+}  // namespace
+
+MotionFigures motion_figures(const model::Parameters& p, const Motion& motion, const WatchedShaft& shaft) {
+  if (balanced_exactly(p, motion)) return {};
+  const model::System system = system_of(p, motion);
+  MotionFigures figures = followed({system, shaft}, motion, stretch(p, motion));
+  const bool at_centre = shaft.places == std::array<double, 2>{};  // of which the motion tells
+  if (at_centre || !p.tilts()) figures.radial = std::max(figures.radial, motion.r_max);
+  return figures;
+}
+
+KnownEnd known_end(const model::Parameters& p, const Attractor& attractor, const WatchedShaft& shaft) {
+  const Motion& motion = attractor.motion;
+  if (motion.set_valued) {  // each start comes to its own
+    constexpr double time_constants = 5.0;
+    const double rate = motion.exponents.empty() ? 0.0 : -motion.exponents.back();
+    return {std::nullopt, rate > neutral_rate ? time_constants / rate : 0.0};
+  }
+  if (attractor.id == balanced_id && p.gravity == 0.0 && p.race_is_centred()) return {MotionFigures{}, 0.0};
+  if (motion.kind == MotionKind::measured || motion.state.size() == 0) return {};
+  // Members of a continuum around an off-centre race whirl alike. Where a rotor tilts, balls that balance in one plane
+  // may be part of a continuum while others do not.
+  const bool unique = (attractor.id != balanced_id && !p.tilts()) || p.balls == 1 ||
+                      (p.balls == 2 && p.equal_balls()) || (p.gravity == 0.0 && p.isotropic());
+  if (unique) return {motion_figures(p, motion, shaft), 0.0};
+  constexpr double time_constants = 5.0;  // less than 1 % is left
+  double rate = 0.0;
+  for (const double exponent : motion.exponents)
+    if (exponent < -neutral_rate && (rate == 0.0 || exponent > -rate)) rate = -exponent;
+  return {std::nullopt, rate > 0.0 ? time_constants / rate : 0.0};
+}
+
+}  // namespace equipoise

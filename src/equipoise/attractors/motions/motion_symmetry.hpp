@@ -1,0 +1,33 @@
+// Exchange of alike balls: which motions it leaves alone, and which it makes from others.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/machine/model/parameters.hpp"
+
+namespace equipoise {
+
+/// Ball i does what ball order[i] did.
+using BallOrder = std::array<int, model::max_balls>;
+/// Where the components of a state come from when balls are exchanged: exchanged = state(components). `size`: of the
+/// state; 0: a plain state (machine/model/parameters.hpp).
+Eigen::VectorXi exchanged_components(int balls, const BallOrder& order, Eigen::Index size = 0);
+
+/// For a periodic motion or an equilibrium: one order for each of its Motion::copies under exchange of alike balls, its
+/// own first.
+std::vector<BallOrder> exchange_images(const model::System& system, const Motion& motion);
+
+/// Motion::copies of a motion whose other members are set.
+std::int64_t count_copies(const model::System& system, const Motion& motion);
+
+/// Whether an equilibrium is balanced: the race's centre rests on the axis of rotation.
+bool is_balanced(const model::System& system, const Motion& motion);
+
+bool is_half_period_exchange(const model::System& system, const PeriodicOrbit& orbit);
+
+}  // namespace equipoise

@@ -1,0 +1,122 @@
+// One attractor search: what its parts share, and the parts, a file each (first_rule.cpp, search_regions.cpp,
+// search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/classification/attractor_search/attractor_search.hpp"
+#include "equipoise/classification/attractor_search/pilot_run.hpp"
+#include "equipoise/classification/rotor_family/drawn_source.hpp"
+#include "equipoise/classification/trapping_regions/trials.hpp"
+#include "equipoise/core/running/search_log.hpp"
+#include "equipoise/core/running/stage_progress.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
+
+namespace equipoise {
+
+/// A state that is followed to its motion: of a group of pilot trajectories that look alike, or given.
+struct Candidate {
+  std::vector<std::size_t> members;  ///< records; none for given states
+  Features features{};
+  FeatureBox range;
+  Eigen::VectorXd state;
+  const OwnRotor* own = nullptr;  ///< its rotor, if starts draw theirs
+  std::optional<Motion> motion{};
+  int attractor = 0;
+  int trend = -1;             ///< where rotors differ: the row of its motion's features (FeatureTrends)
+  bool shows_motion = false;  ///< its members' windows are those of the motion that it was followed to
+  bool stationary = false;
+};
+
+/// Windows of one motion agree this well; motions met so far differ by more.
+inline constexpr double grouping = 0.05;
+/// Windows of one chaotic motion.
+inline constexpr double loose_grouping = 0.3;
+/// Windows of one torus that did not repeat: its extremes may take longer to appear than any window lasts.
+inline constexpr double torus_grouping = 0.15;
+constexpr double agreement(MotionKind kind) {
+  if (kind == MotionKind::chaotic) return loose_grouping;
+  return kind == MotionKind::quasi_periodic ? torus_grouping : grouping;
+}
+
+/// Where gravity or anisotropic supports make balls strike each other every turn, chains of ever smaller impacts are
+/// followed one by one.
+bool is_dear(const model::System& system);
+
+/// A motion that starts come to but no state of which is known.
+Motion measured_motion();
+
+struct Search {
+  /// `drawn`: the source, if it draws rotors; `study` is then that of its middle. `subject`: everything that the search
+  /// depends on.
+  Search(const Study& study, const SpinUp& source, const AttractorSearchSettings& settings, const std::string& subject,
+         const DrawnSource* drawn);
+
+  bool is_stopped() const { return is_set(settings.stop); }
+  int balls() const { return study.parameters.balls; }
+  template <class Work, class Fits>
+  auto noted(const char* question, const Work& work, const Fits& fits) {
+    return notes.answer(question, settings.stop, work, fits);
+  }
+  std::optional<Motion> motion_of_middle(const Eigen::VectorXd& state);
+  /// Windows of these motions (own_windows()), and fates of these states by windows (fates_by_windows()).
+  std::vector<PilotRecord> windows_of(const std::vector<const Motion*>& motions,
+                                      const std::vector<const OwnRotor*>& own);
+  std::vector<Fate> fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
+                             const ClassificationRule& rule, double longest);
+  std::vector<Fate> fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule, double longest);
+
+  /// The known motion that looks like this, or null. `own`: the rotor that shows it, or null.
+  const KnownFeatures* known_as(const Features& f, const OwnRotor* own) const;
+  bool shows_balance(std::size_t i) const;
+
+  const Study& study;
+  const model::System system;
+  const AttractorSearchSettings& settings;
+  const DrawnSource* const drawn;
+  NotePage notes;
+  StageProgress stages;
+  TrialSettings trials;
+  std::vector<OwnRotor> rotors;  ///< for trials: the middle's first
+  PilotRun pilot;
+  AttractorSearch result;
+  std::optional<FeatureBox> balance_box;  ///< decides beside trapping regions
+};
+
+/// The rule that a search begins with, when only balanced states are known. The study must have its horizon.
+ClassificationRule first_rule(const Study& study, const BalancedAnalysis& balanced, const model::System& system);
+
+/// Makes boxes around the windows of each attractor's scouts. `found`: candidates of the pilot and of a neighbour.
+void make_boxes(Search& search, const std::vector<Candidate>& found);
+/// Sets how many hits each box takes, by what the whole pilot did under trapping regions and stationarity alone.
+/// `found`: candidates of the pilot.
+void audit_boxes(Search& search, const std::vector<Candidate>& found);
+/// If all random scouts came to listed motions and no box needs an audit, the rest of the pilot would only find motions
+/// rarer than one in a thousand. StartRunner lists those too, once a start comes to one. At a prescribed speed without
+/// events and gravity, the rest costs less than following a few such starts; in all other cases it is most of the
+/// search.
+bool scouts_suffice(const Search& search);
+
+/// Where rotors differ: fits how a candidate's motion looks on the others (FeatureTrends::add()). False if stopped.
+bool add_trend(Search& search, Candidate& c);
+/// And finds on which of them chaos lasts. `chaos`: by attractor, a state on one rotor's chaos. False if stopped.
+bool follow_chaos(Search& search, const std::map<int, Eigen::VectorXd>& chaos);
+/// Features of a candidate or one of its members, shown by the rotor `own`, as the middle's motion shows them.
+Features of_middle(const Search& search, const Candidate& c, const Features& f, const OwnRotor* own);
+
+/// For few rotors of a family's part: its balance alone. Every start that comes to anything else is then followed by
+/// itself.
+AttractorSearch search_balance(const StudyFamily& family, const FamilyBox& box,
+                               const AttractorSearchSettings& settings);
+
+/// For a coasting rotor: each start finds its own final speed, and with it the motions that it can come to.
+AttractorSearch discover_coasting(const Study& study, const StopFlag* stop);
+
+}  // namespace equipoise

@@ -1,0 +1,99 @@
+// Boxes: ranges brought back to the middle's rotor; undecided starts named by their last long window.
+#include "equipoise/classification/attractor_search/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "equipoise/simulation/rule/pilot.hpp"
+#include "equipoise/simulation/rule/window_features.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Boxes around a motion's windows, widened by these multiples of their range. A wide one is entered sooner, but its
+// audit asks for more hits. The first one satisfied decides.
+constexpr std::array box_widths{1.0, 2.0, 4.0};
+
+// The range of all members, as the middle's motion would show it.
+FeatureBox range_of(const Search& s, const Candidate& c) {
+  if (c.members.empty() || c.trend < 0) return c.range;
+  FeatureBox range;
+  for (std::size_t m = 0; m < c.members.size(); ++m) {
+    const FeatureBox& shown = s.pilot.records()[c.members[m]].range;
+    const OwnRotor* own = s.pilot.rotor(c.members[m]);
+    const Features low = of_middle(s, c, shown.low, own), high = of_middle(s, c, shown.high, own);
+    for (int k = 0; k < feature_count(s.balls()); ++k) {
+      range.low[k] = m ? std::min(range.low[k], low[k]) : low[k];
+      range.high[k] = m ? std::max(range.high[k], high[k]) : high[k];
+    }
+  }
+  return range;
+}
+
+// Modulated by the rotor, a torus has one frequency more.
+int loosely_known(const ClassificationRule& rule, const Features& features, const double* shifts) {
+  for (const KnownFeatures& known : rule.known)
+    if (same_motion(known.features, brought_back(features, known.trend, shifts, rule.balls), rule.balls,
+                    torus_grouping))
+      return known.attractor;
+  return 0;
+}
+
+// A torus or chaos may not repeat within the pilot's time, but its last long window identifies it.
+void name_undecided(Search& s, const std::vector<Candidate>& found) {
+  for (const Candidate& c : found)
+    for (const std::size_t i : c.members)
+      if (s.drawn && s.pilot.fates()[i].attractor == 0) s.pilot.name(i, c.attractor);
+  for (std::size_t i = 0; i < s.pilot.followed(); ++i) {
+    if (s.pilot.fates()[i].outcome != Outcome::undecided || !s.pilot.records()[i].finished_window) continue;
+    const Features& features = s.pilot.records()[i].features;
+    const OwnRotor* own = s.pilot.rotor(i);
+    if (s.shows_balance(i))
+      s.pilot.name(i, balanced_id);
+    else if (const KnownFeatures* known = s.known_as(features, own))
+      s.pilot.name(i, known->attractor);
+    else if (!s.system.autonomous())
+      s.pilot.name(i, loosely_known(s.result.rule, features, shifts_of(own)));
+  }
+}
+
+}  // namespace
+
+void make_boxes(Search& s, const std::vector<Candidate>& found) {
+  constexpr std::size_t members_needed = 3;
+  ClassificationRule& rule = s.result.rule;
+  for (const double widths : box_widths)
+    for (const Candidate& c : found) {
+      const Attractor* a = s.result.catalogue.find(c.attractor);
+      if (!a || !c.shows_motion || c.attractor == balanced_id) continue;
+      // A refined orbit vouches for a single member, and a given motion for itself.
+      if (!c.members.empty() && c.members.size() < (a->motion.kind == MotionKind::periodic ? 1 : members_needed))
+        continue;
+      FeatureBox box = box_around(range_of(s, c), rule.balls, c.attractor, widths);
+      box.trend = c.trend;
+      if (box.attractor && rule.boxes.size() + 1 < most_boxes) rule.boxes.push_back(box);
+    }
+}
+
+void audit_boxes(Search& s, const std::vector<Candidate>& found) {
+  name_undecided(s, found);
+  std::vector<FeatureBox> kept;
+  for (std::size_t b = 0; b < s.result.rule.boxes.size(); ++b) {
+    FeatureBox box = s.result.rule.boxes[b];
+    const bool restless = s.result.catalogue.find(box.attractor)->motion.kind == MotionKind::chaotic;
+    box.hits_needed = hits_from_audit(s.pilot.fates(), s.pilot.records(), b, box.attractor, restless);
+    if (box.hits_needed) kept.push_back(box);
+  }
+  s.result.rule.boxes = kept;
+}
+
+bool scouts_suffice(const Search& s) {
+  const std::vector<Fate>& fates = s.pilot.fates();
+  return !(s.system.simple() && s.system.autonomous()) && s.result.rule.boxes.empty() &&
+         std::all_of(fates.begin(), fates.begin() + static_cast<std::ptrdiff_t>(s.pilot.random_ones()),
+                     [](const Fate& fate) { return fate.outcome == Outcome::attracted && fate.attractor != 0; });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,202 @@
+// Makes trapping regions: around balance first, then around each listed motion, by the kind that suits it.
+#include "equipoise/classification/attractor_search/search_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "equipoise/classification/attractor_search/balance_box.hpp"
+#include "equipoise/classification/attractor_search/balanced_levels.hpp"
+#include "equipoise/classification/balanced_regions/family_regions.hpp"
+#include "equipoise/classification/trapping_regions/orbit_forms.hpp"
+#include "equipoise/classification/trapping_regions/path_region.hpp"
+#include "equipoise/classification/trapping_regions/torus_region.hpp"
+#include "equipoise/classification/trapping_regions/validated_level.hpp"
+#include "equipoise/machine/mechanics/capability.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Where rotors differ, testing all places of a motion costs a hundred times as much as following a start for a unit of
+// time.
+constexpr double rest_of_drawn = 0.25;
+
+// A weak motor brings a balanced rotor to its speed slowly, and trials of wider levels wait for that. They would take
+// longer than starts take to reach the narrow level.
+constexpr double slowest_worth_widening = 1e-3;
+
+}  // namespace
+
+void SearchRegions::find_balanced() {
+  s_.stages.begin(words::runs::balanced_states);
+  BalancedAnalysis& balanced = s_.result.balanced;
+  balanced = analyse_balanced(s_.system, s_.settings.stop, s_.settings.warm_start_levels.weights);
+  if (s_.drawn) draw_rotors(balanced);
+  s_.result.warm_start_levels.weights = balanced.weights;
+  const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
+  for (const Motion& motion : balanced.motions) s_.result.catalogue.add(s_.study.parameters, motion, part);
+  if (s_.is_stopped()) return;
+  s_.result.rule = first_rule(s_.study, balanced, s_.system);
+  s_.result.rule.blind = true;
+  if (s_.drawn) s_.result.rule.chaos_lasts = std::min(lasting_chaos, 0.25 * *s_.study.numerics.horizon);
+  s_.balance_box = balance_box(s_.system, balanced, s_.result.rule.window, *s_.study.numerics.horizon);
+  // Where balls touch, level sets of neighbouring members of a continuum catch late. Testing a state against them costs
+  // as much as following it for a hundred turns.
+  if (!s_.balance_box || !s_.system.events().contact)
+    continuum_ = continuum_region(balanced.continuum, balanced.survey, s_.trials);
+  if (!s_.system.autonomous() && balanced.motions.empty() && (continuum_ || s_.balance_box)) list_member(part);
+  for (const Motion& motion : balanced.motions) add(motion, balanced_id);
+  if (s_.drawn && balanced.regions.empty()) balance_of_some();
+  find_stalled();
+  set_rule();
+}
+
+// Draws rotors for trials, and makes balanced trapping regions that hold for all of them.
+void SearchRegions::draw_rotors(BalancedAnalysis& balanced) {
+  constexpr std::size_t draws = 256, looked_at = 64;
+  s_.rotors = s_.drawn->ends();
+  for (std::size_t k = 0; k < draws; ++k) s_.rotors.push_back(s_.drawn->rotor(k));
+  const std::span<const OwnRotor> all(s_.rotors);
+  s_.result.family = FamilyRegions(balanced.regions, all, all.first(std::min(all.size(), looked_at)), balanced.weights);
+  for (OwnRotor& rotor : s_.rotors) s_.result.family.place(balanced.regions, rotor);
+  s_.trials.rotors = s_.rotors;
+}
+
+// If some rotors of a part do not balance, no region holds for all. This makes one around the balanced state of a rotor
+// at the part's ends, for the rotors that do balance.
+void SearchRegions::balance_of_some() {
+  if (!s_.system.autonomous() || s_.result.balanced.continuum) return;
+  const std::vector<OwnRotor> ends = s_.drawn->ends();
+  for (const OwnRotor& own : ends) {
+    const bool middle = &own == &ends.front();  // it has been analysed
+    const BalancedAnalysis there = middle ? s_.result.balanced : analyse_balanced(own.system, s_.settings.stop);
+    if (s_.is_stopped()) return;
+    if (!there.stable || there.motions.empty() || there.continuum) continue;
+    if (!s_.result.catalogue.find(balanced_id)) s_.result.catalogue.add(own.system.parameters(), there.motions.front());
+    if (add_path_region(own.system, there.motions.front(), balanced_id, &own)) return;
+  }
+}
+
+// Where nothing of a continuum rests, one of the motions that it leaves is listed for all: the typical member's, if
+// known.
+void SearchRegions::list_member(const std::optional<ContinuumPart>& part) {
+  const BalancedAnalysis& balanced = s_.result.balanced;
+  const auto m = balanced.survey.attracts() ? balanced.continuum->member(balanced.survey.typical.data()) : std::nullopt;
+  if (m) {
+    s_.result.catalogue.add(s_.study.parameters, describe_creep(s_.system, m->centre, m->rate), part);
+  } else if (balanced.stable) {
+    s_.result.catalogue.add({balanced_id, "balanced", "", measured_motion(), {}});
+  }
+}
+
+// Under gravity a rotor can rest against its motor.
+void SearchRegions::find_stalled() {
+  const auto well = model::GravityWell::of(s_.system);
+  if (!well) return;
+  stalled_ = StalledRegion{*well};
+  for (const Eigen::VectorXd& place : places_to_hang(s_.system, *well)) {
+    const auto motion = s_.motion_of_middle(place);
+    if (!motion || !motion->stable) continue;
+    const int id = s_.result.catalogue.add(s_.study.parameters, *motion);
+    stalled_->rests.push_back({order_of(s_.system, motion->state.data()), id});
+  }
+}
+
+void SearchRegions::set_rule() {
+  set_window_regions(s_.result.rule, windowed_);
+  if (s_.drawn) s_.result.rule.windowed.rest = rest_of_drawn;
+  if (!s_.system.events().stick) {
+    set_regions(s_.result.rule, s_.system, cycles_, continuum_, stalled_);
+    return;
+  }
+  s_.result.rule.section_regions = stuck_balls(s_.system, s_.result.catalogue);
+}
+
+void SearchRegions::level_balanced() {
+  if (s_.study.numerics.decide == ClassificationMode::proof)
+    prove_levels(s_.result.rule.balanced, s_.trials);
+  else if (s_.system.plain() || (!s_.system.tilts() && s_.result.balanced.slowest_rate < -slowest_worth_widening))
+    s_.result.warm_start_levels.levels.push_back(
+        {balanced_id, false,
+         widen_levels(s_.result.rule, s_.trials, s_.result.balanced.slowest_rate, s_.pilot,
+                      s_.settings.warm_start_levels.level(balanced_id, false))});
+}
+
+// Around a motion that each rotor has in its own place, as one rotor was found to have it.
+void SearchRegions::add_of_candidate(const Candidate& c) {
+  constexpr int most_failures = 2;
+  if (!s_.drawn || !s_.system.autonomous() || !worth_a_region(*c.motion, c.attractor) ||
+      without_[c.attractor] >= most_failures)
+    return;
+  const OwnRotor& own = c.own ? *c.own : s_.rotors.front();
+  if (!add_path_region(own.system, *c.motion, c.attractor, &own)) ++without_[c.attractor];
+}
+
+// Regions are made around the middle's motion, if it has that one.
+void SearchRegions::add_listed(const Attractor& a) {
+  if (!s_.drawn) return add(a.motion, a.id);
+  if (s_.system.autonomous()) return;  // add_of_candidate() has tried each of its motions
+  if (!worth_a_region(a.motion, a.id) || a.motion.state.size() == 0) return;
+  const auto motion = s_.motion_of_middle(a.motion.state);
+  if (motion && motion->stable && s_.result.catalogue.find(s_.study.parameters, *motion) == a.id) add(*motion, a.id);
+}
+
+// Windows recognise all others. States of a rotor that tilts have so many directions that trials would cost more than
+// they save, and so do all trials for few starts.
+bool SearchRegions::worth_a_region(const Motion& motion, int id) const {
+  return !motion.eventful && (id == balanced_id || !(s_.system.tilts() || s_.settings.few_starts));
+}
+
+void SearchRegions::add(const Motion& motion, int id) {
+  if (!worth_a_region(motion, id)) return;
+  // Another rotor's torus lies beside this one, by more than its cloud of points can resolve.
+  if (motion.kind == MotionKind::quasi_periodic && !s_.drawn &&
+      !model::lacking(s_.system, model::ResultKind::torus_regions))
+    add_torus(motion, id);
+  std::vector<OrbitRegion> regions = orbit_regions(s_.system, motion, id);
+  if (regions.empty()) {
+    if (id != balanced_id) add_path_region(s_.system, motion, id);
+    return;
+  }
+  const auto is_it = [&](const model::Parameters& p, const Motion& m) { return s_.result.catalogue.find(p, m) == id; };
+  TrialSettings trials = s_.trials;
+  std::vector<OwnRotor> balancing;  // a region of balance holds for no other rotors
+  if (s_.drawn && id == balanced_id) {
+    std::copy_if(trials.rotors.begin(), trials.rotors.end(), std::back_inserter(balancing),
+                 [&](const OwnRotor& rotor) { return !balanced_shifts(rotor.system, s_.system).empty(); });
+    if (!balancing.empty()) trials.rotors = balancing;
+  }
+  const double floor = s_.drawn ? own_floor(regions.front(), trials, motion, is_it) : 0.0;
+  if (!validate(regions, trials, motion.orbit.slowest_rate(), s_.settings.warm_start_levels.level(id, false), floor))
+    return;
+  s_.result.warm_start_levels.levels.push_back({id, false, regions.front().level});
+  for (OrbitRegion& region : regions) cycles_.push_back(std::make_shared<OrbitRegion>(std::move(region)));
+}
+
+// `own`: the rotor that has this motion, if trials have their own. False if no region is found.
+bool SearchRegions::add_path_region(const model::System& system, const Motion& motion, int id, const OwnRotor* own) {
+  if (motion.state.size() != system.dimension()) return false;
+  for (const auto& region : windowed_)
+    if (region->attractor() == id && region->value(motion.state.data(), own) < region->level()) return true;
+  auto region = path_region(system, motion, id, s_.trials, own, s_.settings.warm_start_levels.level(id, false));
+  if (!region) return false;
+  s_.result.warm_start_levels.levels.push_back({id, false, region->level()});
+  windowed_.push_back(std::move(region));
+  return true;
+}
+
+// If the neighbour's torus has no region, none is tried here: that takes long, and windows recognise a torus too.
+void SearchRegions::add_torus(const Motion& motion, int id) {
+  const WarmStartLevel* known = s_.settings.warm_start_levels.find(id, true);
+  auto torus = known && known->level == 0.0
+                   ? nullptr
+                   : torus_region(s_.system, motion, id, s_.trials, known ? known->level : 0.0);
+  s_.result.warm_start_levels.levels.push_back({id, true, torus ? torus->level() : 0.0});
+  if (torus) windowed_.push_back(std::move(torus));
+}
+
+}  // namespace equipoise

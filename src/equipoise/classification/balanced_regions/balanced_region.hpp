@@ -1,0 +1,46 @@
+// Trapping regions around isolated balanced states: how far a Lyapunov function reaches.
+// This room: level sets around balance, validated by trajectories.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/results/types/warm_start_levels.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
+
+namespace equipoise {
+
+/// The trapping region of the linearly stable balanced state at ball angles `phi`, for a smooth system with section
+/// `none`. Its level is level_margin times the smallest V at which dV/dt >= 0 was found, by sampling rays and
+/// descending from the worst. `weights`: of its modes; on entry those of a neighbouring parameter, or empty.
+BalancedRegion balanced_region(const model::System& system, const std::array<double, model::max_balls>& phi,
+                               std::vector<ModeWeight>& weights);
+
+/// The trapping region of the other balanced state of two alike balls.
+BalancedRegion exchanged(const BalancedRegion& region);
+
+/// The modal form of a linearisation; each mode takes the weight of the nearest one in `weights`.
+Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
+
+/// F and P = F^T F of the region's Lyapunov function V = |F d|^2 = d^T P d. F is a view into the region.
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
+    const BalancedRegion& region);
+Eigen::MatrixXd form_of(const BalancedRegion& region);
+
+/// Sets the level, and the reach with it.
+void set_level(BalancedRegion& region, double level);
+
+double value(const model::System& system, const BalancedRegion& region, const double* state);
+
+/// A state on the level `level`. `direction`: a unit vector of the state's size.
+Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
+                               const Eigen::VectorXd& direction);
+
+/// The share used of the sampled critical level. Two independent searches agree to 1e-4, and decision times depend on
+/// the level only through its logarithm, so a wide margin is cheap.
+inline constexpr double level_margin = 0.9;
+
+}  // namespace equipoise

@@ -1,0 +1,17 @@
+// Proofs about balance of a rotor that tilts: two balls in each of two planes (docs/explanation/proof.md).
+#pragma once
+
+#include <string>
+
+#include "equipoise/classification/proved_regions/certificate.hpp"
+
+namespace equipoise {
+
+/// Why no proof is tried of this rotor that tilts; empty if one is.
+std::string tilt_refusal(const model::System& system);
+
+/// Verifies a certificate of a rotor that tilts, which has no boxes: one bound on the equations' slope over the box
+/// around V <= level proves that V decreases. `spare`: as spare_in_search.
+CertificateResult check_tilt(const Certificate& certificate, double spare);
+
+}  // namespace equipoise

@@ -1,0 +1,79 @@
+// Draws rotors by index.
+#include "equipoise/classification/rotor_family/drawn_source.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+
+namespace equipoise {
+
+DrawnSource::DrawnSource(const StudyFamily& family, const FamilyBox& box, const StopFlag* stop)
+    : family_(family),
+      box_(box),
+      stop_(stop),
+      study_(at_final_speed(family.at(family.values_at(box.centre())))),
+      middle_(make_spin_up(study_, stop)) {}
+
+// Draw `index`, or the middle if the draw is no study or cannot share lanes with it.
+StudyFamily::Placed DrawnSource::drawn(std::uint64_t index) const {
+  try {
+    Study study = at_final_speed(family_.draw(box_, index));
+    if (ride_together(study.system(), study_.system()))
+      return {family_.coordinates(box_, box_.at(family_.place(index))), std::move(study)};
+  } catch (const InputError&) {
+  }
+  return {family_.coordinates(box_, box_.centre()), study_};
+}
+
+OwnRotor DrawnSource::rotor(std::uint64_t index) const {
+  const auto [coordinates, study] = drawn(index);
+  OwnRotor rotor = own_rotor(study.system());
+  rotor.coordinates = coordinates;
+  return rotor;
+}
+
+std::vector<OwnRotor> DrawnSource::ends() const {
+  std::vector<OwnRotor> rotors;
+  for (const auto& [coordinates, study] : family_.ends(box_)) {
+    const model::System system = at_final_speed(study).system();
+    if (!ride_together(system, study_.system())) continue;
+    rotors.push_back(own_rotor(system));
+    rotors.back().coordinates = coordinates;
+  }
+  return rotors;
+}
+
+bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                       TransientTable* transients) const {
+  std::vector<std::vector<double>> places;
+  std::vector<OwnStart> own;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto [coordinates, study] = drawn(first + i);
+    const InitialState start = parted(study.parameters, start_of(study, seed, first + i));
+    own.push_back({std::move(study), start});
+    places.push_back(std::move(coordinates));
+  }
+  return set_off(own, std::move(places), starts, transients);
+}
+
+bool DrawnSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
+  std::vector<std::vector<double>> places;
+  std::vector<OwnStart> own;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    auto [coordinates, study] = drawn(i);
+    own.push_back({std::move(study), given[i]});
+    places.push_back(std::move(coordinates));
+  }
+  return set_off(own, std::move(places), starts, transients);
+}
+
+bool DrawnSource::set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
+                          TransientTable* transients) const {
+  if (!spin_up_own(own, stop_, starts, transients)) return false;
+  for (std::size_t i = 0; i < own.size(); ++i) starts.rotors[i].coordinates = std::move(places[i]);
+  return true;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,191 @@
+// States on level sets around members of a continuum.
+#include "equipoise/classification/trapping_regions/continuum_region.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/attractors/periodic_orbits/return_map.hpp"
+#include "equipoise/classification/trapping_regions/region_rule.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/simulation/batch/own_rotor.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// A state of a continuum's trapping region falls to this share of its V, where linear theory holds.
+constexpr double come_near = 0.03;
+// A state beside the slowest member that is tried may come to one a little slower.
+constexpr double slower = 0.5;
+
+// Slower members are not tried: each trial would take as long as its member is slow.
+double slowest_caught(const ContinuumPart& part) {
+  constexpr double share = 0.1, of_all = 2e-4;
+  return std::min(-of_all, share * part.fastest_rate);
+}
+
+// Of the level of members that were tried, for slower ones. Both scale with the rate (ContinuumMember::unit), which has
+// been tried down to a tenth of the fastest. There, terms of second order are a tenth of what they are on that level.
+constexpr double slow_share = 0.01;
+
+// V is |s|^2 or more of a deviation s from the state's member, and a hundredth of it may be left along the continuum
+// (ContinuumOfEquilibria). Members that were not tried may have half as large a unit again.
+double farthest_inside(double reach) {
+  constexpr double spare = 1.25, unknown = 1e-6;
+  return spare * reach + unknown;
+}
+
+// Members of a continuum to try levels around, and how far gravity moves them from each other and from rest.
+struct Members {
+  std::vector<ContinuumMember> all;
+  Eigen::Vector4d place = Eigen::Vector4d::Zero();  // mean of the rotor's
+  double unit = 0.0, slowest_rate = 0.0, fastest_rate = 0.0, unrest = 0.0;
+  bool everywhere = false;  // catches_all()
+};
+
+Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSurvey& survey,
+                       const TrialSettings& settings) {
+  constexpr std::size_t most = 64;
+  Members result;
+  result.slowest_rate = slowest_caught(survey);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
+      survey.rates.begin());
+  result.everywhere = catches_all(survey);
+  const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
+  const int balls = settings.system->balls();
+  for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
+    auto m = continuum.member(survey.members[first + k * count / taken].data());
+    if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
+    result.unit = std::max(result.unit, m->unit);
+    result.fastest_rate = std::min(result.fastest_rate, m->rate);
+    result.place += m->centre.head(4);
+    result.all.push_back(*std::move(m));
+  }
+  if (result.all.empty()) return result;
+  result.place /= static_cast<double>(result.all.size());
+  for (const ContinuumMember& m : result.all) {
+    result.unrest = std::max(result.unrest, (m.centre.head(4) - result.place).lpNorm<Eigen::Infinity>());
+    for (int i = 0; i < balls; ++i)
+      result.unrest = std::max(result.unrest, std::fabs(m.centre[model::index::q(i, balls)]));
+  }
+  return result;
+}
+
+double reach_of(const Members& members, double factor) {
+  return 1.5 * members.unrest + std::sqrt(std::min(factor * members.unit, 0.5));
+}
+
+// The region with this factor.
+ContinuumRegion at_factor(ContinuumRegion region, const Members& members, double factor) {
+  region.factor = factor;
+  region.reach = reach_of(members, factor);
+  if (!region.estimate) return region;
+  constexpr double safety = 2.0;
+  const ContinuumEstimate::Errors errors = region.estimate->errors(*region.continuum, factor);
+  if (!(errors.shortfall > 0.0)) {
+    region.estimate.reset();
+    return region;
+  }
+  // A state this deep is inside whichever member it comes to, and then creeps to nothing else.
+  if (members.everywhere) region.deep = 1.0 / (safety * errors.shortfall);
+  // A state taken for outside by mistake is only caught a little later. If the estimate by then falls below `deep`, V
+  // need never be computed.
+  region.far = safety * errors.floor < region.deep ? region.deep : std::max(errors.excess, safety * errors.floor);
+  return region;
+}
+
+// In this direction or the opposite one, at the highest V up to `value` where balls in contact do not overlap.
+Eigen::VectorXd state_with_room(const ContinuumRegion& region, const ContinuumMember& m, double value,
+                                const Eigen::VectorXd& direction, const model::System& system) {
+  constexpr int most = 64;
+  const bool collide = system.parameters().balls_collide();
+  for (int k = 0; k < most; ++k, value *= 0.5)
+    for (const double sign : {1.0, -1.0}) {
+      Eigen::VectorXd z = region.continuum->state_at(m, value, sign * direction);
+      if (!collide || least_gap(system.parameters(), z) > 0.0) return z;
+    }
+  return m.centre;
+}
+
+// From a member to its neighbour in the continuum of another rotor.
+Eigen::VectorXd moved_to(const model::System& other, const model::System& system, const ContinuumMember& m) {
+  std::array<double, model::max_balls> phi = m.phi;
+  const double speed = model::balanced_speed(system).value_or(0.0),
+               other_speed = model::balanced_speed(other).value_or(speed);
+  if (!model::project_to_balanced(other, other_speed, phi.data())) return Eigen::VectorXd::Zero(system.dimension());
+  return model::balanced_state(other, other_speed, phi.data()) - model::balanced_state(system, speed, m.phi.data());
+}
+
+// Whether all states tried at `factor` times the members' units of V come near the continuum.
+bool all_approach(const ContinuumRegion& region, const Members& members, DirectionTable& directions,
+                  const TrialSettings& settings, double factor, const TryRange& tries) {
+  const std::size_t count = members.all.size();
+  Trials trials;
+  trials.first = tries.first;
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
+    return members.all[(tries.first + i) * count / tries.of];
+  };
+  for (std::size_t i = 0; i < tries.count; ++i) {
+    const ContinuumMember& m = member_of(i);
+    Eigen::VectorXd z = state_with_room(region, m, factor * m.unit, directions[tries.first + i], *settings.system);
+    if (const OwnRotor* own = settings.rotor(tries.first + i)) z += moved_to(own->system, *settings.system, m);
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  ContinuumRegion near = at_factor(region, members, come_near * factor);
+  near.slowest_rate *= slower;
+  trials.rule = rule_of_regions(*settings.system);
+  // Regions are tested where half windows end. A test costs more than following a state until V has fallen by a factor
+  // of e, even at the member that attracts most.
+  trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
+  set_regions(trials.rule, *settings.system, {}, near);  // tests depend on the window
+  trials.flight = [&](std::size_t first) {
+    const double rate = -member_of(first).rate;  // the slowest of the chunk
+    return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
+  };
+  return all_attracted(std::move(trials), settings);
+}
+
+}  // namespace
+
+bool catches_all(const ContinuumPart& part) {
+  return part.drawn > 0 && part.stable == part.drawn && part.slowest_rate <= slowest_caught(part);
+}
+
+bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
+  if (own)
+    return ContinuumOfEquilibria::is_of(own->system) &&
+           ContinuumOfEquilibria(own->system).holds(state, factor, slowest_rate, slow_factor);
+  const auto depth = estimate ? estimate->depth(state, factor) : std::nullopt;
+  if (depth && *depth < deep) return true;
+  if (off && off->least(state) > farthest_inside(reach)) return false;
+  return !(depth && *depth > far) && continuum->holds(state, factor, slowest_rate, slow_factor);
+}
+
+std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,
+                                                const ContinuumSurvey& survey, const TrialSettings& settings) {
+  if (!continuum || !survey.attracts()) return std::nullopt;
+  const Members members = members_to_try(*continuum, survey, settings);
+  if (members.all.empty()) return std::nullopt;
+  ContinuumRegion region{continuum,     0.0, members.slowest_rate,
+                         members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};
+  region.off = std::make_shared<const OffContinuum>(*settings.system);
+  // With anisotropic supports or gravity every test takes a flight of its own.
+  TrialCounts counts{.few = 128, .all = 1024, .low_may_fail = true};
+  if (!settings.system->autonomous()) counts.few /= 4, counts.all /= 4;
+  DirectionTable directions(continuum->directions());
+  const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
+    return all_approach(region, members, directions, settings, level, tries);
+  });
+  if (!(factor > 0.0)) return std::nullopt;
+  region = at_factor(std::move(region), members, factor);
+  region.slow_factor = slow_share * factor;
+  return region;
+}
+
+}  // namespace equipoise

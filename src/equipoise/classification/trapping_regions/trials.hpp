@@ -1,0 +1,120 @@
+// Trials: states followed by the lanes that decide, to see what catches them.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "equipoise/core/base/random.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/core/running/search_log.hpp"
+#include "equipoise/core/running/stage_progress.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/simulation/batch/own_rotor.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
+
+namespace equipoise {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Shared by all trials.
+struct TrialSettings {
+  const model::System* system = nullptr;  ///< any smooth one
+  double tolerance = 1e-6;
+  int threads = 1;
+  const StopFlag* stop = nullptr;
+  StageProgress* progress = nullptr;
+  NotePage* notes = nullptr;  ///< log of what was tried, or null
+  /// Rotors that trials use in turn, again and again; none: all have that of `system`.
+  std::span<const OwnRotor> rotors{};
+
+  const OwnRotor* rotor(std::size_t number) const { return rotors.empty() ? nullptr : &rotors[number % rotors.size()]; }
+};
+
+/// Motions that attract more slowly get no trapping region by trials: to follow those would take longer than an
+/// ensemble.
+inline constexpr double slowest_worth_it = 2e-3;
+/// All trials come to this share of the level that they begin on: a quarter of the level that will be used.
+inline constexpr double come_inside = 0.125;
+
+/// This many states are followed together and share a flight.
+inline constexpr std::size_t trial_chunk = 128;
+/// This many of all trials that a level must pass are run at a time.
+inline constexpr std::size_t trial_part = 4 * trial_chunk;
+
+struct Trials {
+  struct Flight {
+    double end = 0.0;  ///< duration
+    double psi = 0.0;  ///< the rotor's angle at the beginning
+  };
+  std::vector<double> states;  ///< one after the other
+  ClassificationRule rule;
+  std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
+  bool alike = false;                               ///< all have the same flight, so chunks may be larger
+  std::size_t first = 0;                            ///< number of the first state's rotor
+};
+
+/// A rule without windows, in which only trapping regions decide.
+ClassificationRule rule_of_regions(const model::System& system);
+
+/// The trapping regions of `rule`, without its windows.
+ClassificationRule regions_of(const ClassificationRule& rule);
+
+/// Whether all states are attracted; false if stopped.
+bool all_attracted(Trials trials, const TrialSettings& settings);
+/// Which states come to this attractor; incomplete if stopped.
+std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings);
+
+/// Unit vectors, the same for every study.
+class Directions {
+ public:
+  explicit Directions(Eigen::Index size) : v_(size) {}
+  const Eigen::VectorXd& next();
+
+ private:
+  RandomStream random_;
+  Eigen::VectorXd v_;
+};
+
+/// The same by number, for repeated use.
+class DirectionTable {
+ public:
+  explicit DirectionTable(Eigen::Index size) : directions_(size) {}
+  const Eigen::VectorXd& operator[](std::size_t number);
+
+ private:
+  Directions directions_;
+  std::deque<Eigen::VectorXd> made_;
+};
+
+/// Levels from `highest` down over this many halvings, in eighths of one. The steps are small, so a trial that rounding
+/// sends elsewhere changes the level by little.
+struct LevelLadder {
+  double highest = 0.0;
+  int halvings = 24;
+};
+
+/// A few trials find where to begin, all of them where to stop.
+struct TrialCounts {
+  std::size_t few = 128, all = 4096;
+  bool low_may_fail = false;    ///< low levels may fail for rounding alone where higher ones pass
+  bool first_goes_far = false;  ///< the first part is followed farther, and a few of it run before the others
+};
+
+/// Trials first .. first + count - 1 of `of`.
+struct TryRange {
+  std::size_t first, count, of;
+};
+
+/// Half the highest level at which good(level, tries) holds for all trials; 0 if there is none. Trials run in parts,
+/// the first part last. That a pass at one level implies a pass at lower ones is assumed only to choose the next level.
+/// `near`: a guess, or 0. The search then begins there, and goes up only if a few trials pass.
+double highest_good_level(const LevelLadder& ladder, const TrialCounts& counts,
+                          const std::function<bool(double level, const TryRange& tries)>& good, double near = 0.0);
+
+}  // namespace equipoise

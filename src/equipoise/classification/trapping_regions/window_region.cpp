@@ -1,0 +1,124 @@
+// Bounds within which lanes test, and levels that trials passed.
+#include "equipoise/classification/trapping_regions/window_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace equipoise {
+
+namespace {
+
+constexpr double window = 4.0;  // of trials, tested twice in it
+// Share of the time that the slowest approach takes: other directions fall faster.
+constexpr double approach = 0.5;
+constexpr double away_in_window = 2.0;
+
+}  // namespace
+
+double WindowRegion::time_to_level(double value) const {
+  return std::isfinite(value) && level_ > 0.0 && rate_ < 0.0 ? std::log(value / level_) / (-2.0 * rate_) : 0.0;
+}
+
+void WindowRegion::hold(const Eigen::VectorXd& state) {
+  low_ = low_.size() > 0 ? low_.cwiseMin(state).eval() : state;
+  high_ = high_.size() > 0 ? high_.cwiseMax(state).eval() : state;
+  double r2 = state.head<2>().squaredNorm();
+  constexpr int of_tilt = 4;  // variables, more than any drive has, at the state's end; windows count slopes in r
+  if (state.size() - model::dimension(balls_) >= of_tilt) r2 += state.tail(of_tilt).head<2>().squaredNorm();
+  r2_low_ = std::min(r2_low_, r2);
+  r2_high_ = std::max(r2_high_, r2);
+}
+
+bool WindowRegion::may_hold(const double* state) const {
+  const double reach = level_ > 0.0 ? between_ + std::sqrt(level_) : infinite;
+  for (Eigen::Index i = 0; i < low_.size(); ++i) {
+    if (i >= 4 && i < 4 + balls_) continue;
+    const double far = reach / inverse_scale_[i];
+    if (!(state[i] > low_[i] - far && state[i] < high_[i] + far)) return false;
+  }
+  return true;
+}
+
+// By how much farther off the states of a window may lie that ends inside the region.
+void WindowRegion::widen(WindowRegions& bounds) const {
+  const double far = between_ + away_in_window * std::sqrt(level_);
+  const double r = std::max(0.0, std::sqrt(r2_low_) - far / inverse_scale_[0]);
+  bounds.r2_low = std::min(bounds.r2_low, r * r - 1e-300);
+  bounds.r2_high = std::max(bounds.r2_high, std::pow(std::sqrt(r2_high_) + far / inverse_scale_[0], 2));
+  for (int i = 4 + balls_; i < 4 + 2 * balls_; ++i) {
+    bounds.q_low = std::min(bounds.q_low, low_[i] - far / inverse_scale_[i]);
+    bounds.q_high = std::max(bounds.q_high, high_[i] + far / inverse_scale_[i]);
+  }
+}
+
+namespace {
+
+bool all_approach(const std::shared_ptr<WindowRegion>& region, DirectionTable& directions, const WindowTries& how,
+                  const TrialSettings& settings, double level, const TryRange& tries) {
+  Trials trials;
+  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
+    // Spread over the motion, whatever the order of its states.
+    const Eigen::VectorXd z = region->state_on_level(i * 40503, level, directions[i], settings.rotor(i));
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  trials.first = tries.first;
+  const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
+  const double share = std::max(far ? how.come_close : come_inside, 4.0 * region->floor() / level);
+  if (share > come_inside) return false;
+  region->set_level(share * level);
+  trials.alike = true;
+  trials.rule = rule_of_regions(*settings.system);
+  trials.rule.window = window;
+  set_window_regions(trials.rule, {region});
+  // Twice what the slowest approach takes, plus time to come close.
+  const double end = 2.0 * region->time_to_level(level) + 200.0;
+  trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
+  return all_attracted(std::move(trials), settings);
+}
+
+}  // namespace
+
+bool validate(const std::shared_ptr<WindowRegion>& region, const WindowTries& how, const TrialSettings& settings,
+              double near) {
+  DirectionTable directions(settings.system->dimension());
+  const auto good = [&](double tried, const TryRange& tries) {
+    return all_approach(region, directions, how, settings, tried, tries);
+  };
+  region->set_level(highest_good_level({how.highest, how.halvings}, {.first_goes_far = true}, good, near));
+  return region->level() > 0.0;
+}
+
+namespace {
+
+class All final : public TrappingRegions {
+ public:
+  explicit All(std::vector<std::shared_ptr<const WindowRegion>> regions) : regions_(std::move(regions)) {}
+
+  Caught ask(const double* state, double /*psi*/, const OwnRotor* own) const override {
+    double wait = infinite;
+    for (const auto& region : regions_) {
+      const double value = region->value(state, own);
+      if (value < region->level()) return {region->attractor(), 0.0};
+      wait = std::min(wait, region->time_to_level(value));
+    }
+    return {0, approach * wait};
+  }
+
+ private:
+  std::vector<std::shared_ptr<const WindowRegion>> regions_;
+};
+
+}  // namespace
+
+void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions) {
+  rule.windowed = {};
+  if (regions.empty()) return;
+  rule.windowed.r2_low = rule.windowed.q_low = infinite;
+  rule.windowed.r2_high = rule.windowed.q_high = -infinite;
+  for (const auto& region : regions) region->widen(rule.windowed);
+  rule.windowed.regions = std::make_shared<const All>(regions);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,34 @@
+// FROM:TO:STEP: values in equal steps.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/core/words/core.hpp"
+
+namespace equipoise {
+
+/// Rounded to twelve digits of the largest value, so that 1.4 + 20 * 0.05 is 2.4.
+inline double to_twelve_digits(double value, double largest) {
+  const double unit = std::pow(10.0, std::ceil(std::log10(std::max(largest, 1e-300))) - 12.0);
+  return number_in(fmt::format("{:.12g}", std::round(value / unit) * unit));
+}
+
+/// Appends the values, at most `most`. Returns what is wrong with them, or an empty text.
+inline std::string stepped_values(double from, double to, double step, std::size_t most, std::vector<double>& values) {
+  if (step == 0.0 || (to - from) * step < 0.0) return fmt::format(words::core::step_leads_away, step, from, to);
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+  if (!(steps < static_cast<double>(most))) return fmt::format(words::core::too_many_values, steps + 1.0, most);
+  const double largest = std::max(std::fabs(from), std::fabs(to));
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(steps); ++k)
+    values.push_back(to_twelve_digits(from + static_cast<double>(k) * step, largest));
+  return "";
+}
+
+}  // namespace equipoise

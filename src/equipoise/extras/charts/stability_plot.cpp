@@ -1,0 +1,198 @@
+// The image, the boundaries, the legend.
+#include "equipoise/extras/charts/stability_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/extras/charts/plane_plot.hpp"
+#include "equipoise/extras/charts/shown_axis.hpp"
+#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/words/stability.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/words/plots.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Every so many-th row and column.
+StabilityPlane drawn_part(const StabilityPlane& plane) {
+  const int longest = std::max(plane.x.pixels, plane.y.pixels);
+  const int every =
+      std::min((longest + most_drawn_pixels - 1) / most_drawn_pixels, std::min(plane.x.pixels, plane.y.pixels));
+  if (every <= 1) return plane;
+  StabilityPlane part = plane;
+  part.x = thinned(plane.x, every);
+  part.y = thinned(plane.y, every);
+  part.points.clear();
+  for (int row = first_of(every); row < plane.y.pixels; row += every)
+    for (int column = first_of(every); column < plane.x.pixels; column += every)
+      part.points.push_back(plane.points[plane.at(column, row)]);
+  return part;
+}
+
+const char* colour_of_kind(BalanceKind kind) {
+  switch (kind) {
+    case BalanceKind::stable:
+      return dark_colour;
+    case BalanceKind::unstable:
+      return light_colour;
+    case BalanceKind::none:
+      return "#C8C8C8";
+    case BalanceKind::marginal:
+      return "#F4F0D0";
+    case BalanceKind::unknown:
+      return "#8C8C8C";
+    default:
+      return "#FFFFFF";
+  }
+}
+
+// Lighter for slow rates.
+Raster raster_of(const StabilityPlane& plane) {
+  std::array<double, 2> fastest{0.0, 0.0};  // of decay, of growth
+  for (const BalancePoint& p : plane.points)
+    if (std::isfinite(p.growth)) {
+      double& most = fastest[p.growth > 0.0 ? 1 : 0];
+      most = std::max(most, std::fabs(p.growth));
+    }
+  constexpr std::size_t shades = 60;
+  std::array<std::array<std::string, shades>, 2> colours;
+  for (std::size_t k = 0; k < shades; ++k)
+    for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable}) {
+      constexpr double lightest = 0.25;
+      const double strength = lightest + (1.0 - lightest) * static_cast<double>(k) / (shades - 1);
+      colours[kind == BalanceKind::unstable ? 1 : 0][k] = mixed_colour("#ffffff", colour_of_kind(kind), strength);
+    }
+  Raster raster{static_cast<std::size_t>(plane.x.pixels), static_cast<std::size_t>(plane.y.pixels), {}, {}};
+  for (int row = plane.y.pixels - 1; row >= 0; --row)
+    for (int column = 0; column < plane.x.pixels; ++column) {
+      const BalancePoint& p = plane.points[plane.at(column, row)];
+      const bool has_rate =
+          std::isfinite(p.growth) && (p.kind == BalanceKind::stable || p.kind == BalanceKind::unstable);
+      const std::size_t side = p.growth > 0.0 ? 1 : 0;
+      const double share = has_rate && fastest[side] > 0.0 ? std::sqrt(std::fabs(p.growth) / fastest[side]) : 1.0;
+      raster.add(has_rate ? colours[side][static_cast<std::size_t>(std::lround(share * (shades - 1)))]
+                          : colour_of_kind(p.kind));
+    }
+  return raster;
+}
+
+// Whether an eigenvalue turns at the point next to this place.
+bool turns_at(const StabilityPlane& plane, const MapPoint& place) {
+  const auto nearest = [](const SliceAxis& axis, double value) {
+    return std::clamp(static_cast<int>((value - axis.low) / axis.step()), 0, axis.pixels - 1);
+  };
+  return plane.points[plane.at(nearest(plane.x, place[0]), nearest(plane.y, place[1]))].swings();
+}
+
+// Where a pair crosses, and where a real eigenvalue does.
+std::array<std::vector<MapLine>, 2> crossings(const StabilityPlane& plane, const std::vector<float>& growth) {
+  std::array<std::vector<MapLine>, 2> parts;
+  for (const MapLine& line : zero_line(plane.x, plane.y, growth)) {
+    int last = -1;
+    for (const MapPoint& at : line) {
+      const int part = turns_at(plane, at) ? 0 : 1;
+      auto& lines = parts[static_cast<std::size_t>(part)];
+      if (part != last)
+        lines.push_back(last < 0 ? MapLine() : MapLine{parts[static_cast<std::size_t>(last)].back().back()});
+      lines.back().push_back(at);
+      last = part;
+    }
+  }
+  return parts;
+}
+
+std::vector<Border> borders_of(const StabilityPlane& plane) {
+  std::vector<float> growth, exists;
+  for (const BalancePoint& p : plane.points) {
+    growth.push_back(static_cast<float>(p.growth));
+    exists.push_back(p.kind == BalanceKind::none ? -1.0f : 1.0f);
+  }
+  // Where the masses alone decide about existence, their margin gives a smoother line.
+  const bool by_mass = std::all_of(plane.points.begin(), plane.points.end(), [](const BalancePoint& p) {
+    return std::isfinite(p.margin) && (p.margin < 0.0) == (p.kind == BalanceKind::none);
+  });
+  if (by_mass)
+    for (std::size_t k = 0; k < exists.size(); ++k) exists[k] = static_cast<float>(plane.points[k].margin);
+  auto [hopf, zero] = crossings(plane, growth);
+  return {
+      {std::move(hopf), {"#000000", "", 1.5}, words::stability::line_hopf},
+      {std::move(zero), {"#000000", "", 1.5, 1.0, true, "2 3"}, words::stability::line_zero},
+      {zero_line(plane.x, plane.y, exists), {"#000000", "", 1.5, 1.0, true, "6 4"}, words::stability::line_existence}};
+}
+
+// What balance is, with the part of the plane.
+std::string legend_words(BalanceKind kind, double part) {
+  return kind == BalanceKind::not_computed
+             ? fmt::format(words::stability::legend_not_computed, part_words(part))
+             : fmt::format(words::stability::legend, balance_words(kind), part_words(part));
+}
+
+}  // namespace
+
+ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
+  const auto unit = study::unit_of(study, axis.key);
+  if (!unit) return {axis_label(axis.key), 1.0};
+  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
+}
+
+SvgAxes plane_axes(Svg& svg, const StabilityPlane& plane) {
+  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
+  return {svg,
+          plane_top_left,
+          plane_bottom_right,
+          {plane.x.low, plane.x.high},
+          {plane.y.low, plane.y.high},
+          {x.label, x.factor},
+          {y.label, y.factor}};
+}
+
+std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
+                       const char* caption) {
+  DrawingRow row;
+  row.drawings.push_back({"", drawing.str(), "", ""});
+  row.caption = caption;
+  return plot_file(
+      title,
+      {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
+       (plane.one_of_many() ? words::stability::of_spread_balls : "") + (complete ? "" : words::plots::partial_early)},
+      row);
+}
+
+std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
+  const StabilityPlane plane = drawn_part(whole);
+  Svg svg(drawing_width, below_plane, words::stability::what_balance_does);
+  const SvgAxes axes = plane_axes(svg, plane);
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(plane)));  // over the grid
+  std::vector<LegendEntry> legend;
+  for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
+                                 BalanceKind::unknown, BalanceKind::not_computed})
+    if (const std::size_t count = whole.count(kind); count > 0)
+      legend.push_back({{"", colour_of_kind(kind)},
+                        legend_words(kind, static_cast<double>(count) / static_cast<double>(whole.points.size()))});
+  const std::vector<Border> borders = borders_of(plane);
+  draw_borders(svg, axes, borders);
+  add_to_legend(legend, borders);
+  if (plane.own && !plane.own->boundaries.empty()) {
+    const SvgPen ring{"#000000", "#ffffff", 2.0};
+    svg.circle(axes.at(plane.own->x, plane.own->y), 5.0, ring);
+    legend.push_back({ring, words::stability::the_study, LegendEntry::Mark::ring});
+  }
+  draw_legend(svg, legend);
+  return plane_plot(svg, whole, title, whole.complete, words::stability::darker_is_faster);
+}
+
+}  // namespace equipoise

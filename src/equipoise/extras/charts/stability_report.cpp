@@ -1,0 +1,305 @@
+// Sentences, a small table and notes; rows of numbers.
+#include "equipoise/extras/charts/stability_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/extras/words/stability.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/motion_words.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::array balance_kinds{BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
+                                   BalanceKind::unknown};
+
+// A value of a key: dimensionless, and in its unit where the study has one.
+std::string parameter_text(const Study& study, const std::string& key, double value) {
+  const std::string plain = fmt::format("{:.6g}", value);
+  const auto unit = study::unit_of(study, key);
+  return unit ? fmt::format("{} ({})", plain, engineering(value * unit->scale, unit->dimension)) : plain;
+}
+
+std::string part_text(const StabilityPlane& plane, BalanceKind kind) {
+  const double percent = 100.0 * static_cast<double>(plane.count(kind)) / static_cast<double>(plane.points.size());
+  if (percent < 0.05) return "less than 0.1 %";
+  return percent > 99.95 && percent < 100.0 ? "more than 99.9 %" : fmt::format("{:.1f} %", percent);
+}
+
+std::string parts_sentence(const StabilityPlane& plane) {
+  const std::string x = key_words(plane.x.key), y = key_words(plane.y.key);
+  const char* balance =
+      plane.one_of_many() ? words::stability::balance_of_spread_balls : words::stability::balance;
+  const std::size_t missing = plane.count(BalanceKind::not_computed);
+  if (missing == plane.points.size()) return fmt::format(words::stability::nothing_computed, x, y);
+  std::vector<std::string> parts;
+  for (const BalanceKind kind : balance_kinds) {
+    const std::size_t count = plane.count(kind);
+    if (count == plane.points.size()) return fmt::format(words::stability::everywhere, x, y, balance, balance_words(kind));
+    if (count > 0) parts.push_back(fmt::format(words::stability::part, balance_words(kind), part_text(plane, kind)));
+  }
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  if (missing > 0)
+    return fmt::format(words::stability::by_parts_of_a_stopped_plane, x, y, balance, text,
+                       part_text(plane, BalanceKind::not_computed));
+  return fmt::format(words::stability::by_parts, x, y, balance, text);
+}
+
+std::string own_words(const StabilityPlane& plane, const BalancePoint& p) {
+  const PageQuantities quantities(plane.study);
+  const auto time = [&] { return quantities.text(1.0 / std::fabs(p.growth), study::Dimension::time); };
+  const std::string swings =
+      p.swings() ? fmt::format(words::stability::swings, quantities.text(p.frequency, study::Dimension::speed)) : "";
+  switch (p.kind) {
+    case BalanceKind::stable:
+      return fmt::format(words::stability::own_stable, time(), swings);
+    case BalanceKind::unstable:
+      return fmt::format(words::stability::own_unstable, time(), swings, p.unstable,
+                         p.unstable == 1 ? "eigenvalue" : "eigenvalues");
+    case BalanceKind::none:
+      return words::stability::own_none;
+    case BalanceKind::marginal:
+      return words::stability::own_marginal;
+    default:
+      return words::stability::own_unknown;
+  }
+}
+
+std::string continuum_sentence(const StabilityPlane& plane, const ContinuumPart& part) {
+  namespace w = words::stability;
+  const PageQuantities quantities(plane.study);
+  const bool all = part.stable == part.drawn;
+  std::string text = part.slowest_rate == 0.0 ? w::continuum_unstable
+                     : part.stable == 0       ? w::continuum_few_stable
+                                              : fmt::format(w::continuum_part, all ? "all" : std::to_string(part.stable));
+  if (part.stable > 0)
+    text += fmt::format(
+        w::continuum_decay,
+        quantities.range(-1.0 / part.fastest_rate, -1.0 / part.slowest_rate, study::Dimension::time));
+  if (part.most_growth > 0.0)
+    text += fmt::format(w::continuum_growth, quantities.text(1.0 / part.most_growth, study::Dimension::time));
+  return fmt::format(w::continuum_drawn, part.drawn, text);
+}
+
+std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary& b) {
+  using Change = BalanceBoundary::Change;
+  const std::string& key = b.along_x ? plane.x.key : plane.y.key;
+  const char* way = b.upwards ? words::stability::with_larger : words::stability::with_smaller;
+  const std::string at = parameter_text(plane.study, key, b.value);
+  if (b.change == Change::none)
+    return b.upwards ? fmt::format(words::stability::no_change_up, way, key_words(key), at)
+                     : fmt::format(words::stability::no_change, way, key_words(key), at);
+  const bool existed = plane.own->point.kind != BalanceKind::none;
+  const std::string what = b.change == Change::hopf
+                               ? fmt::format(words::stability::at_hopf,
+                                             PageQuantities(plane.study).text(b.frequency, study::Dimension::speed))
+                           : b.change == Change::zero ? words::stability::at_zero
+                           : b.change == Change::lost ? words::stability::at_loss
+                           : b.change == Change::jump ? words::stability::at_jump
+                           : existed                  ? words::stability::at_existence_end
+                                                      : words::stability::at_existence_begin;
+  return fmt::format(words::stability::change_at, way, key_words(key), at, what);
+}
+
+using PlaneJson = nlohmann::ordered_json;
+
+PlaneJson number_json(double value) { return std::isfinite(value) ? PlaneJson(value) : PlaneJson(nullptr); }
+
+PlaneJson point_json(const BalancePoint& p) {
+  PlaneJson json;
+  for (const PointNumber& n : point_numbers)
+    json[n.name] = n.whole ? PlaneJson(static_cast<int>(n.value(p))) : number_json(n.value(p));
+  return json;
+}
+
+PlaneJson own_json(const StabilityPlane& plane) {
+  if (!plane.own) return nullptr;
+  PlaneJson json{{"x", plane.own->x}, {"y", plane.own->y}};
+  json.update(point_json(plane.own->point));
+  json["continuum"] = nullptr;
+  if (const auto& part = plane.own->continuum)
+    json["continuum"] = continuum_json(*part);
+  json["boundaries"] = PlaneJson::array();
+  for (const BalanceBoundary& b : plane.own->boundaries)
+    json["boundaries"].push_back({{"axis", b.along_x ? "x" : "y"},
+                                  {"upwards", b.upwards},
+                                  {"change", boundary_change_names[static_cast<std::size_t>(b.change)]},
+                                  {"value", b.value},
+                                  {"frequency", b.frequency}});
+  return json;
+}
+
+PlaneJson plane_axis_json(const SliceAxis& axis) {
+  std::vector<double> values(static_cast<std::size_t>(axis.pixels));
+  for (int k = 0; k < axis.pixels; ++k) values[static_cast<std::size_t>(k)] = axis.centre(k);
+  return {{"key", axis.key}, {"values", values}};
+}
+
+}  // namespace
+
+const char* balance_words(BalanceKind kind) {
+  switch (kind) {
+    case BalanceKind::stable:
+      return words::stability::is_stable;
+    case BalanceKind::unstable:
+      return words::stability::is_unstable;
+    case BalanceKind::none:
+      return words::stability::is_none;
+    case BalanceKind::marginal:
+      return words::stability::is_marginal;
+    default:
+      return words::stability::is_unknown;
+  }
+}
+
+std::string stability_answer(const StabilityPlane& plane) {
+  std::string text = parts_sentence(plane);
+  if (!plane.own) return text;
+  const auto own = [&](const SliceAxis& axis, double value) {
+    return fmt::format("{} = {}", axis.key, parameter_text(plane.study, axis.key, value));
+  };
+  text += " " + fmt::format(words::stability::own_point, own(plane.x, plane.own->x), own(plane.y, plane.own->y),
+                            own_words(plane, plane.own->point));
+  if (plane.own->continuum) text += " " + continuum_sentence(plane, *plane.own->continuum);
+  if (plane.own->boundaries.empty()) text += std::string(" ") + words::stability::own_outside;
+  for (const BalanceBoundary& b : plane.own->boundaries) text += " " + boundary_sentence(plane, b);
+  return text;
+}
+
+std::string plane_notes(const StabilityPlane& plane) {
+  std::string text;
+  constexpr std::array<std::pair<LeftOut, const char*>, 4> all{
+      {{dry_friction_left_out, words::stability::dry_friction},
+       {gravity_left_out, words::stability::gravity},
+       {unequal_supports_left_out, words::stability::unequal_supports},
+       {motor_left_out, words::stability::motor}}};
+  const std::size_t exists = plane.count_if([](const BalancePoint& p) { return std::isfinite(p.growth); });
+  for (const auto& [bit, name] : all) {
+    const std::size_t points = plane.count_if([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
+    if (points > 0)
+      text += fmt::format(
+          words::stability::left_out_at,
+          points >= exists ? words::stability::all_points
+                           : fmt::format(words::stability::some_points, points, plural(points)),
+          name);
+  }
+  if (plane.one_of_many()) text += words::stability::one_of_many;
+  if (plane.of_several()) text += words::stability::of_several;
+  if (plane.contact()) text += words::stability::balls_at_rest;
+  if (plane.count_if([](const BalancePoint& p) { return p.by_multipliers && std::isfinite(p.growth); }) > 0)
+    text += words::stability::by_multipliers;
+  const std::size_t left = plane.count(BalanceKind::not_computed);
+  if (left > 0)
+    text += fmt::format(words::stability::partial, plane.points.size() - left, plane.points.size());
+  else if (!plane.complete)
+    text += words::stability::partial_boundaries;
+  return text;
+}
+
+std::string plane_heading(const StabilityPlane& plane) {
+  std::string heading = study_heading(plane.study);
+  for (const auto& [letter, axis] : {std::pair{"x", &plane.x}, {"y", &plane.y}})
+    heading += fmt::format(words::stability::axis, letter, axis->key, parameter_text(plane.study, axis->key, axis->low),
+                           parameter_text(plane.study, axis->key, axis->high), axis->pixels);
+  return heading;
+}
+
+std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
+  std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
+  text += lines_filled(plane_heading(plane), style) + "\n";
+  DocumentTable table{
+      {words::stability::what_balance_is, "points", words::stability::of_the_plane, words::stability::slowest_decay},
+      {},
+      "",
+      false,
+      {}};
+  for (const BalanceKind kind : balance_kinds) {
+    double low = INFINITY, high = -INFINITY;
+    for (const BalancePoint& p : plane.points)
+      if (p.kind == kind && std::isfinite(p.growth)) low = std::min(low, p.growth), high = std::max(high, p.growth);
+    if (plane.count(kind) == 0) continue;
+    table.rows.push_back(
+        row_of("tnnn", {balance_words(kind), fmt::format("{}", plane.count(kind)), part_text(plane, kind),
+                        low <= high ? fmt::format("{:.3g} to {:.3g}", low, high) : ""}));
+  }
+  if (const std::size_t missing = plane.count(BalanceKind::not_computed); missing > 0)
+    table.rows.push_back(row_of("tnnn", {words::stability::not_computed, fmt::format("{}", missing),
+                                         part_text(plane, BalanceKind::not_computed), ""}));
+  text += table_text(table, style);
+  const std::size_t computed = plane.points.size() - plane.count(BalanceKind::not_computed);
+  return text + lines_filled("\n" + plane_notes(plane) +
+                                 fmt::format(words::stability::made_with, computed, computed_text(plane),
+                                             static_cast<double>(computed) / std::max(plane.seconds, 1e-9),
+                                             version_string),
+                             style);
+}
+
+std::string stability_json(const StabilityPlane& plane) {
+  PlaneJson json{{"x", plane_axis_json(plane.x)}, {"y", plane_axis_json(plane.y)}};
+  json["answer"] = stability_answer(plane);
+  json["one_of_many"] = plane.one_of_many();
+  json["of_several"] = plane.of_several();
+  for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
+    json["points"][balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
+  json["own"] = own_json(plane);
+  std::string text = json.dump();
+  text.pop_back();
+  // Rows of numbers as text: a JSON tree of so many would take ten times the memory.
+  for (const PointNumber& n : point_numbers) {
+    text += fmt::format(",\"{}\":[", n.name);
+    for (std::size_t k = 0; k < plane.points.size(); ++k) {
+      const std::size_t column = k % static_cast<std::size_t>(plane.x.pixels);
+      text += column > 0 ? "," : k > 0 ? "],[" : "[";
+      const double value = n.value(plane.points[k]);
+      if (std::isfinite(value))
+        fmt::format_to(std::back_inserter(text), "{}", value);
+      else
+        text += "null";
+    }
+    text += "]]";
+  }
+  json = PlaneJson::object();
+  json["partial"] = !plane.complete;
+  add_computed(json, plane);
+  return text + "," + json.dump().substr(1) + "\n";
+}
+
+std::string stability_csv(const StabilityPlane& plane) {
+  std::string text =
+      plane.complete ? "" : fmt::format(words::stability::csv_partial, version_string, words::reports::csv_partial_early);
+  text += fmt::format("{},{}", plane.x.key, plane.y.key);
+  for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
+  text += "\n";
+  for (int row = 0; row < plane.y.pixels; ++row)
+    for (int column = 0; column < plane.x.pixels; ++column) {
+      fmt::format_to(std::back_inserter(text), "{},{}", plane.x.centre(column), plane.y.centre(row));
+      for (const PointNumber& n : point_numbers) {
+        const double value = n.value(plane.points[plane.at(column, row)]);
+        if (std::isfinite(value))
+          fmt::format_to(std::back_inserter(text), ",{}", value);
+        else
+          text += ",";
+      }
+      text += "\n";
+    }
+  return text;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,32 @@
+// Where balance is stable in a plane, as text, JSON and CSV.
+#pragma once
+
+#include <string>
+
+#include "equipoise/extras/planes/stability_plane.hpp"
+#include "equipoise/report/text/table_text.hpp"
+
+namespace equipoise {
+
+/// The parts of the plane, and the study's own point with its ways to the boundaries, in sentences.
+std::string stability_answer(const StabilityPlane& plane);
+
+/// The study, and both axes with their points: lines.
+std::string plane_heading(const StabilityPlane& plane);
+
+/// What linear theory leaves out, and how rates are meant: lines.
+std::string plane_notes(const StabilityPlane& plane);
+
+/// "stable", "impossible": what balance is, in words.
+const char* balance_words(BalanceKind kind);
+
+/// The answer, then the axes and how the plane was computed.
+std::string stability_text(const StabilityPlane& plane, const TextStyle& style = wide_style);
+
+/// One JSON object. docs/reference/commands/stability.md lists the keys.
+std::string stability_json(const StabilityPlane& plane);
+
+/// One line a point: both values, then the numbers of point_numbers.
+std::string stability_csv(const StabilityPlane& plane);
+
+}  // namespace equipoise

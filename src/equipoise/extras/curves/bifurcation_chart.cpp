@@ -1,0 +1,64 @@
+// The grid, then curves and regions, then the proof and curves that it shows, then cycles.
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+
+#include <chrono>
+
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/core/running/cpu_time.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/extras/curves/curve_starts.hpp"
+#include "equipoise/extras/curves/locked_grid.hpp"
+#include "equipoise/extras/curves/proof_boxes.hpp"
+#include "equipoise/extras/planes/chart_file.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+
+namespace equipoise {
+
+namespace {
+
+BifurcationChart computed_chart(const Study& study, const ChartSettings& settings) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double cpu_begin = cpu_seconds();
+  StabilitySettings grid;
+  static_cast<RunOptions&>(grid) = settings;
+  grid.x = settings.x;
+  grid.y = settings.y;
+  // An axis may bring what the study itself has not, such as gravity.
+  const PlaneStudies studies(study, settings.x, settings.y,
+                             [](const Study& there) { check_offers(there, model::ResultKind::curves); });
+  BifurcationChart chart;
+  chart.study = chart.plane.study = study;
+  chart.plane.x = settings.x;
+  chart.plane.y = settings.y;
+  chart.cycles = settings.cycles;
+  if (!settings.output.empty()) check_chart_file(settings.output, chart);
+  chart.plane = stability(studies, grid);
+  if (chart.plane.complete) {
+    const BalancePlane plane(studies, settings.x, settings.y);
+    add_curves(plane, settings.stop, chart);
+    add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
+    chart.undecided = settings.undecided;
+    if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
+    add_curves_between_boxes(plane, settings.stop, chart);
+    if (settings.cycles && !is_set(settings.stop))
+      add_cycles(studies, plane, settings, chart);  // which then tells what it left
+  }
+  chart.complete = chart.plane.complete && !is_set(settings.stop);
+  chart.threads = chart.plane.threads;
+  chart.cpu_target = chart.plane.cpu_target;
+  if (!settings.output.empty()) write_chart_file(settings.output, chart);
+  chart.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  chart.cpu_seconds = cpu_seconds() - cpu_begin;
+  return chart;
+}
+
+}  // namespace
+
+BifurcationChart bifurcation_chart(const Study& given, const ChartSettings& settings) {
+  const Study study = with_medians(given);
+  check_offers(study, model::ResultKind::curves);
+  return reported(settings, [&](const ChartSettings& s) { return computed_chart(study, s); });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,27 @@
+// A chart of two parameters: curves on which balance changes, and boxes in which it is proved.
+// This room: curves in a plane on which balance, locked states and cycles change, and how balance is lost there.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
+
+namespace equipoise {
+
+/// Progress is in points of the grid, then in cycles.
+struct ChartSettings : RunOptions {
+  SliceAxis x, y;                ///< with the grid's points
+  std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved
+  double undecided = 0.01;       ///< the part of the plane at which proofs may end
+  bool cycles = false;           ///< curves of cycles are looked for too, which takes longer than all else
+  std::string output;            ///< NetCDF, written at the end; an existing file must hold the same chart. Empty: none
+};
+
+/// Curves begin where neighbours of the grid differ, at the changes next to the study's own values, and between boxes
+/// that are proved to be stable and unstable; one that passes between all these is not found. Throws InputError as
+/// stability() does, and for a study without curves (model::ResultKind::curves).
+BifurcationChart bifurcation_chart(const Study& study, const ChartSettings& settings);
+
+}  // namespace equipoise

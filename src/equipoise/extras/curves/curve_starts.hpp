@@ -1,0 +1,34 @@
+// Where curves begin to be followed: between places that differ; each curve once.
+#pragma once
+
+#include <string>
+
+#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/core/running/run_options.hpp"
+#include "equipoise/extras/curves/followed_curve.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
+
+namespace equipoise {
+
+/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two
+/// curves of cycles, have different frequencies.
+bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
+              const Eigen::VectorXd& at, double frequency);
+
+/// With its special points, of which two curves may each have the same.
+void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of, const FollowedCurve& curve,
+               BifurcationChart& chart);
+
+/// Curves of balance between neighbours of the chart's grid, and where it changes along a parameter from the study's
+/// own values on; with their special points.
+void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+/// Those that are not known yet, between boxes that are proved to be stable and unstable.
+void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+
+/// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
+/// curve begins, unless it is known. For a chart that has all other curves. Curves are followed as soon as the cycles
+/// before theirs are: a run that is stopped has those that it got to.
+void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
+
+}  // namespace equipoise

@@ -1,0 +1,184 @@
+// Both ways from the first place, what ends them, and where a curve changes its kind.
+#include "equipoise/extras/curves/followed_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/results/commands/explanation.hpp"
+
+namespace equipoise {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double nearly_there = 1e-5;  // from an edge: ten of the differences by which slopes are taken
+
+bool is_inside(const VectorXd& at) { return at.head(2).minCoeff() >= 0.0 && at.head(2).maxCoeff() <= 1.0; }
+
+}  // namespace
+
+int unstable_besides(const std::vector<std::complex<double>>& rates, const EigenPair& pair) {
+  int count = 0;
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    count += k != pair.places[0] && k != pair.places[1] && rates[k].real() > least_rate;
+  return count;
+}
+
+FollowedCurve::FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+                             const CurveFollower::Limits& limits, std::size_t most)
+    : plane_(plane),
+      kind_(kind),
+      like_(like),
+      follower_([this](const VectorXd& at) { return equation(at); }, [this](const VectorXd& at) { return slopes(at); },
+                limits),
+      most_(most) {}
+
+std::optional<CurvePlace> FollowedCurve::at_edge(const VectorXd& inside, const VectorXd& outside) const {
+  double part = 1.0;
+  Eigen::Index side = 0;
+  for (Eigen::Index k = 0; k < 2; ++k)
+    for (const double edge : {0.0, 1.0})
+      if ((outside[k] - edge) * (inside[k] - edge) < 0.0) {
+        const double here = (edge - inside[k]) / (outside[k] - inside[k]);
+        if (here < part) part = here, side = k;
+      }
+  VectorXd guess = inside + part * (outside - inside);
+  guess[side] = std::round(guess[side]);
+  const auto at = follower_.at_plane(guess, VectorXd::Unit(guess.size(), side));
+  return at ? described(*at) : std::nullopt;
+}
+
+std::optional<CurvePlace> FollowedCurve::between(const CurvePlace& a, const CurvePlace& b, double part) const {
+  const VectorXd chord = b.at - a.at;
+  stay_near(a);
+  like_ = {0.0, a.pair.product + part * (b.pair.product - a.pair.product), {}};
+  const auto at = follower_.at_plane(a.at + part * chord, chord / chord.norm());
+  return at ? described(*at) : std::nullopt;
+}
+
+std::optional<CurveEnd> FollowedCurve::end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const {
+  if (kind_ != CurveKind::hopf || place.pair.product > 0.0) return std::nullopt;
+  const auto end = located(before, place, [](const CurvePlace& p) { return p.pair.product <= 0.0; });
+  if (end) way.places.push_back(*end);
+  return CurveEnd::no_pair;
+}
+
+void FollowedCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace&, Way& way) const {
+  way.end = CurveEnd::lost;
+}
+
+FollowedCurve::Way FollowedCurve::way(const CurvePlace& from, const VectorXd& towards, const StopFlag* stop) {
+  Way way;
+  stay_near(from);
+  const auto first = follower_.tangent(from.at, towards);
+  if (!first) return way;
+  CurveFollower::Step here{from.at, *first, 0.0, {}, {}};
+  CurvePlace last = from;
+  double step = 1e-3, farthest = 0.0;
+  while (way.places.size() < most_ && !is_set(stop)) {
+    const auto next = follower_.next(here, step);
+    if (!next) {
+      if (!is_inside(here.point + nearly_there * here.tangent))  // nothing is defined beyond the plane's edge
+        way.end = CurveEnd::plane;
+      else
+        end_inside(here, step, last, way);
+      return way;
+    }
+    if (!is_inside(next->point)) {
+      way.end = CurveEnd::plane;
+      if (const auto edge = at_edge(here.point, next->point)) way.places.push_back(*edge);
+      return way;
+    }
+    const auto place = described(next->point);
+    if (!place) {
+      way.end = undescribed();
+      return way;
+    }
+    if (constexpr double fine = 1e-5; too_far(last, *place) && next->length > fine) {
+      step = 0.5 * next->length;
+      continue;
+    }
+    if (const auto end = end_at(last, *place, way)) {
+      way.end = *end;
+      return way;
+    }
+    way.places.push_back(*place);
+    last = *place;
+    stay_near(last);
+    const VectorXd back = from.at - next->point;
+    farthest = std::max(farthest, back.norm());
+    if (back.norm() < 1.5 * step && farthest > 6.0 * step && back.dot(next->tangent) > 0.0) {
+      way.places.push_back(described(from.at).value_or(from));  // with eigenvectors as they have come round
+      way.end = CurveEnd::closed;
+      return way;
+    }
+    here = *next;
+  }
+  way.end = way.places.size() < most_ ? CurveEnd::stopped : CurveEnd::points;
+  return way;
+}
+
+bool FollowedCurve::follow(const VectorXd& guess, const StopFlag* stop, const Known& known) {
+  const auto at = follower_.nearby(guess);
+  if (!at || !is_inside(*at)) return false;
+  const auto first = described(*at);
+  if (!first || (known && known(*first))) return false;
+  VectorXd towards = VectorXd::Zero(guess.size());
+  towards.head(2) << 0.8, 0.6;  // of straight curves few run across it
+  const Way forwards = way(*first, towards, stop);
+  places_ = {*first};
+  places_.insert(places_.end(), forwards.places.begin(), forwards.places.end());
+  ends_ = {forwards.end, forwards.end};
+  if (forwards.end == CurveEnd::closed) return true;
+  const Way backwards = way(*first, -towards, stop);
+  places_.insert(places_.begin(), backwards.places.rbegin(), backwards.places.rend());
+  ends_[0] = backwards.end;
+  return places_.size() > 1;
+}
+
+void FollowedCurve::add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const {
+  if (a.point.others == b.point.others) return;
+  const auto place = located(a, b, [&](const CurvePlace& p) { return p.point.others != a.point.others; });
+  const auto at = place ? spectrum(place->at) : std::nullopt;
+  if (!at) return;
+  const std::complex<double>* nearest = nullptr;
+  for (std::size_t i = 0; i < at->rates.size(); ++i) {
+    const auto& rate = at->rates[i];
+    if (i == place->pair.places[0] || i == place->pair.places[1]) continue;
+    if (!nearest || std::fabs(rate.real()) < std::fabs(nearest->real())) nearest = &rate;
+  }
+  if (!nearest) return;
+  const bool swings = std::fabs(nearest->imag()) > 1e-6;
+  found.push_back(
+      special(swings ? SpecialKind::double_hopf : kind_at_zero(*place), *place, std::fabs(nearest->imag())));
+}
+
+std::vector<SpecialPoint> FollowedCurve::specials() const {
+  std::vector<SpecialPoint> found;
+  if (kind_ != CurveKind::hopf) return found;
+  const auto add_end = [&](CurveEnd end, const CurvePlace& place) {
+    if (end == CurveEnd::no_pair) found.push_back(special(SpecialKind::bogdanov_takens, place));
+    if (end != CurveEnd::no_balance || !std::isnan(place.point.lyapunov)) return;
+    constexpr double rounding = 1e-4;  // of the square root of a double zero, which eigenvalues give to 1e-8
+    found.push_back(
+        special(place.point.frequency < rounding ? SpecialKind::bogdanov_takens : SpecialKind::zero_hopf, place));
+  };
+  add_end(ends_[0], places_.front());
+  for (std::size_t k = 1; k < places_.size(); ++k) {
+    const CurvePlace &a = places_[k - 1], &b = places_[k];
+    if (a.point.lyapunov * b.point.lyapunov < 0.0) {
+      const auto changed = [&](const CurvePlace& p) { return p.point.lyapunov * a.point.lyapunov < 0.0; };
+      const auto place = located(a, b, changed);
+      const double size = std::max(std::fabs(a.point.lyapunov), std::fabs(b.point.lyapunov));
+      // Through infinity, as at resonances with another swing, it changes sign without a zero.
+      if (place && std::fabs(place->point.lyapunov) < 1e-3 * size)
+        found.push_back(special(SpecialKind::generalised_hopf, *place));
+    }
+    if (!std::isnan(a.point.lyapunov + b.point.lyapunov)) add_crossing(a, b, found);
+  }
+  add_end(ends_[1], places_.back());
+  return found;
+}
+
+}  // namespace equipoise

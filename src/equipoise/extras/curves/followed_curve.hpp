@@ -1,0 +1,115 @@
+// A curve in a plane of two parameters, followed from a place near it to both of its ends.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/core/math/curve_follower.hpp"
+#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
+
+namespace equipoise {
+
+/// A place on a curve.
+struct CurvePlace {
+  Eigen::VectorXd at;  ///< in the unit square, then what else is unknown on the curve
+  EigenPair pair;      ///< of a Hopf curve; of a torus's multipliers
+  CurvePoint point;
+  /// Of a fold, of states or cycles, and of a period doubling: right and left eigenvector of the zero, of unit length
+  /// and without jumps along the curve.
+  Eigen::VectorXd right, left;
+  double double_zero = 0.0;  ///< left . right: 0 where the zero is double
+  double turn = 0.0;         ///< left . second derivative along `right` twice: 0 where the fold itself turns back
+};
+
+/// What a kind of curve is, derived classes say: its equations, and what is told of a place.
+class FollowedCurve {
+ public:
+  FollowedCurve(const FollowedCurve&) = delete;
+  FollowedCurve& operator=(const FollowedCurve&) = delete;
+  virtual ~FollowedCurve() = default;
+
+  /// Whether a place of a curve is on one that is known already.
+  using Known = std::function<bool(const CurvePlace&)>;
+  /// False if there is no curve near `guess`, or a known one. A stopped curve ends where it has come to.
+  bool follow(const Eigen::VectorXd& guess, const StopFlag* stop, const Known& known = {});
+
+  const std::vector<CurvePlace>& places() const { return places_; }
+  const std::array<CurveEnd, 2>& ends() const { return ends_; }
+  double error() const { return follower_.error(); }
+  /// Points where the curve changes its kind, in order; the curve's number is left 0.
+  virtual std::vector<SpecialPoint> specials() const;
+
+ protected:
+  /// `like`: the pair that crosses, of a Hopf curve.
+  FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+                const CurveFollower::Limits& limits = {}, std::size_t most = 20000);
+
+  virtual std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const = 0;
+  /// Its derivatives; by differences unless a curve knows them better.
+  virtual std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const { return follower_.differences(at); }
+  virtual std::optional<CurvePlace> described(const Eigen::VectorXd& at) const = 0;
+  /// Why the place asked for last could not be described.
+  virtual CurveEnd undescribed() const { return CurveEnd::lost; }
+  virtual std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const = 0;
+  /// What kind of point it is where a real eigenvalue of a Hopf curve is 0.
+  virtual SpecialKind kind_at_zero(const CurvePlace& place) const = 0;
+  /// The equations from here on are those near this place.
+  virtual void stay_near(const CurvePlace& place) const { like_ = {0.0, place.pair.product, {}}; }
+  struct Way {
+    std::vector<CurvePlace> places;
+    CurveEnd end = CurveEnd::lost;
+  };
+  /// Whether something turns by so much between two places that its turns cannot be counted.
+  virtual bool too_far(const CurvePlace&, const CurvePlace&) const { return false; }
+  /// Why a way ends before this place, if it does; it may get a last place there.
+  virtual std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const;
+  /// Why a way ends inside the plane, which may have a last place there.
+  virtual void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const;
+
+  /// Where `changed` turns from false, at a, to true, at b.
+  template <class Changed>
+  std::optional<CurvePlace> located(const CurvePlace& a, const CurvePlace& b, const Changed& changed) const {
+    double low = 0.0, high = 1.0;
+    std::optional<CurvePlace> found;
+    for (int k = 0; k < 44; ++k) {
+      const double middle = 0.5 * (low + high);
+      const auto place = between(a, b, middle);
+      if (!place) return std::nullopt;
+      (changed(*place) ? high : low) = middle;
+      found = place;
+    }
+    return found;
+  }
+  static SpecialPoint special(SpecialKind kind, const CurvePlace& place, double second = 0.0) {
+    return {kind, 0, place.point.x, place.point.y, place.point.frequency, second, place.point.state};
+  }
+  std::optional<CurvePlace> between(const CurvePlace& a, const CurvePlace& b, double part) const;
+  /// Where the number of other unstable eigenvalues changes between two places: which they are.
+  void add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
+
+  const BalancePlane& plane_;
+  CurveKind kind_;
+  mutable EigenPair like_;
+  CurveFollower follower_;
+  std::vector<CurvePlace> places_;
+  std::array<CurveEnd, 2> ends_{CurveEnd::lost, CurveEnd::lost};
+
+ private:
+  Way way(const CurvePlace& from, const Eigen::VectorXd& towards, const StopFlag* stop);
+  std::optional<CurvePlace> at_edge(const Eigen::VectorXd& inside, const Eigen::VectorXd& outside) const;
+  const std::size_t most_;  // places each way
+};
+
+inline void put_state(const BalanceSpectrum& at, CurvePoint& point) {
+  point.state.assign(at.state.begin(), at.state.end());
+  point.rates = at.rates;
+}
+
+/// Unstable eigenvalues besides the pair.
+int unstable_besides(const std::vector<std::complex<double>>& rates, const EigenPair& pair);
+
+}  // namespace equipoise

@@ -1,0 +1,65 @@
+// The seven tables of Wright and Peng (2019) as data: the printed numbers, their studies, errors in the print; and
+// readings fitted to table 7.
+// This room: what Wright and Peng printed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "equipoise/core/statistics/comparison.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+namespace equipoise {
+
+/// One printed number.
+struct PublishedCell {
+  std::string attractor;  ///< "balanced", or the paper's name V1 to V4
+  std::string printed;    ///< as in the file; in percent, or a fraction of one if `fraction`
+  bool fraction = false;  ///< less than one start in percent, so it must be a fraction
+  PublishedShare share;
+};
+
+/// One ensemble: a printed row, or one cell of a table whose cells are separate ensembles.
+struct PublishedRow {
+  std::string study;       ///< its study in studies/paper, without ending
+  std::string label;       ///< "T0 = 25"
+  std::string series;      ///< distinguishes rows of the same parameter: "beta = 0.05"; empty if not needed
+  double parameter = 0.0;  ///< the number in `label`
+  std::vector<PublishedCell> cells;
+  std::string slip;  ///< what is wrong with the printed row; empty if nothing is. Cells of such a row are not judged
+};
+
+struct PublishedTable {
+  int number = 0;
+  std::string title;
+  std::string parameter;  ///< "Omega", "T0"
+  bool ramps = false;     ///< the speed varies, so that the speed law matters
+  std::string unclaimed;  ///< why agreement is claimed with none of the cells; empty if it is claimed
+  std::vector<PublishedRow> rows;
+};
+
+/// All seven. Throws RunError if the library was built without their data.
+const std::vector<PublishedTable>& published_tables();
+
+/// The study of a row: the file in studies/paper, with its ramp under `law`.
+Study study_of(const PublishedRow& row, model::SpeedLaw law);
+
+/// A reading of table 7 that was fitted to its printed shares; docs/evidence/table-7.md describes the search.
+struct Table7Candidate {
+  std::string protocol;             ///< laws of rise and fall, release
+  std::string test;                 ///< when a start counted as balanced
+  std::array<double, 4> percent{};  ///< resulting shares
+  std::uint64_t starts = 0;         ///< per row
+  double chi_squared = 0.0;         ///< deviance from the printed shares
+  int fitted = 0, free_cells = 0;   ///< numbers fitted; cells minus those
+  bool best = false;
+};
+/// From docs/evidence/table-7-candidates.csv. Throws RunError if the library was built without it.
+std::vector<Table7Candidate> table_7_candidates();
+
+/// Source of the numbers.
+extern const char* const published_citation;
+
+}  // namespace equipoise

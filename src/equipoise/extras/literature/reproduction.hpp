@@ -1,0 +1,80 @@
+// The tables computed again and judged, under either speed law.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/core/statistics/comparison.hpp"
+#include "equipoise/extras/literature/conclusions.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+
+namespace equipoise {
+
+/// One row's starts under one law.
+struct EnsembleResult : OtherShares {
+  std::uint64_t starts = 0, seed = 0;
+  std::vector<OutcomeShare> attractors;
+  std::vector<bool> balanced;               ///< start by start, for comparisons on common starts
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< over all runs
+  bool complete = false;
+  /// Share of the attractor that the paper calls by this name ("balanced", "V1"); of no starts if it was not met.
+  Share share_of(const std::string& attractor) const;
+};
+
+enum class Verdict { agrees, differs, not_comparable };
+/// "agrees", "differs", "not comparable".
+const char* name_of(Verdict verdict);
+
+struct ReproducedCell {
+  const PublishedCell* published = nullptr;
+  Share computed;        ///< 95 % Wilson interval
+  double p_value = 1.0;  ///< probability of a difference at least this large by chance
+  Verdict verdict = Verdict::not_comparable;
+  std::string reason;  ///< why it is not comparable
+};
+
+struct ReproducedRow {
+  const PublishedRow* published = nullptr;
+  std::optional<EnsembleResult> by_published_law, by_kinematic_law;  ///< at constant speed only the first is set
+  std::vector<ReproducedCell> cells;                                 ///< judged under the published law
+  std::optional<ShareDifference> law_difference;  ///< balanced share, kinematic minus published, 99 %, common starts
+  std::string follow_up;                          ///< why more starts than asked were taken; empty if they were not
+};
+
+struct ReproducedTable {
+  const PublishedTable* published = nullptr;
+  std::vector<ReproducedRow> rows;
+  double single_limit = 0.0;  ///< a cell differs if its p value is below this: 1 % over all judged cells of the table
+  int agreeing = 0, differing = 0, not_comparable = 0;
+  int below_one_percent = 0;  ///< judged cells with p < 0.01 each; chance gives one in a hundred
+};
+
+/// One conclusion tested under one law.
+struct ConclusionResult {
+  enum class Answer {
+    holds,         ///< every difference surely lies where the conclusion says
+    reversed,      ///< every difference surely lies on the other side
+    contradicted,  ///< at least one surely does
+    open,          ///< none does, but not all are sure
+    not_asked,
+  };
+  Answer answer = Answer::not_asked;
+  std::vector<ShareDifference> differences;  ///< one per contrast, 99 %, common starts
+};
+const char* name_of(ConclusionResult::Answer answer);
+
+struct ConclusionRow {
+  const Conclusion* conclusion = nullptr;
+  ConclusionResult published, kinematic;
+};
+
+/// Fills in counts and verdicts of a table whose rows are computed.
+void judge(ReproducedTable& table);
+/// Conclusions from the rows that are available.
+std::vector<ConclusionRow> judge_conclusions(const std::vector<ReproducedTable>& tables);
+
+}  // namespace equipoise

@@ -1,0 +1,116 @@
+// Proves balanced states one by one: form and sampled level from the balanced analysis, then proof and check.
+#include "equipoise/extras/proof/certify.hpp"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/attractors/equilibria/continuum_draws.hpp"
+#include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
+#include "equipoise/classification/balanced_regions/balanced_region.hpp"
+#include "equipoise/classification/proved_regions/tilt_proof.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/extras/proof/member_certificate.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+StateProof prove(const model::System& system, const BalancedRegion& region, const StopFlag* stop) {
+  StateProof proof;
+  proof.critical = region.level / level_margin;
+  auto begin = std::chrono::steady_clock::now();
+  proof.certificate =
+      largest_certificate(system, region.phi.data(), form_of(region), proof.critical, &proof.check.reason, stop);
+  proof.seconds = seconds_since(begin);
+  if (proof.certificate.level == 0.0) {
+    proof.certificate.phi = region.phi;
+    return proof;
+  }
+  begin = std::chrono::steady_clock::now();
+  proof.check = check_certificate(proof.certificate, stop);
+  proof.check_seconds = seconds_since(begin);
+  for (int i = 0; i < system.dimension(); ++i)
+    proof.reach[i] = region.reach[i] * std::sqrt(proof.certificate.level / region.level);
+  return proof;
+}
+
+// Members are drawn evenly over all ball angles that balance.
+void prove_members(const model::System& system, const RunOptions& options, CertifyResult& result) {
+  constexpr std::size_t drawn = 64;
+  const model::Parameters& p = system.parameters();
+  if (p.balls < 3 || !system.plain()) {
+    result.note = p.tilts() ? tilt_refusal(system) : words::proof::for_plain_continuum;
+    return;
+  }
+  ContinuumDraws draws(p);
+  std::array<double, model::max_balls> phi{};
+  const auto report = [&] {
+    if (options.progress) options.progress({result.members.size(), drawn, words::runs::balanced_states, {}});
+  };
+  report();
+  while (result.members.size() < drawn && !is_set(options.stop) && draws.next(phi)) {
+    MemberProof proof;
+    proof.certificate = prove_member(p, system.speed(), phi.data());
+    proof.check = proof.certificate.radius > 0.0 ? check_member(proof.certificate)
+                                                 : CertificateResult{false, words::proof::nothing_proved};
+    proof.growth = across_continuum(p, system.speed(), phi.data());
+    result.members.push_back(std::move(proof));
+    report();
+  }
+  result.partial = is_set(options.stop);
+  if (!result.partial && !result.members.empty() && result.attracting() == 0)
+    result.note = fmt::format(words::proof::none_drawn_attracts, system.speed());
+}
+
+CertifyResult proofs(const Study& study, const RunOptions& options) {
+  const model::System system = study.system();
+  const model::Parameters& p = study.parameters;
+  CertifyResult result;
+  result.study = study;
+  result.speed = model::balanced_speed(system).value_or(0.0);
+  if (model::balanced_states(system).kind == model::BalancedStates::Kind::continuum) {
+    prove_members(system, options, result);
+    return result;
+  }
+  const BalancedAnalysis analysis = analyse_balanced(system, options.stop);
+  result.note = analysis.note;
+  if (p.balls > 2 && !p.tilts()) {
+    result.note = words::proof::for_one_or_two;
+    return result;
+  }
+  const bool copies = p.balls == 2 && p.equal_balls() && analysis.regions.size() == 2;
+  const auto stopped = [&] { return is_set(options.stop); };
+  const std::size_t states = copies ? 1 : analysis.regions.size();
+  const auto report = [&] {
+    if (options.progress) options.progress({result.states.size(), states, words::runs::balanced_states, {}});
+  };
+  report();
+  while (result.states.size() < states && !stopped()) {
+    result.states.push_back(prove(system, analysis.regions[result.states.size()], options.stop));
+    if (copies) result.states.back().copies = 2;
+    report();
+  }
+  result.partial = stopped();
+  return result;
+}
+
+}  // namespace
+
+CertifyResult certify(const Study& study, const RunOptions& options) {
+  check_offers(study, model::ResultKind::proofs);
+  return reported(options, [&](const RunOptions& o) { return proofs(with_medians(study), o); });
+}
+
+}  // namespace equipoise

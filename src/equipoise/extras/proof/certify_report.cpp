@@ -1,0 +1,208 @@
+// Proofs about balanced states as text and as JSON.
+#include "equipoise/extras/proof/certify_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/report/text/note_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> variable_names(const model::System& system) {
+  std::vector<std::string> names;
+  for (const model::StateVariable& v : model::state_variables(system.layout())) names.push_back(v.name);
+  return names;
+}
+
+std::string boxes_text(const Certificate& c) {
+  return c.parameters.tilts() ? words::reports::one_box : fmt::format(words::reports::boxes, c.boxes.size());
+}
+
+// A matrix whose rows and columns have these names, in blocks of so many columns as fit.
+std::string matrix_text(const Eigen::MatrixXd& matrix, const std::vector<std::string>& names, const TextStyle& style) {
+  constexpr std::size_t cell = 14, first = 13;
+  const std::size_t all = names.size();
+  const std::size_t fitting =
+      style.width > 0 ? std::max<std::size_t>((std::max(style.width, first) - first) / cell, 1) : all;
+  const std::size_t blocks = (all + fitting - 1) / fitting, columns = (all + blocks - 1) / blocks;
+  std::string text;
+  for (std::size_t begin = 0; begin < all; begin += columns) {
+    const std::size_t end = std::min(begin + columns, all);
+    text += fmt::format("{:<{}}", "  P", first);
+    for (std::size_t j = begin; j < end; ++j) text += fmt::format("{:>{}}", names[j], cell);
+    text += "\n";
+    for (std::size_t i = 0; i < all; ++i) {
+      text += fmt::format("{:<{}}", "  " + names[i], first);
+      for (std::size_t j = begin; j < end; ++j)
+        text += fmt::format("{:>{}.6g}", matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), cell);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string state_text(const StateProof& s, const model::System& system, const TextStyle& style) {
+  const Certificate& c = s.certificate;
+  const int balls = system.balls();
+  std::string angles;
+  for (int i = 0; i < balls; ++i) angles += fmt::format("{}phi_{} = {:.9f}", i ? ", " : "", i + 1, c.phi[i]);
+  std::string text = fmt::format(words::reports::balanced_state, angles);
+  if (s.copies > 1) text += words::reports::copy_has_same_proof;
+  text += "\n";
+  if (c.level == 0.0) return lines_filled(text + fmt::format(words::reports::not_proved, s.check.reason), style);
+  const double share = 100.0 * c.level / s.critical;
+  text += fmt::format(words::reports::proved, c.level,
+                      c.parameters.tilts() ? fmt::format("{:.2g}", share) : fmt::format("{:.1f}", share));
+  text += words::reports::reach;
+  const std::vector<std::string> names = variable_names(system);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format(" {} {:.4g}{}", names[i], s.reach[i], i + 1 < names.size() ? "," : "\n");
+  text += fmt::format(words::reports::boxes_checked, boxes_text(c), s.seconds, s.check_seconds,
+                      s.check.proved ? "holds" : "REFUTED, " + s.check.reason);
+  return lines_filled(text, style) + matrix_text(c.form, names, style);
+}
+
+std::string angles_text(const MemberCertificate& c) {
+  return fmt::format("phi = ({:.6f})", fmt::join(c.phi.begin(), c.phi.begin() + c.parameters.balls, ", "));
+}
+
+// Summary of the members' proofs: the widest neighbourhood, the fastest growth.
+std::string members_text(const CertifyResult& r) {
+  if (r.members.empty()) return "";
+  const int drawn = static_cast<int>(r.members.size()), attracting = r.attracting(), unstable = r.unstable();
+  std::string text =
+      fmt::format(words::reports::members_proved, drawn, attracting, unstable, drawn - attracting - unstable);
+  const MemberProof *widest = nullptr, *fastest = nullptr;
+  for (const MemberProof& m : r.members) {
+    if (!m.check.proved) continue;
+    if (m.certificate.attracts && (!widest || m.certificate.level > widest->certificate.level)) widest = &m;
+    if (!m.certificate.attracts && (!fastest || m.growth > fastest->growth)) fastest = &m;
+  }
+  if (widest)
+    text += fmt::format(words::reports::member_attracts, angles_text(widest->certificate),
+                        0.5 * widest->certificate.radius, widest->certificate.level, widest->growth);
+  if (fastest) text += fmt::format(words::reports::member_unstable, angles_text(fastest->certificate), fastest->growth);
+  return text + words::reports::others_not_proved;
+}
+
+Json members_json(const CertifyResult& r) {
+  Json list = Json::array();
+  for (const MemberProof& m : r.members) {
+    const MemberCertificate& c = m.certificate;
+    list.push_back({{"proved", m.check.proved},
+                    {"reason", m.check.reason},
+                    {"attracts", c.attracts},
+                    {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + r.study.parameters.balls)},
+                    {"radius", c.radius},
+                    {"level", c.level},
+                    {"growth_rate", m.growth}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string certify_text(const CertifyResult& r, const TextStyle& style) {
+  std::string text = fmt::format("{}: speed {}\n", r.study.name, rotor_speed_text(r.study, r.speed));
+  if (!r.note.empty())
+    text += fmt::format("{}{}\n", r.members.empty() ? words::reports::nothing_proved : "", note_text(r.study, r.note));
+  text = lines_filled(text, style);
+  for (const StateProof& s : r.states) text += state_text(s, r.study.system(), style);
+  return text + lines_filled(members_text(r) + (r.partial ? words::reports::partial_proofs : ""), style);
+}
+
+std::string certify_json(const CertifyResult& r) {
+  Json json;
+  json["proved"] = r.proved();
+  json["partial"] = r.partial;
+  json["note"] = r.note;
+  json["speed"] = r.speed;
+  json["states"] = Json::array();
+  const model::System system = r.study.system();
+  const int balls = system.balls();
+  const std::vector<std::string> names = variable_names(system);
+  for (const StateProof& s : r.states) {
+    const Certificate& c = s.certificate;
+    Json state;
+    state["proved"] = c.level > 0.0 && s.check.proved;
+    state["reason"] = s.check.reason;
+    state["phi"] = std::vector<double>(c.phi.begin(), c.phi.begin() + balls);
+    state["copies"] = s.copies;
+    state["level"] = c.level;
+    state["critical_level"] = s.critical;
+    state["share_of_critical"] = c.level / s.critical;
+    Json reach;
+    for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
+    state["reach"] = reach;
+    Json form = Json::array();
+    for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
+      const Eigen::VectorXd row = c.form.row(i);
+      form.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+    state["form"] = form;
+    state["boxes"] = c.boxes.size();
+    state["seconds"] = s.seconds;
+    state["check_seconds"] = s.check_seconds;
+    json["states"].push_back(state);
+  }
+  if (!r.members.empty()) json["members"] = members_json(r);
+  json["study_name"] = r.study.name;
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+std::string check_text(const CertificateFile& file, const TextStyle& style) {
+  std::string text;
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    const int balls = c.parameters.balls;
+    text += fmt::format(words::reports::certificate_line, c.speed, c.motor ? words::reports::by_a_motor : "", balls,
+                        plural(balls), c.level, boxes_text(c),
+                        file.checks[i].proved ? "proved" : "NOT proved, " + file.checks[i].reason);
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
+    const MemberCertificate& c = file.members[i];
+    text += fmt::format(words::reports::member_line, c.speed, c.parameters.balls, angles_text(c),
+                        c.attracts ? "attracts" : "unstable",
+                        file.member_checks[i].proved ? "proved" : "NOT proved, " + file.member_checks[i].reason);
+  }
+  return lines_filled(text, style);
+}
+
+std::string check_json(const CertificateFile& file) {
+  Json json;
+  json["proved"] = file.proved();
+  json["file"] = file.path;
+  json["certificates"] = Json::array();
+  for (std::size_t i = 0; i < file.checks.size(); ++i) {
+    const Certificate& c = file.certificates[i];
+    json["certificates"].push_back({{"proved", file.checks[i].proved},
+                                    {"reason", file.checks[i].reason},
+                                    {"speed", c.speed},
+                                    {"level", c.level},
+                                    {"boxes", c.boxes.size()}});
+  }
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i)
+    json["members"].push_back({{"proved", file.member_checks[i].proved},
+                               {"reason", file.member_checks[i].reason},
+                               {"attracts", file.members[i].attracts},
+                               {"speed", file.members[i].speed},
+                               {"level", file.members[i].level}});
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

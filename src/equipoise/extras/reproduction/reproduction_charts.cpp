@@ -1,0 +1,133 @@
+// The charts of a reproduced paper.
+#include "equipoise/extras/reproduction/reproduction_charts.hpp"
+
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "equipoise/extras/words/paper.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/text/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Four colours that differ in hue and in lightness (after M. Okabe, K. Ito, Color Universal Design, 2008).
+constexpr std::array four{"#0072B2", "#D55E00", "#009E73", "#E69F00"};
+
+std::string label_of(const FigureSeries& s) {
+  if (!s.label.empty()) return s.label;
+  return fmt::format("{} law", name_of(s.law));
+}
+
+void add(ChartSeries& series, double x, const Share& share) {
+  series.x.push_back(x);
+  series.y.push_back(100.0 * share.share);
+  series.low.push_back(100.0 * share.low);
+  series.high.push_back(100.0 * share.high);
+}
+
+struct Curves {
+  ChartSeries printed, published, kinematic;
+};
+
+// Curves of the rows that share a series, in the order of the table.
+std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& table) {
+  std::vector<std::pair<std::string, Curves>> list;
+  for (const ReproducedRow& row : table.rows) {
+    if (list.empty() || list.back().first != row.published->series) list.push_back({row.published->series, {}});
+    Curves& c = list.back().second;
+    const double x = row.published->parameter;
+    c.printed.x.push_back(x);
+    c.printed.y.push_back(100.0 * row.published->cells.front().share.share);
+    if (row.by_published_law && row.by_published_law->starts)
+      add(c.published, x, row.by_published_law->share_of("balanced"));
+    if (row.by_kinematic_law && row.by_kinematic_law->starts)
+      add(c.kinematic, x, row.by_kinematic_law->share_of("balanced"));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<Chart> table_chart(const ReproducedTable& table) {
+  if (table.published->number == 7) return {};
+  Chart chart{"",
+              table.published->parameter == "T0" ? words::paper::ramp_duration : words::paper::final_speed,
+              "balanced share, %",
+              table.published->number == 3,
+              false,
+              false,
+              {}};
+  const auto list = curves_of(table);
+  const bool many = list.size() > 2;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto& [name, curves] = list[k];
+    const std::string of = name.empty() ? "" : name + ": ";
+    const auto style = k % 2 == 0 || many ? ChartSeries::Style::line : ChartSeries::Style::dashed;
+    const auto take = [&](const ChartSeries& s, const std::string& label, const char* colour) {
+      if (s.x.empty()) return;
+      ChartSeries series = s;
+      series.label = of + label;
+      series.colour = colour;
+      series.style = style;
+      chart.series.push_back(std::move(series));
+    };
+    take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : dark_colour);
+    take(curves.kinematic, "kinematic law", light_colour);
+    ChartSeries printed = curves.printed;
+    printed.label = k + 1 == list.size() ? "printed" : "";
+    printed.colour = "#222222";
+    printed.style = ChartSeries::Style::points;
+    chart.series.push_back(std::move(printed));
+  }
+  return chart;
+}
+
+std::vector<Chart> figure_charts(const PaperFigure& figure) {
+  std::vector<Chart> charts;
+  for (const FigurePanel& panel : figure.panels) {
+    Chart chart{panel.title, "time t (units of 1/ω_c)", "r (race radii)", false, true, true, {}};
+    for (std::size_t k = 0; k < panel.series.size(); ++k) {
+      const FigureSeries& s = panel.series[k];
+      chart.series.push_back(
+          {label_of(s), k == 0 ? dark_colour : light_colour, ChartSeries::Style::line, s.t, s.r, {}, {}});
+    }
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+Chart box_chart(const OpenQuestions& open) {
+  Chart chart{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
+  ChartSeries box{words::paper::starts_in_box, light_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  ChartSeries rest{"starts at rest", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  for (const BoxShares& b : open.boxes) {
+    add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
+    add(rest, b.speed, b.rest.attractors.front().share);
+  }
+  chart.series = {rest, box};
+  return chart;
+}
+
+std::string figure_csv(const PaperFigure& figure) {
+  std::string text = fmt::format("# {}. {}\n", figure.title, figure.caption);
+  if (!figure.choice.empty()) text += fmt::format("# {}\n", figure.choice);
+  text += words::paper::data_of_figure;
+  for (const FigurePanel& panel : figure.panels)
+    for (const FigureSeries& s : panel.series) {
+      text += fmt::format("# study of {}, {}:\n#   ", panel.title, label_of(s));
+      for (const char c : s.study) text += c == '\n' ? std::string("\n#   ") : std::string(1, c);
+      text += "\n";
+    }
+  text += "panel,series,law,t,r\n";
+  for (const FigurePanel& panel : figure.panels)
+    for (const FigureSeries& s : panel.series)
+      for (std::size_t i = 0; i < s.t.size(); ++i)
+        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", panel.title, label_of(s), name_of(s.law), s.t[i], s.r[i]);
+  return text;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,157 @@
+// Words and numbers that every form of a reproduction shares.
+#include "equipoise/extras/reproduction/reproduction_words.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/extras/words/paper.hpp"
+#include "equipoise/extras/words/paper_page.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/types/fate.hpp"
+
+namespace equipoise {
+
+std::string percentage(const Share& s) {
+  const double value = 100.0 * s.share;
+  const int digits = s.count == 0 || value >= 0.1 ? 2 : value >= 0.01 ? 3 : value >= 0.001 ? 4 : 5;
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
+  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
+  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
+  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
+  if (row.by_published_law && row.by_published_law->starts > 0) {
+    words.computed = percentage(cell.computed);
+    words.interval = interval(cell.computed);
+    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+  }
+  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
+    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
+  return words;
+}
+
+bool is_idle(const ReproducedCell& c) {
+  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
+}
+
+std::string verdict_text(const ReproducedCell& cell) {
+  if (cell.reason.empty()) return name_of(cell.verdict);
+  return fmt::format("{}: {}", name_of(cell.verdict), cell.reason);
+}
+
+std::string difference_text(const ShareDifference& d) {
+  return fmt::format("{:+.2f} ({:+.2f} to {:+.2f})", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
+}
+
+std::string answer_text(const ConclusionResult& c) {
+  if (c.differences.empty()) return name_of(c.answer);
+  const auto [least, most] =
+      std::minmax_element(c.differences.begin(), c.differences.end(),
+                          [](const auto& a, const auto& b) { return a.difference < b.difference; });
+  if (c.differences.size() == 1) return fmt::format("{}: {}", name_of(c.answer), difference_text(*least));
+  return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
+}
+
+std::string summary_text(const Reproduction& r) {
+  std::string text = fmt::format("{:<10}{:>8}{:>9}{:>16}\n", "", "agree", "differ", "not comparable");
+  int agree = 0, differ = 0, rest = 0;
+  for (const ReproducedTable& t : r.tables) {
+    text +=
+        fmt::format("table {:<4}{:>8}{:>9}{:>16}\n", t.published->number, t.agreeing, t.differing, t.not_comparable);
+    agree += t.agreeing;
+    differ += t.differing;
+    rest += t.not_comparable;
+  }
+  text += fmt::format("{:<10}{:>8}{:>9}{:>16}\n", "all", agree, differ, rest);
+  text += words::paper::judged_jointly;
+  return text;
+}
+
+std::string codes_text(const BasinSlice& map) {
+  std::vector<OutcomeShare> codes = map.codes;
+  std::stable_sort(codes.begin(), codes.end(),
+                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
+  std::string list;
+  for (const OutcomeShare& c : codes)
+    if (c.share.count > 0)
+      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
+  return list;
+}
+
+namespace {
+
+using Stretches = std::vector<std::pair<int, int>>;  // first and last pixels
+
+Stretches stretches(int pixels, const std::function<bool(int)>& holds) {
+  Stretches result;
+  for (int k = 0; k < pixels; ++k) {
+    if (!holds(k)) continue;
+    if (result.empty() || result.back().second != k - 1) result.emplace_back(k, k);
+    result.back().second = k;
+  }
+  return result;
+}
+
+// "at lambda from 0.002 to 0.026 and from 0.09 to 0.1".
+std::string at_eccentricities(const SliceAxis& x, const Stretches& stretches) {
+  std::string text;
+  for (const auto& [first, last] : stretches)
+    text +=
+        fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", x.centre(first), x.centre(last));
+  return text.empty() ? "at no λ" : text;
+}
+
+std::string balanced_by_angle(const BasinSlice& map) {
+  std::vector<int> balanced(static_cast<std::size_t>(map.x.pixels));
+  for (int row = 0; row < map.y.pixels; ++row)
+    for (int column = 0; column < map.x.pixels; ++column)
+      balanced[static_cast<std::size_t>(column)] += map.code[map.at(column, row)] == balanced_id;
+  const auto of_at_least = [&](int least) {
+    return at_eccentricities(map.x, stretches(map.x.pixels, [&](int column) {
+                               return balanced[static_cast<std::size_t>(column)] >= least;
+                             }));
+  };
+  return fmt::format(words::paper::all_balance, of_at_least(map.y.pixels), of_at_least(1),
+                     map.study.parameters.total_mass());
+}
+
+// How much of what all balls together can cancel is balanced, and whether anything balances beyond.
+std::string balanced_by_mass(const BasinSlice& map) {
+  const int balls = map.study.parameters.balls;
+  std::vector<std::pair<double, double>> ends;  // as a part of what they can cancel; mu
+  int again = 0;
+  for (int row = 0; row < map.y.pixels; ++row) {
+    // An undecided pixel ends no stretch.
+    const auto code = [&](int column) { return map.code[map.at(column, row)]; };
+    int last = -1;
+    bool ended = false, returns = false;
+    for (int column = 0; column < map.x.pixels; ++column) {
+      const bool balanced = code(column) == balanced_id;
+      returns = returns || (ended && balanced);
+      if (balanced && !ended) last = column;
+      ended = ended || (last >= 0 && !balanced && code(column) != undecided_code);
+    }
+    if (!ended) continue;
+    ends.emplace_back(map.x.centre(last) / (balls * map.y.centre(row)), map.y.centre(row));
+    again += returns;
+  }
+  if (ends.empty()) return words::paper::no_end_of_balance;
+  const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
+  return fmt::format(words::paper::ends_of_balance, least->first, least->second, most->first, most->second, balls,
+                     again, ends.size());
+}
+
+}  // namespace
+
+std::string balanced_text(const BasinSlice& map) {
+  if (!map.complete) return "";
+  return map.y.angle() ? balanced_by_angle(map) : balanced_by_mass(map);
+}
+
+}  // namespace equipoise

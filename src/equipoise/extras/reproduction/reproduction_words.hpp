@@ -1,0 +1,35 @@
+// Words and numbers that every form of a reproduction shares.
+#pragma once
+
+#include <string>
+
+#include "equipoise/extras/reproduction/reproduction.hpp"
+
+namespace equipoise {
+
+/// A share in percent without the sign, with as many digits as in print or as small counts need: "60.40".
+std::string percentage(const Share& s);
+/// The words for a cell in tables: "-" or nothing if it was not computed. Printed fractions of one are converted to
+/// percentages and marked.
+struct CellWords {
+  std::string printed, computed, interval, p_value, kinematic;
+};
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell);
+/// Whether this is an attractor other than balance that was neither printed nor found.
+bool is_idle(const ReproducedCell& cell);
+/// "differs", "not comparable: the printed row sums to 100.07".
+std::string verdict_text(const ReproducedCell& cell);
+/// "+19.8 (19.4 to 20.2)", in percentage points.
+std::string difference_text(const ShareDifference& d);
+/// "holds: +19.8 (19.4 to 20.2)"; with several contrasts the smallest and the largest.
+std::string answer_text(const ConclusionResult& c);
+/// One line per table: cells agreeing, differing, not comparable.
+std::string summary_text(const Reproduction& r);
+
+/// Shares of the motions of a basin slice, the largest first.
+std::string codes_text(const BasinSlice& map);
+/// What a slice over lambda and a ball's angle, or over lambda and mu, shows of the eccentricity that the balls
+/// balance. Values are those of pixel centres. Empty for an incomplete slice.
+std::string balanced_text(const BasinSlice& map);
+
+}  // namespace equipoise

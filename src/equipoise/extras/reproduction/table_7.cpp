@@ -1,0 +1,70 @@
+// The lead on table 7: its study, and a test of balance at a finite time.
+#include "equipoise/extras/reproduction/table_7.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/words/paper.hpp"
+
+namespace equipoise {
+
+namespace {
+
+Study lead_study(const Table7Row& row) {
+  Study study = paper_rotor();
+  study.name = "table 7";
+  SpeedSetting& speed = study.speed;
+  speed.profile = Profile::trapezoid;
+  speed.law = model::SpeedLaw::kinematic;
+  speed.peak = 3.0;
+  speed.final = 2.0;
+  speed.rise_until = row.t0;
+  speed.hold_until = row.t1;
+  speed.fall_until = row.t2;
+  study.release.speed = 2.2;
+  return study;
+}
+
+}  // namespace
+
+std::uint64_t called_balanced(const Observation& observation, const Table7Test& test) {
+  const auto first = static_cast<std::size_t>(std::lround(test.from / observation.window));
+  const auto end = static_cast<std::size_t>(std::lround(test.to / observation.window));
+  const auto limit = static_cast<float>(test.tolerance * test.tolerance);
+  const auto passes = [&](float r2) { return r2 < limit; };  // NaN does not pass
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < observation.starts; ++i) {
+    const std::size_t row = i * observation.windows;
+    const float* largest = &observation.largest[row];
+    count +=
+        first == end ? passes(observation.at_end[row + end - 1]) : std::all_of(largest + first, largest + end, passes);
+  }
+  return count;
+}
+
+std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads, const StopFlag* stop) {
+  constexpr std::uint64_t batch = 32768;  // 20 MB of r^2 at 73 windows
+  constexpr Table7Test test{630.0, 730.0, 1.34e-3};
+  ObservationSettings settings;
+  settings.window = table_7_window;
+  settings.until = test.to;
+  settings.threads = threads;
+  settings.stop = stop;
+  std::vector<LeadReading> readings;
+  for (const Table7Row& row : table_7_rows) {
+    std::uint64_t count = 0;
+    for (std::uint64_t first = 0; first < starts; first += batch) {
+      settings.first = first;
+      settings.starts = std::min(batch, starts - first);
+      const Observation seen = observe(lead_study(row), settings);
+      if (!seen.complete) throw RunError(words::paper::table_7_stopped);
+      count += called_balanced(seen, test);
+    }
+    readings.push_back({row, wilson_share(count, starts)});
+  }
+  return readings;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,70 @@
+// The motor of a driven rotor: torque as a function of time and speed, cut into pieces on which it is smooth.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "equipoise/machine/drives/speed.hpp"
+#include "equipoise/machine/drives/torque_curve.hpp"
+
+namespace equipoise::model {
+
+/// tau(t, psi') in units of M R^2 omega_c^2. Torque laws of a motor: docs/explanation/equations.md, "A motor".
+struct MotorLaw {
+  enum class Kind {
+    linear,   ///< constant + slope psi', and 0 from `until` on
+    table,    ///< linear between `times`, constant outside them
+    control,  ///< gain e + integral (time integral of e) with e = target(t) - psi', cut to |tau| <= limit
+    curve,    ///< linear between `speeds`, constant below the first; above the last the last line goes on
+  };
+  Kind kind = Kind::linear;
+  double constant = 0.0, slope = 0.0;
+  std::optional<double> until;
+  std::vector<double> times, values;
+  std::vector<double> speeds;
+  double gain = 0.0, integral = 0.0;
+  std::optional<double> limit;
+  SpeedProfile target;
+  Load load;  ///< what the machine takes, whatever the motor
+
+  /// The speed at which a balanced rotor ends up: where motor and load are even for good. Empty if there is none.
+  std::optional<double> final_speed() const;
+};
+
+/// An interval on which the motor gives cut(constant + slope psi' + bends(psi') + rate (t - begin) + integral E), with
+/// E' = target' - psi': dE/dt = aim + aim_rate (t - begin) - psi', but 0 while that would push a cut torque further
+/// out. The load takes its own of that.
+struct DriveSegment {
+  double begin, end;  ///< the last segment ends at infinity
+  double constant = 0.0, slope = 0.0, rate = 0.0;
+  double integral = 0.0, aim = 0.0, aim_rate = 0.0;
+  double limit = std::numeric_limits<double>::infinity();
+  Bends bends{};
+  Load load{};
+
+  /// On the rotor: the motor's less the load's.
+  double torque(double t, double speed, double error_integral) const;
+  double motor_torque(double t, double speed, double error_integral) const;
+  /// dE/dt.
+  double error_rate(double t, double speed, double error_integral) const;
+  /// Whether a torque of this piece is linear in psi' until it is cut.
+  bool is_linear() const { return bends.count == 0 && load.is_none(); }
+  /// Whether nothing acts on the rotor, whatever its speed.
+  bool is_idle() const;
+  /// Whether the torque brakes a rotor that is fast enough, or a control brings it to its speed.
+  bool brakes() const;
+  /// The speed at which the torque at the piece's begin, without error, is `damping` psi': where it falls through that
+  /// line, and of several the fastest in the sense of the torque at rest. Of a linear torque its only such speed,
+  /// stable or not. Empty if there is none.
+  std::optional<double> even_speed(double damping) const;
+  /// The same drive of a rotor that turns the other way.
+  DriveSegment mirrored() const;
+
+ private:
+  double uncut(double t, double speed, double error_integral) const;
+};
+
+/// The pieces of a motor's law, contiguous from 0, the last without end.
+std::vector<DriveSegment> drive_segments(const MotorLaw& law);
+
+}  // namespace equipoise::model

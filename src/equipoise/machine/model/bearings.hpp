@@ -1,0 +1,29 @@
+// Bearings of a rotor that tilts, one by one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "equipoise/machine/model/parameters.hpp"
+
+namespace equipoise::model {
+
+/// Of how many bearings of a rotor forces are told at most.
+inline constexpr std::size_t most_bearings = 8;
+
+/// Springs and dampers at one place along the shaft, in X and Y.
+struct Bearing {
+  double at = 0.0;
+  std::array<double, 2> stiffness{}, damping{};
+};
+
+/// The bearings at these two places along the shaft, if they are all that holds the rotor: two springs at known places
+/// follow from what they sum up to. Empty if stiffness or damping is not that of two bearings there.
+std::vector<Bearing> two_bearings(const Parameters& p, const std::array<double, 2>& places);
+
+/// Whether springs (dampers) of all these bearings sum up to the rotor's supports; to 1e-6, as numbers are typed.
+bool make_stiffness(const std::vector<Bearing>& bearings, const Parameters& p);
+bool make_damping(const std::vector<Bearing>& bearings, const Parameters& p);
+
+}  // namespace equipoise::model

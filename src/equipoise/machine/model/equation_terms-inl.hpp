@@ -1,0 +1,105 @@
+// What the equations of motion are told and what they tell: which terms are on, the rotor's motion, bodies, what acts
+// on balls. Included once per CPU target.
+#if defined(EQUIPOISE_MODEL_EQUATION_TERMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_MODEL_EQUATION_TERMS_INL
+#undef EQUIPOISE_MODEL_EQUATION_TERMS_INL
+#else
+#define EQUIPOISE_MODEL_EQUATION_TERMS_INL
+#endif
+
+#include "equipoise/core/base/pack-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+// Terms beyond the isotropic horizontal rotor at constant speed with balls that slide. A term that is off leaves no
+// operation behind.
+struct Terms {
+  bool acceleration = true;
+  bool anisotropy = true;
+  bool gravity = true;
+  bool body = false;     // any body in the rotor's place: a race off its centre, balls that are part of it; a motor
+  bool actions = false;  // balls may be held, resist rolling or push each other
+  bool rolls = true;     // balls roll if the parameters say so
+  bool tilt = false;     // the rotor tilts, and balls run in planes of their own (tilt-inl.hpp)
+};
+
+// Of any rotor at any drive, as a body; one that tilts has a centred race and balls that slide.
+constexpr Terms body_terms(bool tilt, bool actions = false) {
+  return {.acceleration = true,
+          .anisotropy = true,
+          .gravity = true,
+          .body = true,
+          .actions = actions,
+          .rolls = !tilt,
+          .tilt = tilt};
+}
+
+// Of the paper's rotor: isotropic and horizontal, its balls slide.
+constexpr Terms paper_terms(bool acceleration) {
+  return {.acceleration = acceleration, .anisotropy = false, .gravity = false, .rolls = false};
+}
+
+// The rotor at one instant: psi' and psi''; sin and cos of psi are read only with anisotropy or gravity.
+template <class T>
+struct RotorMotion {
+  T speed, acceleration, sin_psi, cos_psi;
+};
+
+// Components along the rotating axes.
+template <class T>
+struct Vector2 {
+  T x, y;
+};
+
+template <class T>
+struct Matrix2 {
+  T xx, xy, yx, yy;
+
+  HWY_INLINE T determinant() const { return xx * yy - xy * yx; }
+  // Determinant times inverse, times v.
+  HWY_INLINE Vector2<T> adjugate(const Vector2<T>& v) const { return {yy * v.x - xy * v.y, xx * v.y - yx * v.x}; }
+};
+
+// What turns as one with the rotor: itself, and balls that are held.
+template <class T>
+struct Body {
+  Vector2<T> unbalance;  // mass times place of the centre of mass, from the race's centre O'
+  T mass, inertia;       // inertia: moment about O'
+};
+
+// What balls feel, each over its mass.
+template <class T, int room>
+struct BallForces {
+  T normal[room];      // by which it presses on the race, outward positive
+  T tangential[room];  // that would set it moving if it were at rest and alone
+  T push[room];        // by which those that it is joined with change its rate; 0 for all others
+};
+
+// What acts on the balls of a machine at one instant.
+template <class T, int room>
+struct BallActions {
+  MaskOf<T> held[room] = {};  // turns with the rotor: clamped, or at rest by stiction
+  bool acted_on = true;       // else the next two are 0 for all balls
+  T resistance[room] = {};    // rolling resistance over normal force, with the sign of the ball's rate
+  T push[room] = {};          // along phi_i, from other balls: mu_i phi_i'' for a ball alone; they sum to 0
+  // Of balls that touch and move as one; null: none do. Row i: of each ball of the group of ball i its share of the
+  // group's mass; of a ball by itself, 1 for itself.
+  const T (*together)[room] = nullptr;
+  BallForces<T, room>* forces = nullptr;  // receives what balls feel, if given
+};
+
+// What a body's equations are solved for besides rates.
+template <class T>
+struct BodyResult {
+  Vector2<T> race;  // acceleration of the race's centre, plus gravity
+  T acceleration;   // psi''
+  T torque;         // on the rotor: the motor's, or the one that the prescribed motion needs
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#endif

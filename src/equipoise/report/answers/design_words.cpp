@@ -1,0 +1,259 @@
+// Things, verdicts and margins in words.
+#include "equipoise/report/answers/design_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/decision.hpp"
+#include "equipoise/report/words/text.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::string_view all_kept = words::design::all_kept;
+
+using words::design::Thing;
+
+const Thing* known_thing(const std::string& key) {
+  const auto at = std::find_if(words::design::things.begin(), words::design::things.end(),
+                               [&](const Thing& t) { return key == t.key; });
+  return at == words::design::things.end() ? nullptr : &*at;
+}
+
+// "12 mm" of balls whose size the study states.
+std::string own_size(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  if (!study.scales || !p.equal_balls() || !(p.ball_radius[0] > 0.0)) return "";
+  return fmt::format("{:.6g} mm", 2e3 * p.ball_radius[0] * study.scales->length);
+}
+
+// "4 balls of 12 mm"
+std::string balls_chosen(const Study& study, const std::vector<DesignSetting>& settings) {
+  const auto of = [&](const char* key) {
+    for (const DesignSetting& s : settings)
+      if (s.key == key) return setting_text(s.value);
+    return std::string();
+  };
+  std::string number = of("balancer.balls"), size = of("balancer.ball_diameter");
+  if (number.empty() && size.empty() && of("balancer.mass").empty()) return "";
+  if (number.empty()) number = fmt::format("{}", study.parameters.balls);
+  if (size.empty() && !of("balancer.mass").empty())
+    size = of("balancer.mass") + (study.scales ? "" : words::design::as_mass);
+  if (size.empty()) size = own_size(study);
+  return fmt::format("{} ball{}{}{}", number, number == "1" ? "" : "s", size.empty() ? "" : words::design::of_size,
+                     size);
+}
+
+std::string shown(const DesignMargin& m, double value) { return fmt::format("{}{:.4g}", m.prefix, value); }
+
+bool has_ends(const DesignMargin& m) {
+  return m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+}
+
+// "ball diameter 10 to 15 mm"; what failed nowhere within what was tried is not told.
+std::string margins_words(const DesignResult& r) {
+  constexpr std::size_t most_told = 3;
+  std::string words;
+  std::size_t told = 0;
+  for (const DesignMargin& m : r.margins) {
+    if (!has_ends(m) || (m.fails_below.empty() && m.fails_above.empty())) continue;
+    const std::string unit = m.unit.empty() ? "" : " " + m.unit;
+    if (told++ == most_told) return words + words::design::others_below;
+    words += fmt::format("{}{} ", words.empty() ? "" : "; ", thing_of(m.key));
+    if (m.keeps_from == m.keeps_to && !m.fails_below.empty() && !m.fails_above.empty())
+      words += fmt::format(words::design::only, shown(m, m.value), unit);
+    else if (m.fails_above.empty())
+      words += fmt::format(words::design::or_more, shown(m, m.keeps_from), unit);
+    else if (m.fails_below.empty())
+      words += fmt::format(words::design::or_less, shown(m, m.keeps_to), unit);
+    else
+      words += fmt::format(words::design::from_to, shown(m, m.keeps_from), shown(m, m.keeps_to), unit);
+  }
+  return words;
+}
+
+// Whether the study as it is keeps all requirements, and the chosen design is not surely better.
+bool as_good_before(const DesignResult& r, const DesignSample& now) {
+  if (!r.before || r.before->figures.empty() || !r.feasible) return false;
+  for (const DesignLimit& limit : r.limits) {
+    const DesignEstimate& e = r.before->figures[limit.figure];
+    if ((limit.below && !(e.high <= *limit.below)) || (limit.above && !(e.low >= *limit.above))) return false;
+  }
+  return std::none_of(r.objectives.begin(), r.objectives.end(), [&](std::size_t k) {
+    const DesignEstimate &is = now.figures[k], &was = r.before->figures[k];
+    return std::isnan(was.value) || (r.figures[k].up ? is.low > was.high : is.high < was.low);
+  });
+}
+
+}  // namespace
+
+bool keeps(const DesignLimit& limit, double value) {
+  return !(limit.below && !(value < *limit.below)) && !(limit.above && !(value > *limit.above));
+}
+
+bool surely_keeps(const DesignLimit& limit, const DesignEstimate& e) {
+  return keeps(limit, e.low) && keeps(limit, e.high);
+}
+
+std::string figure_words(const DesignFigure& figure, bool brief) {
+  const std::size_t dot = figure.name.find('.');
+  const std::string column = figure.name.substr(0, dot);
+  std::string words;
+  for (const auto& [name, meaning] : words::design::figures)
+    if (column == name) words = meaning;
+  for (const TransientFigure& f : transient_figures)
+    if (column == f.name) words = f.title;
+  if (words.empty()) return figure.name;
+  if (dot == std::string::npos) return words;
+  const double percents = 100.0 * number_in(figure.name.substr(dot + 1));
+  return fmt::format("{}, {:.6g} %{}", words, percents, brief ? "" : words::design::of_starts_below);
+}
+
+std::string limit_text(const DesignFigure& figure, const DesignLimit& limit) {
+  std::string text;
+  if (limit.below) text = words::design::below + estimate_text(figure, *limit.below);
+  if (limit.above)
+    text += (text.empty() ? words::design::above : words::design::and_above) + estimate_text(figure, *limit.above);
+  return text;
+}
+
+std::string estimate_text(const DesignFigure& figure, double value) {
+  if (std::isnan(value)) return words::design::not_stated;
+  if (!std::isfinite(value)) return words::design::no_end;
+  if (figure.share) return fmt::format("{:.4g} %", 100.0 * value);
+  return fmt::format("{:.4g}{}", value, figure.unit.empty() ? "" : " " + figure.unit);
+}
+
+std::string estimate_with_interval(const DesignFigure& figure, const DesignEstimate& e) {
+  if (e.low == e.high || std::isnan(e.value)) return estimate_text(figure, e.value);
+  if (figure.share) {
+    Share share;  // the fewest starts that distinguish none, some and all
+    share.total = 2;
+    share.count = e.value <= 0.0 ? 0 : e.value >= 1.0 ? 2 : 1;
+    share.low = e.low;
+    share.high = e.high;
+    return fmt::format("{} ({})", percent(e.value, digits_for(share)), interval(share));
+  }
+  const std::string high = std::isfinite(e.high) ? fmt::format("{:.3g}", e.high) : words::design::no_end;
+  return fmt::format(words::design::with_interval, estimate_text(figure, e.value), e.low, high);
+}
+
+std::string setting_text(const StudyValue& value) {
+  if (const auto* text = value.string()) return *text;
+  if (const auto* whole = value.integer()) return fmt::format("{}", *whole);
+  if (const auto* truth = value.boolean()) return *truth ? "true" : "false";
+  const StudyValue *times = value.find("times"), *speeds = value.find("speeds");
+  if (!times || !speeds) return fmt::format("{:.6g}", value.number());
+  std::string text;
+  for (std::size_t k = 0; k < times->array()->size(); ++k)
+    text += fmt::format(words::design::speed_at_time, k > 0 ? ", " : "", setting_text((*speeds->array())[k]),
+                        setting_text((*times->array())[k]));
+  return text;
+}
+
+std::string margin_name(const std::string& key) {
+  const std::string_view times = "speed.times[", speeds = "speed.speeds[";
+  const auto place = [&](std::string_view of) { return key.substr(of.size(), key.size() - of.size() - 1); };
+  if (key.starts_with(times)) return words::design::time_of_point + place(times);
+  if (key.starts_with(speeds)) return words::design::speed_of_point + place(speeds);
+  return key;
+}
+
+std::string design_answer(const DesignResult& r) {
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return r.partial ? words::design::stopped_before_a_candidate : words::design::no_candidate;
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& sample = best.best_known();
+  std::string text;
+  for (const std::size_t k : r.objectives)
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", figure_words(r.figures[k]),
+                        estimate_with_interval(r.figures[k], sample.figures[k]));
+  std::string before;
+  if (r.before && !r.before->figures.empty() && !best.as_it_is)
+    before = fmt::format(
+        words::design::as_it_is, r.objectives.size() > 1 ? figure_words(r.figures[r.objectives.front()]) + " " : "",
+        estimate_with_interval(r.figures[r.objectives.front()], r.before->figures[r.objectives.front()]));
+  if (r.feasible) return fmt::format("{}{}{}.", r.limits.empty() ? "" : all_kept, text, before);
+  std::string missed;
+  for (const DesignLimit& limit : r.limits) {
+    const DesignEstimate& e = sample.figures[limit.figure];
+    if (surely_keeps(limit, e)) continue;
+    missed += fmt::format(words::design::must_be, missed.empty() ? "" : "; ",
+                          figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit),
+                          keeps(limit, e.value) ? words::design::not_surely_but_likely : words::design::at_best,
+                          estimate_with_interval(r.figures[limit.figure], e));
+  }
+  return fmt::format(words::design::not_all_kept, missed, text, before);
+}
+
+std::string thing_of(const std::string& key) {
+  if (const Thing* thing = known_thing(key)) return thing->name;
+  std::string name = margin_name(key);
+  if (name != key) return name;
+  name = key.substr(key.rfind('.') + 1);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string things_chosen(const Study& study, const std::vector<DesignSetting>& settings) {
+  std::string words = balls_chosen(study, settings);
+  for (const DesignSetting& s : settings) {
+    if (s.key == "balancer.balls" || s.key == "balancer.ball_diameter" || s.key == "balancer.mass") continue;
+    if (setting_text(s.value) == words::design::as_given) continue;  // the study states none
+    const Thing* thing = known_thing(s.key);
+    words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thing ? thing->before : thing_of(s.key) + " ",
+                         setting_text(s.value));
+  }
+  return words;
+}
+
+DesignVerdict design_verdict(const DesignResult& r) {
+  if (r.leave_out)
+    return {fmt::format(words::text::leave_out, below_resonance_words(r.study)), words::decision::by_linear_theory,
+            words::design::nothing_to_choose};
+  DesignVerdict verdict;
+  const std::string partial = r.partial ? "PARTIAL: " : "";
+  if (!r.chosen || r.front[*r.chosen].best_known().figures.empty())
+    return {design_answer(r), words::design::none_followed, words::design::not_known};
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& now = best.best_known();
+  const std::string things = best.as_it_is ? words::design::as_given : things_chosen(r.study, best.settings);
+  const bool alone = r.limits.empty();
+  if (best.as_it_is ? r.feasible : as_good_before(r, now))
+    verdict.words = fmt::format(words::design::leave_as_it_is, partial, alone ? "" : words::design::keeps_all_and,
+                                best.as_it_is ? "" : fmt::format(words::design::best_found, things));
+  else if (r.feasible)
+    verdict.words = fmt::format("{}{}{}.", partial, things, alone ? "" : words::design::all_are_kept);
+  else
+    verdict.words = fmt::format(words::design::nearest, partial, things);
+  verdict.because = design_answer(r);
+  if (verdict.because.starts_with(all_kept)) verdict.because.erase(0, all_kept.size());  // the verdict says so
+  if (r.margins.empty()) {
+    verdict.margins = best.as_it_is && !r.partial ? words::design::states_no_number : words::design::margins_unknown;
+  } else {
+    const std::string words = margins_words(r);
+    verdict.margins = words.empty()
+                          ? words::design::nothing_misses
+                          : words + (alone ? words::design::surely_no_worse : words::design::requirements_kept);
+  }
+  return verdict;
+}
+
+std::string design_verdict_text(const DesignResult& r, const TextStyle& style) {
+  const DesignVerdict verdict = design_verdict(r);
+  const Tone tone = r.partial ? Tone::open : r.feasible ? Tone::good : Tone::bad;
+  return in_tone(filled("verdict  ", verdict.words, style), tone, style) + filled("because  ", verdict.because, style) +
+         filled("margins  ", verdict.margins, style) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,123 @@
+// Explains the sampling to the reader of a table.
+#include "equipoise/report/answers/sampling_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/words/text.hpp"
+#include "equipoise/study/sampling/scrambled_sobol.hpp"
+
+namespace equipoise {
+
+namespace {
+
+SamplingMethod method_of(const BasinResult& r) { return r.study.sampling.method.value_or(SamplingMethod::random); }
+
+// Digits in groups of three, for numbers of five digits or more.
+std::string grouped(double value) {
+  std::string text = fmt::format("{:.0f}", value);
+  if (text.size() < 5) return text;
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), 1, ' ');
+  return text;
+}
+
+// Rounded to `digits` significant digits.
+std::string rounded(double value, int digits) {
+  if (!(value >= 1.0)) return grouped(value);
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(value)) + 1.0 - digits));
+  return grouped(std::round(value / unit) * unit);
+}
+
+std::string points_text(const BasinResult& r) {
+  const std::uint64_t points = r.starts / sobol_replicates, rest = r.starts % sobol_replicates;
+  return fmt::format("{} x {}{}", sobol_replicates, grouped(static_cast<double>(points)),
+                     rest == 0 ? "" : fmt::format(" + {}", rest));
+}
+
+std::string choice_text(const BasinResult& r) {
+  const SamplingChoice& c = *r.choice;
+  if (c.pilot == 0) return fmt::format(words::text::random_needs_few, rounded(c.random_starts, 3));
+  if (c.method == SamplingMethod::random)
+    return fmt::format(words::text::random_needs_about, rounded(c.random_starts, 3), rounded(c.sobol_starts, 3),
+                       grouped(static_cast<double>(c.pilot)));
+  return fmt::format(words::text::sobol_needs_about, points_text(r), rounded(c.random_starts, 3));
+}
+
+std::string grid_text(const BasinResult& r) {
+  const JitteredGrid& g = *r.grid;
+  std::string text = fmt::format(words::text::jittered_grid, grouped(static_cast<double>(g.side())),
+                                 r.study.parameters.balls == 1 ? "" : fmt::format("^{}", r.study.parameters.balls));
+  text += ".\n";
+  if (g.exchange() && r.study.parameters.balls > 1)
+    text +=
+        fmt::format(words::text::cells_stand_for_all, grouped(static_cast<double>(g.cells())), grouped(g.all_cells()));
+  return text;
+}
+
+bool falls_back(const BasinResult& r) {
+  const auto wilson = [](const OutcomeShare& o) { return o.share.by == IntervalBy::wilson; };
+  const std::vector<OutcomeShare> others = r.others();
+  return std::any_of(r.attractors.begin(), r.attractors.end(), wilson) ||
+         std::any_of(others.begin(), others.end(), [&](const auto& o) { return o.id != stalled_code && wilson(o); });
+}
+
+}  // namespace
+
+std::string as_good_as(const Share& share) {
+  return share.by == IntervalBy::wilson ? "-" : rounded(share.effective_starts, 2);
+}
+
+std::string sampling_text(const BasinResult& r) {
+  std::string text;
+  if (r.own_starts) return words::text::starts_given;
+  if (method_of(r) == SamplingMethod::grid)
+    text = grid_text(r);
+  else if (r.choice)
+    text = choice_text(r);
+  else if (method_of(r) == SamplingMethod::sobol)
+    text = fmt::format(words::text::scrambled_sobol, points_text(r));
+  if (method_of(r) == SamplingMethod::random) return text;
+  text += method_of(r) == SamplingMethod::sobol ? fmt::format(words::text::intervals_by_replicates, sobol_replicates)
+                                                : std::string(words::text::intervals_by_cells);
+  if (falls_back(r)) text += words::text::wilson_at_a_dash;
+  return text + words::text::as_good_as_means;
+}
+
+nlohmann::ordered_json sampling_json(const BasinResult& r) {
+  if (r.own_starts) return {{"method", "given"}};
+  nlohmann::ordered_json json = {{"method", sampling_method_names[static_cast<std::size_t>(method_of(r))]}};
+  if (const auto drawn = drawn_instead(r.study); !drawn.empty()) json["drawn_instead_of"] = drawn;
+  if (method_of(r) == SamplingMethod::sobol) {
+    json["replicates"] = sobol_replicates;
+    json["points_per_replicate"] = r.starts / sobol_replicates;
+  }
+  if (r.grid) {
+    json["cells_a_turn"] = r.grid->side();
+    json["cells"] = r.grid->all_cells();
+    json["cells_evaluated"] = r.grid->cells();
+    json["starts_a_cell"] = 2;
+    json["exchange"] = r.grid->exchange();
+  }
+  if (r.half_width > 0.0) json["half_width"] = r.half_width;
+  if (r.choice) {
+    json["chosen"] = true;
+    json["pilot_starts"] = r.choice->pilot;
+    json["random_starts_needed"] = std::round(r.choice->random_starts);
+    if (r.choice->pilot > 0) json["sobol_starts_needed"] = std::round(r.choice->sobol_starts);
+    const std::string why = choice_text(r);
+    json["why"] = why.substr(10, why.size() - 11);  // without "Sampling: " and the end of the line
+  }
+  return json;
+}
+
+nlohmann::ordered_json precision_json(const Share& s) {
+  return {{"interval", interval_names[static_cast<std::size_t>(s.by)]},
+          {"standard_error", s.standard_error},
+          {"effective_random_starts", std::round(s.effective_starts)}};
+}
+
+}  // namespace equipoise

@@ -1,0 +1,21 @@
+// How the starts of an ensemble were sampled, in words and as JSON.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/commands/basin_result.hpp"
+
+namespace equipoise {
+
+/// Sentences for the terminal, one per line; empty for random starts that nobody chose.
+std::string sampling_text(const BasinResult& result);
+/// Equivalent number of random starts, for "as good as", with two digits: "850 000".
+std::string as_good_as(const Share& share);
+/// Method, replicates, points per replicate; a grid's cells; what was chosen, and why.
+nlohmann::ordered_json sampling_json(const BasinResult& result);
+/// Origin of an interval, its standard error, and the equivalent number of random starts.
+nlohmann::ordered_json precision_json(const Share& share);
+
+}  // namespace equipoise

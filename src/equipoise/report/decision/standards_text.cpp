@@ -1,0 +1,233 @@
+// Standards in sentences and as JSON, each figure with the standard that it is from.
+#include "equipoise/report/decision/standards_text.hpp"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/machine/balance/balance_grade.hpp"
+#include "equipoise/machine/standards/hand_arm.hpp"
+#include "equipoise/machine/standards/severity.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/grade_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/decision.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
+
+// The speed in the end, Hz.
+double turns_a_second(const BasinResult& r, const TransientGroup& group) {
+  const double speed =
+      r.study.speed.driven() && group.mean_speed ? *group.mean_speed : r.study.speed_profile().final_speed();
+  return std::fabs(speed) * r.study.scales->frequency / two_pi;
+}
+
+// What is judged: the ensemble, beside the rotor without balls; of a study without balls that rotor alone.
+struct Judged {
+  const TransientGroup& all;
+  const TransientGroup* beside;
+  bool one;  // run tells all
+};
+
+std::optional<Judged> judged(const BasinResult& r) {
+  if (!r.study.scales || !r.without_balls || r.without_balls->bare.figures.starts == 0) return std::nullopt;
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (r.study.parameters.balls == 0) return Judged{bare.figures, nullptr, bare.one};
+  if (!tells_without_balls(r)) return std::nullopt;
+  return Judged{r.transients->groups.front(), &bare.figures, false};
+}
+
+// m/s^2: of what is judged in the median and in nine of ten, and of the rotor beside it.
+struct HandArm {
+  double median, ninety;
+  std::optional<double> bare;
+};
+
+std::optional<HandArm> hand_arm(const BasinResult& r, const Judged& j) {
+  if (!r.study.standards.hand_held) return std::nullopt;
+  const auto acceleration = [&](const TransientGroup& group, std::size_t quantile) {
+    const double velocity = group.figure(&TransientRow::rms_velocity).quantiles[quantile].value;
+    return standards::hand_arm_acceleration(turns_a_second(r, group), velocity * r.study.scales->velocity());
+  };
+  HandArm arms{acceleration(j.all, 0), acceleration(j.all, 1), std::nullopt};
+  if (j.beside) arms.bare = acceleration(*j.beside, 0);
+  return arms;
+}
+
+std::string hours_text(double acceleration, double value) {
+  const double hours = standards::hours_to_exposure(acceleration, value);
+  return !(hours < 24.0) ? words::decision::over_a_day
+         : hours >= 1.0  ? fmt::format("{:.2g} h", hours)
+                         : fmt::format(words::decision::minutes, 60.0 * hours);
+}
+
+DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& study) {
+  DocumentTable table{{words::decision::hand_arm_vibration}, {}, "", false, {}};
+  std::vector<double> columns;
+  const auto add = [&](const char* title, double value) {
+    table.header.emplace_back(title);
+    columns.push_back(value);
+  };
+  add(j.one ? words::decision::no_balls : "median", a.median);
+  if (!j.one) add(words::decision::ninety_below, a.ninety);
+  if (a.bare) add(words::decision::no_balls, *a.bare);
+  const auto row = [&](const std::string& name, auto&& text) {
+    table.rows.push_back({{name, Tone::plain, false, true}});
+    for (const double value : columns) table.rows.back().push_back(number_cell(text(value)));
+  };
+  row("a_hv, m/s2", [](double v) { return fmt::format("{:.3g}", v); });
+  for (const auto& [value, name] : {std::pair{standards::exposure_action_value, words::decision::action_value},
+                                    std::pair{standards::exposure_limit_value, words::decision::limit_value}})
+    row(fmt::format(words::decision::work_until, value, name), [&, of = value](double v) { return hours_text(v, of); });
+  table.caption =
+      fmt::format(words::decision::hand_arm_caption, !study.parameters.tilts() ? words::decision::centre_of_race
+                                                     : study.bearings.empty()  ? words::decision::centre_of_mass
+                                                                               : words::decision::faster_bearing);
+  return table;
+}
+
+const standards::SeverityClass& class_of(const Study& study) {
+  return standards::severity_classes[static_cast<std::size_t>(*study.standards.severity_class)];
+}
+
+std::string bare_zone(const BasinResult& r) {
+  const TransientGroup& bare = r.without_balls->bare.figures;
+  const double velocity =
+      1000.0 * bare.figure(&TransientRow::rms_velocity_one_direction).quantiles[0].value * r.study.scales->velocity();
+  return standards::zone_names[static_cast<std::size_t>(standards::zone_of(class_of(r.study), velocity))];
+}
+
+Block severity(const BasinResult& r, const Judged& j) {
+  if (!j.all.beyond[0])
+    return Paragraph{fmt::format(words::decision::too_slow_for_zones, turns_a_second(r, j.all),
+                                 standards::lowest_severity_frequency)};
+  const auto& machine = class_of(r.study);
+  std::string caption =
+      fmt::format(words::decision::severity_caption, bare_zone(r), machine.name, machine.machines,
+                  has_directions(r.study) ? words::decision::larger_direction : words::decision::one_direction);
+  if (j.one) return Paragraph{words::decision::severity + caption};
+  DocumentTable table{{words::decision::severity_zone, words::decision::share_ends_there, words::decision::velocity},
+                      {},
+                      std::move(caption),
+                      false,
+                      {}};
+  constexpr const char* names[] = {words::decision::zone_a, words::decision::zones_a_and_b,
+                                   words::decision::zones_a_to_c};
+  for (std::size_t k = 0; k < zones; ++k)
+    table.rows.push_back(row_of("lnn", {names[k], share_with_interval(complement(*j.all.beyond[k])),
+                                        fmt::format(words::decision::up_to, machine.boundaries[k])}));
+  return table;
+}
+
+std::string sliding_text(const BasinResult& r, const Judged& j) {
+  const double level = *sliding_level(r.study), force = r.study.scales->force();
+  const TransientGroup& bare = r.without_balls->bare.figures;
+  const double without = bare.figure(&TransientRow::peak_force).quantiles[0].value;
+  const std::string share =
+      j.one ? "" : fmt::format(words::decision::slides_in, share_with_interval(*j.all.beyond[sliding]));
+  return fmt::format(words::decision::may_slide, *r.study.standards.standing_mass * r.study.scales->mass,
+                     *r.study.standards.friction, level * force, share, without * force,
+                     without > level ? j.beside ? words::decision::enough_too : words::decision::enough : "");
+}
+
+// What a grade leaves to the rotor at its speed in the end, U_per = M G/omega, and what is left on average; in kg m.
+struct Permissible {
+  double grade, unbalance, left;  // mm/s, kg m, kg m
+  double speed;                   // rad/s
+};
+
+// By the grade of [limits], or else the standard's that is met.
+std::optional<Permissible> permissible(const BasinResult& r, const Judged& j) {
+  const auto left = left_grade(j.all, r.study);
+  const double omega = two_pi * turns_a_second(r, j.all), mass = r.study.scales->mass;
+  if (!left || !(omega > 0.0)) return std::nullopt;
+  const auto& limit = r.study.limits.grade;
+  const auto grade =
+      limit ? std::optional(1e3 * *limit * r.study.scales->velocity()) : model::standard_grade_met(*left);
+  if (!grade) return std::nullopt;
+  return Permissible{*grade, 1e-3 * *grade * mass / omega, 1e-3 * *left * mass / omega, omega};
+}
+
+std::string permissible_text(const Permissible& p) {
+  return fmt::format(words::decision::permissible_unbalance, p.grade, engineering(p.speed, study::Dimension::speed),
+                     engineering(p.unbalance, study::Dimension::unbalance),
+                     engineering(p.left, study::Dimension::unbalance));
+}
+
+std::string balance_quality_text(double grade, std::optional<double> beside) {
+  if (!beside) return fmt::format(words::decision::balance_quality_alone, grade_text(grade));
+  return fmt::format(words::decision::balance_quality, grade_text(grade), grade_text(*beside));
+}
+
+}  // namespace
+
+std::vector<Block> standards_blocks(const BasinResult& r) {
+  const auto j = judged(r);
+  if (!j) return {};
+  std::vector<Block> blocks;
+  const auto allowed = permissible(r, *j);
+  if (const auto grade = left_grade(j->all, r.study))
+    if (const auto beside = j->beside ? left_grade(*j->beside, r.study) : std::nullopt; beside || !j->beside)
+      blocks.push_back(Paragraph{balance_quality_text(*grade, beside) + (allowed ? permissible_text(*allowed) : "")});
+  if (r.study.standards.severity_class) blocks.push_back(severity(r, *j));
+  if (const auto arms = hand_arm(r, *j)) blocks.push_back(hand_arm_table(*arms, *j, r.study));
+  if (j->all.beyond[sliding]) blocks.push_back(Paragraph{sliding_text(r, *j)});
+  return blocks;
+}
+
+std::string standards_text(const BasinResult& r, const TextStyle& style) {
+  const std::vector<Block> blocks = standards_blocks(r);
+  return blocks.empty() ? "" : blocks_text(blocks, style);
+}
+
+nlohmann::ordered_json standards_json(const BasinResult& r) {
+  const auto j = judged(r);
+  if (!j) return nullptr;
+  Json json = Json::object();
+  const auto grade = left_grade(j->all, r.study), bare = left_grade(r.without_balls->bare.figures, r.study);
+  if (grade && bare) {
+    if (j->beside) json["balance_quality"]["mean"] = *grade;
+    json["balance_quality"].update({{"without_balls", *bare}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}});
+    if (const auto allowed = permissible(r, *j))
+      json["permissible_unbalance"] = {{"grade", allowed->grade},
+                                       {"unbalance", 1e6 * allowed->unbalance},
+                                       {"left", 1e6 * allowed->left},
+                                       {"unit", "g mm"},
+                                       {"source", "ISO 21940-11"}};
+  }
+  if (j->all.beyond[0]) {
+    Json severity = {
+        {"class", class_of(r.study).name}, {"without_balls", bare_zone(r)}, {"source", "ISO 10816-1:1995"}};
+    for (std::size_t k = 0; k < zones; ++k)
+      severity["within"][standards::zone_names[k]] = sure_share_json(complement(*j->all.beyond[k]));
+    json["severity"] = severity;
+  }
+  if (const auto arms = hand_arm(r, *j)) {
+    const auto times = [](double a) {
+      return Json{{"acceleration", a},
+                  {"hours_to_action_value", standards::hours_to_exposure(a, standards::exposure_action_value)},
+                  {"hours_to_limit_value", standards::hours_to_exposure(a, standards::exposure_limit_value)}};
+    };
+    if (!j->one) json["hand_arm"] = {{"median", times(arms->median)}, {"at_most_in_90_percent", times(arms->ninety)}};
+    if (arms->bare || j->one) json["hand_arm"]["without_balls"] = times(arms->bare.value_or(arms->median));
+    json["hand_arm"].update({{"unit", "m/s2"}, {"source", words::decision::hand_arm_source}});
+  }
+  if (j->all.beyond[sliding])
+    json["slides"] = {{"force", *sliding_level(r.study) * r.study.scales->force()},
+                      {"unit", "N"},
+                      {"share", sure_share_json(*j->all.beyond[sliding])}};
+  return json;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,23 @@
+// What standards make of an ensemble: balance quality, severity zones, hand-arm exposure, whether the machine slides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
+
+namespace equipoise {
+
+/// Tables, and a sentence each where one says all: of a study with scales whose result tells of the rotor without
+/// balls; else empty.
+std::vector<Block> standards_blocks(const BasinResult& result);
+/// The same for the terminal, with an empty line at its end.
+std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
+/// The object "standards" of basin_json(); null where standards_text() is empty.
+nlohmann::ordered_json standards_json(const BasinResult& result);
+
+}  // namespace equipoise

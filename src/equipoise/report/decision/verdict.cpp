@@ -1,0 +1,313 @@
+// Judges an ensemble against limits and against the rotor without balls.
+#include "equipoise/report/decision/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/report/decision/times_bare.hpp"
+#include "equipoise/report/decision/verdict_json.hpp"
+#include "equipoise/core/base/percent_text.hpp"
+#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
+#include "equipoise/report/words/decision.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr std::size_t median = 0, ninety = 1;
+static_assert(reported_quantiles[median] == 0.5 && reported_quantiles[ninety] == 0.9);
+
+class Judge {
+ public:
+  explicit Judge(const BasinResult& r)
+      : r_(r),
+        with_(r.transients->groups.front()),
+        bare_(r.without_balls->bare),
+        none_(bare_.figures),
+        times_(times_bare(r)) {}
+
+  BalancerVerdict verdict(std::span<const TriedChange> tried) {
+    if (const auto& kept = with_.kept())
+      by_limits(*kept);
+    else
+      by_comparison();
+    if (const std::string below = below_resonance_words(r_.study); !below.empty()) leave_out(below);
+    verdict_.change = verdict_.leave_out                    ? words::decision::leave_it_out
+                      : verdict_.decision == Decision::fit  ? words::decision::nothing_to_change
+                      : verdict_.decision == Decision::open ? more_starts()
+                      : !tried.empty()                      ? best_words(tried)
+                                                            : words::decision::search_for_better;
+    return std::move(verdict_);
+  }
+
+ private:
+  void say(Decision decision, std::string words) {
+    verdict_.decision = decision;
+    verdict_.words = std::move(words);
+  }
+
+  void leave_out(const std::string& below) {
+    say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below));
+    verdict_.leave_out = true;
+  }
+
+  // "98.2 % (97.9 to 98.5 %)"
+  static std::string share_words(const Share& s) {
+    return fmt::format("{} ({})", percent(s.share, s.count == 0 ? 0 : digits_for(s)), interval(s));
+  }
+
+  double required() const { return r_.study.limits.share.value_or(usual_required_share); }
+
+  void by_limits(const Share& kept) {
+    const double needed = required();
+    const auto& bare = none_.kept();
+    const bool bare_keeps = bare && bare->total > 0 && (bare_.one ? bare->count > 0 : bare->least >= needed);
+    verdict_.leave_out = bare_keeps;
+    verdict_.because = fmt::format(words::decision::share_keeps_limits, share_words(kept));
+    if (with_.within[0] && with_.within[1] && kept.share < needed)
+      verdict_.because += fmt::format(words::decision::share_on_the_way_and_at_end,
+                                      percent_text(with_.within[1]->share), percent_text(with_.within[0]->share));
+    verdict_.because += bare_words(bare) + ".";
+    const std::string asked = percent_text(needed);
+    if (bare_keeps) {
+      if (kept.least >= needed)
+        say(Decision::not_needed, words::decision::not_needed);
+      else if (kept.most < needed)
+        say(Decision::do_not_fit, words::decision::do_not_fit);
+      else
+        say(Decision::not_needed, words::decision::not_needed_whatever_balls_do);
+    } else if (kept.least >= needed) {
+      if (const std::string more = larger_peaks(); !more.empty() && !bounds_the_way())
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
+      else
+        say(Decision::fit, fmt::format(words::decision::fit, asked) +
+                               (more.empty() ? "" : fmt::format(words::decision::on_the_way, more)));
+    } else if (kept.most < needed) {
+      if (worse_at_end())
+        say(Decision::do_not_fit, fmt::format(words::decision::do_not_fit_as_it_is, asked));
+      else
+        say(Decision::change, fmt::format(words::decision::change_it, asked));
+    } else {
+      say(Decision::open, fmt::format(words::decision::not_decided, asked));
+    }
+  }
+
+  // Then its peaks may be what they are.
+  bool bounds_the_way() const { return r_.study.limits.displacement || r_.study.limits.clearance; }
+
+  std::string bare_words(const std::optional<Share>& bare) const {
+    if (!bare || bare->total == 0) return "";
+    if (!bare_.one) return fmt::format(words::decision::share_without_balls, share_words(*bare));
+    return bare->count > 0 ? words::decision::rotor_alone_too : words::decision::rotor_alone_not;
+  }
+
+  void by_comparison() {
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
+    const QuantileEstimate &most = with_.sure_end_velocity[ninety], &times = times_.end_velocity[ninety];
+    const double without = none_.figure(&TransientRow::rms_velocity).quantiles[ninety].value;
+    const auto number = [&](double v) { return std::isfinite(v) ? fmt::format("{:.3g}", v * unit.size) : "?"; };
+    const std::string low = number(most.low), high = number(most.high);
+    verdict_.because = fmt::format(
+        words::decision::velocity_at_end, number(most.value), unit.name,
+        low == high ? "" : fmt::format(words::decision::interval, low, high), number(without),
+        bare_.one ? "" : fmt::format(words::decision::times_its_own_rotor, fmt::format("{:.2g}", times.value)));
+    if (times.high <= quieter_end) {
+      if (const std::string more = larger_peaks(); !more.empty())
+        say(Decision::caution, fmt::format(words::decision::fit_if_it_may_shake, more));
+      else
+        say(Decision::fit, words::decision::fit_half_the_vibration);
+    } else if (worse_at_end()) {
+      say(Decision::do_not_fit, words::decision::do_not_fit_more_vibration);
+    } else if (times.low > quieter_end) {
+      say(Decision::change, words::decision::change_too_much_vibration);
+    } else {
+      say(Decision::open, words::decision::not_decided_vibration);
+    }
+  }
+
+  bool worse_at_end() const { return times_.end_velocity[median].low > 1.0; }
+
+  // "the peak reaches 26.6 mm in one start of ten, 18.2 mm without balls"; empty if it is not surely larger.
+  std::string larger_peaks() const {
+    if (!(times_.peak.low > larger_peak)) return "";
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::length, r_.study.scales);
+    const auto most = [&](const TransientGroup& group) {
+      return group.figure(&TransientRow::peak_radial).quantiles[ninety].value * unit.size;
+    };
+    return fmt::format(words::decision::peak_and_without_balls, most(with_), unit.name, most(none_), unit.name);
+  }
+
+  // "Twice the drag: 99.5 % (98.1 to 99.9 %) of 100 starts keep every limit."
+  std::string best_words(std::span<const TriedChange> tried) const {
+    const TriedChange* best = &tried.front();
+    for (const TriedChange& t : tried)
+      if (serves_better(t, *best)) best = &t;
+    const study::ShownUnit unit = study::shown_unit(study::Dimension::velocity, r_.study.scales);
+    const std::string figure =
+        best->kept ? fmt::format(words::decision::starts_keep_limits, share_words(*best->kept), best->starts)
+                   : fmt::format(words::decision::velocity_in_most_starts, best->end_velocity.value * unit.size,
+                                 unit.name, best->starts);
+    const study::ShownUnit length = study::shown_unit(study::Dimension::length, r_.study.scales);
+    const std::string peak =
+        fmt::format(words::decision::peak_in_few_starts, best->peak.value * length.size, length.name);
+    if (best->decision == Decision::fit)
+      return fmt::format(words::decision::with_change, best->words, figure,
+                         verdict_.decision == Decision::caution ? "; " + peak : "");
+    if (best->decision == Decision::caution) {
+      const double now = with_.figure(&TransientRow::peak_radial).quantiles[ninety].value;
+      if (best->peak.high < now)
+        return fmt::format(words::decision::with_change_lower_peak, best->words, peak, best->starts);
+      return fmt::format(words::decision::no_change_lowers_peak, tried.size());
+    }
+    if (best->kept && best->kept->count == 0) return fmt::format(words::decision::no_change_keeps_limits, tried.size());
+    return fmt::format(words::decision::no_change_is_enough, tried.size(), best->words, figure);
+  }
+
+  std::string more_starts() const {
+    const Share& undecided = r_.undecided;
+    if (undecided.count > 0 && bare_.runs > 0 && bare_.stalled == bare_.runs)
+      return fmt::format(words::decision::more_torque, percent_text(undecided.share));
+    if (undecided.count > 0) return fmt::format(words::decision::longer_horizon, percent_text(undecided.share));
+    return fmt::format(words::decision::more_starts, 4 * std::max<std::uint64_t>(r_.starts, 250));
+  }
+
+  const BasinResult& r_;
+  const TransientGroup& with_;
+  const OneBodyRuns& bare_;
+  const TransientGroup& none_;
+  const TimesBare times_;
+  BalancerVerdict verdict_;
+};
+
+}  // namespace
+
+std::optional<BalancerVerdict> verdict_of(const BasinResult& r, std::span<const TriedChange> tried) {
+  if (tells_without_balls(r) && r.without_balls->bare.figures.starts > 0) return Judge(r).verdict(tried);
+  // Known before a start is.
+  const std::string below = r.transients ? below_resonance_words(r.study) : "";
+  if (below.empty()) return std::nullopt;
+  return BalancerVerdict{Decision::do_not_fit, fmt::format(words::decision::do_not_fit_because, below),
+                         words::decision::by_linear_theory, words::decision::leave_it_out, true};
+}
+
+std::optional<TriedChange> tried_change(std::string words, const BasinResult& r) {
+  const auto verdict = verdict_of(r);
+  if (!verdict) return std::nullopt;
+  const TransientGroup& all = r.transients->groups.front();
+  return TriedChange{std::move(words),
+                     r.study,
+                     r.starts,
+                     verdict->decision,
+                     all.kept(),
+                     all.sure_end_velocity[ninety],
+                     all.figure(&TransientRow::peak_radial).quantiles[ninety],
+                     r.seconds,
+                     r.cpu_seconds};
+}
+
+namespace {
+// Lower is better.
+int standing(Decision d) {
+  return d == Decision::fit || d == Decision::not_needed ? 0 : d == Decision::caution ? 1 : d == Decision::open ? 2 : 3;
+}
+}  // namespace
+
+bool serves_better(const TriedChange& a, const TriedChange& b) {
+  if (standing(a.decision) != standing(b.decision)) return standing(a.decision) < standing(b.decision);
+  if (a.decision == Decision::caution && a.peak.value != b.peak.value) return a.peak.value < b.peak.value;
+  if (a.kept && b.kept && a.kept->share != b.kept->share) return a.kept->share > b.kept->share;
+  if (a.end_velocity.value != b.end_velocity.value) return a.end_velocity.value < b.end_velocity.value;
+  return a.peak.value < b.peak.value;
+}
+
+bool may_serve_better(const TriedChange& a, const TriedChange& b) {
+  if (standing(a.decision) != standing(b.decision)) return standing(a.decision) < standing(b.decision);
+  if (a.kept && b.kept) return a.kept->high >= b.kept->low;
+  return !(a.end_velocity.low > b.end_velocity.high);
+}
+
+Tone tone_of(Decision decision) {
+  return decision == Decision::fit || decision == Decision::not_needed ? Tone::good
+         : decision == Decision::do_not_fit                            ? Tone::bad
+                                                                       : Tone::open;
+}
+
+DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> tried, std::size_t most) {
+  const auto as_it_is = tried_change(words::decision::as_it_is, r);
+  if (tried.empty() || !as_it_is) return {};
+  const bool limited = as_it_is->kept.has_value();
+  std::vector<TriedChange> order(tried.begin(), tried.end());
+  std::stable_sort(order.begin(), order.end(), serves_better);
+  if (order.size() > most) order.resize(most);
+  order.push_back(*as_it_is);
+  const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales),
+                         length = study::shown_unit(study::Dimension::length, r.study.scales);
+  DocumentTable table{
+      {"change", limited ? words::decision::keep_limits : fmt::format(words::decision::velocity_column, velocity.name),
+       fmt::format(words::decision::peak_column, length.name)},
+      {},
+      "",
+      false,
+      {}};
+  const auto number = [](const QuantileEstimate& q, const study::ShownUnit& unit) {
+    return number_cell(std::isfinite(q.value) ? fmt::format("{:.3g}", q.value * unit.size) : "-");
+  };
+  for (const TriedChange& t : order) {
+    const bool change = t.words != as_it_is->words;
+    table.rows.push_back(
+        {{t.words, change && tone_of(t.decision) == Tone::good ? Tone::good : Tone::plain, false, true},
+         limited ? number_cell(t.kept ? share_with_interval(*t.kept) : "-") : number(t.end_velocity, velocity),
+         number(t.peak, length)});
+  }
+  const auto [fewest, all] = std::minmax_element(
+      tried.begin(), tried.end(), [](const TriedChange& a, const TriedChange& b) { return a.starts < b.starts; });
+  const std::string starts = fewest->starts == all->starts
+                                 ? fmt::format(words::decision::each_on, all->starts)
+                                 : fmt::format(words::decision::on_fewer_starts, all->starts, fewest->starts);
+  table.caption =
+      fmt::format(words::decision::changes_tried, tried.size() > most ? words::decision::of : "", tried.size(), starts,
+                  limited ? words::decision::shares_and_peak : words::decision::velocity_and_peak);
+  return table;
+}
+
+std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
+  return in_tone(filled("verdict  ", v.words, style), tone_of(v.decision), style) +
+         filled("because  ", v.because, style) + filled("change   ", v.change, style) + "\n";
+}
+
+nlohmann::ordered_json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
+  nlohmann::ordered_json json = {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
+                                 {"words", v.words},
+                                 {"because", v.because},
+                                 {"change", v.change}};
+  if (tried.empty()) return json;
+  json["tried"] = nlohmann::ordered_json::array();
+  for (const TriedChange& t : tried) {
+    const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
+      const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
+      const auto shown = [&](double value) {
+        return std::isfinite(value) ? nlohmann::ordered_json(value * unit.size) : nlohmann::ordered_json(nullptr);
+      };
+      return nlohmann::ordered_json{
+          {"unit", unit.name}, {"value", shown(e.value)}, {"low", shown(e.low)}, {"high", shown(e.high)}};
+    };
+    nlohmann::ordered_json one = {
+        {"words", t.words}, {"starts", t.starts}, {"decision", decision_names[static_cast<std::size_t>(t.decision)]}};
+    if (t.kept) one["kept"] = sure_share_json(*t.kept);
+    one["rms_velocity_90"] = figure(t.end_velocity, study::Dimension::velocity);
+    one["peak_radial_90"] = figure(t.peak, study::Dimension::length);
+    one["seconds"] = t.seconds;
+    one["cpu_seconds"] = t.cpu_seconds;
+    json["tried"].push_back(one);
+  }
+  return json;
+}
+
+}  // namespace equipoise

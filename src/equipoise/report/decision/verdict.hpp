@@ -1,0 +1,83 @@
+// What an ensemble comes to for those who have to decide whether to fit the balancer: the first lines of every answer.
+// This room: the verdict, an engineer's words for what balls do, and the usual changes, each tried.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
+
+namespace equipoise {
+
+enum class Decision {
+  fit,         ///< it does what is asked
+  not_needed,  ///< so does the rotor without balls
+  caution,     ///< it does in the end, but shakes more on the way than the rotor without balls
+  change,      ///< too seldom, but it is of use
+  do_not_fit,  ///< the rotor is better off without it
+  open,        ///< too few starts, or too many undecided, to say
+};
+inline constexpr std::array<const char*, 6> decision_names{"fit",    "not_needed", "caution",
+                                                           "change", "do_not_fit", "open"};
+
+/// The least share of starts that have to keep all limits where [limits] states no `share`.
+inline constexpr double usual_required_share = 0.95;
+
+/// Judged by the limits of the study: the balancer does what is asked if the share of starts that keep all of them, on
+/// the way and at the end, surely reaches limits.share. Without limits: if in nine starts of ten the RMS velocity at
+/// the end is at most half of that without balls. Starts are compared with their own rotors
+/// (report/decision/times_bare.hpp). Peaks count as larger from a tenth on. Below the critical speed no limit or start
+/// is asked.
+struct BalancerVerdict {
+  Decision decision = Decision::open;
+  std::string words;       ///< "Fit it.", with a reason
+  std::string because;     ///< the deciding number with its interval, and that without balls
+  std::string change;      ///< the most useful change; a hint where none was tried
+  bool leave_out = false;  ///< the machine needs none, or none can help
+
+  /// Whether a change of the balancer is worth trying: not for one that does what is asked or is not judged yet.
+  bool asks_for_changes() const {
+    return !leave_out &&
+           (decision == Decision::caution || decision == Decision::change || decision == Decision::do_not_fit);
+  }
+};
+
+/// The most that a peak without balls may be exceeded, and the part of its velocity that counts as an improvement.
+inline constexpr double larger_peak = 1.1, quieter_end = 0.5;
+
+/// One change of the balancer, tried on starts of its own.
+struct TriedChange {
+  std::string words;                        ///< "twice the drag"
+  Study study;                              ///< with it
+  std::uint64_t starts = 0;                 ///< tried
+  Decision decision = Decision::open;       ///< on it
+  std::optional<Share> kept;                ///< of starts that keep every limit; empty without limits
+  QuantileEstimate end_velocity;            ///< RMS, 90 % of starts below; R omega_c
+  QuantileEstimate peak;                    ///< displacement, 90 % of starts below; R
+  double seconds = 0.0, cpu_seconds = 0.0;  ///< search included
+};
+/// What is told of a result with the change, if it can be judged.
+std::optional<TriedChange> tried_change(std::string words, const BasinResult& with_it);
+/// Whether `a` serves better: by decision, then by the share that keeps the limits, else by velocity at the end.
+bool serves_better(const TriedChange& a, const TriedChange& b);
+/// Whether more starts might show that `a` does: their intervals overlap, or its decision stands higher.
+bool may_serve_better(const TriedChange& a, const TriedChange& b);
+
+/// Empty where there is nothing to compare with: an ensemble without transients, or too small for figures. `tried`:
+/// the verdict's last line tells the best of them.
+std::optional<BalancerVerdict> verdict_of(const BasinResult& result, std::span<const TriedChange> tried = {});
+
+/// The tone in which a decision is shown.
+Tone tone_of(Decision decision);
+/// The changes that were tried, best first, at most `most` of them, and below them the balancer as it is: the share
+/// that keeps the limits, or without limits the velocity at the end, and the peak, both 90 % of starts below. Of a
+/// result that has a verdict.
+DocumentTable changes_table(const BasinResult& result, std::span<const TriedChange> tried, std::size_t most = 8);
+
+/// Three lines, "verdict  Fit it...", and the empty line after them.
+std::string verdict_text(const BalancerVerdict& verdict, const TextStyle& style = wide_style);
+
+}  // namespace equipoise

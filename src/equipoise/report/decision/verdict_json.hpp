@@ -1,0 +1,15 @@
+// A verdict as JSON. Not in verdict.hpp: installed headers need no JSON library.
+#pragma once
+
+#include <span>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/report/decision/verdict.hpp"
+
+namespace equipoise {
+
+/// The verdict's lines, and every change that was tried, in the study's shown units.
+nlohmann::ordered_json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
+
+}  // namespace equipoise

@@ -1,0 +1,97 @@
+// A report as blocks, independent of the form it takes: HTML page or Markdown.
+// This room: charts, SVG and documents: the means of drawing, no result.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace equipoise {
+
+/// The tone of a table cell, seen at a glance.
+enum class Tone { plain, good, bad, open };
+
+struct DocumentCell {
+  std::string text;
+  Tone tone = Tone::plain;
+  bool number = false;  ///< right-aligned
+  bool label = false;   ///< kept on one line where there is room
+  std::string link{};   ///< link target; may be empty
+};
+inline DocumentCell number_cell(const std::string& text) { return {text, Tone::plain, true}; }
+/// A row of plain cells, a letter each: text, number or label.
+inline std::vector<DocumentCell> row_of(const std::string& letters, const std::vector<std::string>& texts) {
+  std::vector<DocumentCell> row;
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    row.push_back({texts[k], Tone::plain, letters[k] == 'n', letters[k] == 'l'});
+  return row;
+}
+
+struct Heading {
+  int level = 2;
+  std::string text, anchor;
+};
+struct Paragraph {
+  std::string text;
+  Tone tone = Tone::plain;  ///< other than plain: in a box
+  bool lead = false;        ///< the document's main statement, in larger letters
+};
+/// The document's verdict, before everything else: a statement in a box of a tone, and lines below it, each after a
+/// word that says what it is: {"because", "98 % of starts keep every limit."}.
+struct Notice {
+  std::string text;
+  Tone tone = Tone::plain;
+  std::vector<std::array<std::string, 2>> lines;
+};
+/// Short items in columns.
+struct ItemList {
+  std::vector<std::string> items;
+};
+struct DocumentTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<DocumentCell>> rows;
+  std::string caption;
+  bool folded = false;  ///< long detail, shown on demand
+  /// Columns that a narrow screen may hide.
+  std::vector<std::size_t> spare;
+  std::size_t missed = 0;  ///< of these so many, the first, are missed: text says which of them are hidden
+};
+/// A picture drawn for the page itself (report/drawing/svg.hpp), as text in the page's own light or dark colours.
+struct Drawing {
+  std::string title, svg, text;
+  std::string colour;  ///< of an outcome, shown before the title; may be empty
+};
+/// Drawings side by side where there is room.
+struct DrawingRow {
+  std::vector<Drawing> drawings;
+  std::string caption;
+  bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
+  bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
+  bool whole = false;  ///< across the whole sheet
+  /// Name of a picture file that shows the same, without its ending, for Markdown; may be empty.
+  std::string picture{};
+};
+/// Verbatim lines, shown on demand.
+struct Listing {
+  std::string caption, text;
+};
+using Block = std::variant<Heading, Paragraph, Notice, ItemList, DocumentTable, DrawingRow, Listing>;
+
+struct Document {
+  std::string title;
+  std::vector<Block> blocks;
+  /// A sheet to take to a meeting: closely set, at most two pages of A4 if its writer keeps to that, dark on dark
+  /// screens.
+  bool sheet = false;
+};
+
+/// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.
+std::string document_html(const Document& document);
+
+/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Of drawings without a
+/// picture file only the words appear.
+std::string document_markdown(const Document& document, const std::string& pictures);
+
+}  // namespace equipoise

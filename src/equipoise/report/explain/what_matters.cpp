@@ -1,0 +1,205 @@
+// Each quantity changed by a fifth, and the oil's temperature by 10 K: what that does to capacity, to the approach to
+// balance, and to what must be overcome on the way.
+#include "equipoise/report/explain/what_matters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/report/explain/explain.hpp"
+#include "equipoise/report/explain/rules_of_thumb.hpp"
+#include "equipoise/report/words/study_check.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string time_of(const Study& s, double time) {
+  if (!s.scales) return fmt::format("{:.3g}/omega_c", time);
+  const double seconds = time * s.scales->time();
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1000.0 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+// Quantities that are estimated rather than known, as factors on a study.
+struct Estimate {
+  std::string_view name;
+  void (*scale)(model::Parameters&, double);
+};
+constexpr std::string_view drag_name = words::study_check::the_drag;
+constexpr std::array<Estimate, 5> estimates{{
+    {words::study_check::the_unbalance,
+     [](model::Parameters& p, double f) {
+       p.eccentricity *= f;
+       p.tilt.misalignment *= f;
+     }},
+    {words::study_check::the_stiffness,
+     [](model::Parameters& p, double f) {
+       for (double& kappa : p.stiffness) kappa *= f;
+       for (auto& direction : p.tilt.stiffness)
+         for (double& kappa : direction) kappa *= f;
+     }},
+    {words::study_check::the_damping,
+     [](model::Parameters& p, double f) {
+       for (double& zeta : p.damping) zeta *= f;
+       for (auto& direction : p.tilt.damping)
+         for (double& zeta : direction) zeta *= f;
+     }},
+    {drag_name,
+     [](model::Parameters& p, double f) {
+       for (double& beta : p.drag) beta *= f;
+     }},
+    {words::study_check::the_ball_mass,  // whose drag stays
+     [](model::Parameters& p, double f) {
+       for (int i = 0; i < p.balls; ++i) {
+         p.mass[static_cast<std::size_t>(i)] *= f;
+         p.drag[static_cast<std::size_t>(i)] /= f;
+       }
+     }},
+}};
+
+// What a change is judged by, each a number that is better if larger.
+struct Measures {
+  bool can_balance = false, stable = false;
+  bool unstable = false;          // known to be; of some studies neither is known
+  std::optional<double> margin;   // what the balls can cancel over what there is; none if more of it does not help
+  std::optional<double> settles;  // rate of the approach to balance
+  bool hangs = false;             // drag may leave balls below the shaft
+  std::optional<double> passes;   // drag over that below which balls may stay at the critical speed
+};
+
+// Of planes, that which has the least to spare.
+std::optional<double> margin_of(const Explanation& e) {
+  if (!e.tilt) return e.unbalance > 0.0 ? e.largest_unbalance / e.unbalance : 1.0;
+  std::optional<double> least;
+  for (const ExplainedPlane& plane : e.tilt->planes)
+    if (plane.unbalance > 0.0)
+      least = std::min(plane.most / plane.unbalance, least.value_or(plane.most / plane.unbalance));
+  const bool impossible = e.balanced.kind == model::BalancedStates::Kind::none;
+  if (impossible && least.value_or(1.0) >= 1.0) return std::nullopt;  // planes or angles are in the way, or one ball
+  return least.value_or(1.0);
+}
+
+Measures measures_of(const Study& study, const BallDetails& balls, const StopFlag* stop) {
+  const Explanation e = explain(study, balls, stop);
+  Measures m;
+  m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
+  m.margin = margin_of(e);
+  if (e.motion) {
+    m.stable = e.motion->stable;
+    m.unstable = m.can_balance && !m.stable;
+    if (e.motion->stable) m.settles = -e.motion->slowest_rate;
+  }
+  m.hangs = e.carrying && e.carrying->may_hang();
+  if (e.speed && !e.tilt) {
+    const double needed = rules::drag_against_capture(study.parameters, std::abs(*e.speed));
+    if (needed > 0.0) m.passes = rules::mean_drag(study.parameters) / needed;
+  }
+  return m;
+}
+
+// How much a change matters, and in words what it does.
+struct Effect {
+  double size = 0.0;
+  std::string words;
+};
+
+constexpr double decides = 1e3, least_decision = 0.5 * decides;  // a change from yes to no outweighs any other
+
+Effect effect_of(const Study& study, const Measures& before, const Measures& after) {
+  Effect worst;
+  const auto consider = [&](double size, std::string words) {
+    if (size > worst.size) worst = {size, std::move(words)};
+  };
+  if (before.can_balance != after.can_balance)
+    consider(2.0 * decides, after.can_balance ? words::study_check::makes_balance_possible
+                                              : words::study_check::makes_balance_impossible);
+  if (before.hangs != after.hangs)
+    consider(1.5 * decides,
+             after.hangs ? words::study_check::leaves_balls_hanging : words::study_check::carries_balls_round);
+  if (before.can_balance && after.can_balance && before.stable != after.stable)
+    consider(decides,
+             after.stable ? words::study_check::makes_balance_stable : words::study_check::makes_balance_unstable);
+  if (before.passes && after.passes && (*before.passes < 1.0) != (*after.passes < 1.0))
+    consider(least_decision, *after.passes < 1.0 ? words::study_check::drag_too_little_to_pass
+                                                 : words::study_check::drag_enough_to_pass);
+  if (before.margin && after.margin)
+    consider(std::abs(std::log(*after.margin / *before.margin)),
+             fmt::format(words::study_check::changes_capacity, *after.margin, *before.margin));
+  if (before.settles && after.settles)
+    consider(std::abs(std::log(*after.settles / *before.settles)),
+             fmt::format(words::study_check::changes_settling, time_of(study, 1.0 / *after.settles),
+                         time_of(study, 1.0 / *before.settles)));
+  return worst;
+}
+
+// One change of an estimate, and its words.
+struct Change {
+  std::string_view of;
+  const char* amount;
+  bool more;
+  bool weighed;  // by its size; else only by what it makes possible or impossible
+  Study study;
+};
+
+// What 10 K more or less make of the drag; nothing beyond the law of the oil.
+std::optional<double> drag_factor(const BallDetails& balls, double kelvin, const OilAt& oil_at) {
+  if (!balls.oil_kelvin) return std::nullopt;
+  const auto viscosity = oil_at(*balls.oil_kelvin + kelvin);
+  return viscosity ? std::optional(*viscosity / *balls.oil_viscosity) : std::nullopt;
+}
+
+std::vector<Change> changes_of(const Study& study, const BallDetails& balls, const OilAt& oil_at) {
+  constexpr double part = 0.2, kelvin = 10.0;
+  std::vector<Change> changes;
+  const auto add = [&](const Estimate& estimate, double factor, Change change) {
+    estimate.scale(change.study.parameters, factor);
+    changes.push_back(std::move(change));
+  };
+  for (const Estimate& estimate : estimates)
+    for (const double sign : {-1.0, 1.0})
+      add(estimate, 1.0 + sign * part, {estimate.name, words::study_check::a_fifth, sign > 0.0, true, study});
+  for (const double sign : {-1.0, 1.0})
+    if (const auto factor = drag_factor(balls, sign * kelvin, oil_at))
+      add(*std::find_if(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.name == drag_name; }),
+          *factor, {words::study_check::the_oil_temperature, words::study_check::ten_kelvin, sign > 0.0, false, study});
+  return changes;
+}
+
+std::string how_judged(const Study& study, const BallDetails& balls) {
+  const bool tilts = study.parameters.tilts(), weight = study.parameters.gravity > 0.0;
+  return fmt::format(
+      words::study_check::how_judged, balls.oil_kelvin ? words::study_check::and_of_the_oil : "",
+      tilts    ? weight ? words::study_check::and_by_tilt_rules_and_weight : words::study_check::and_by_tilt_rules
+      : weight ? words::study_check::and_by_plane_rules_and_weight
+               : words::study_check::and_by_plane_rules);
+}
+
+}  // namespace
+
+std::string what_matters_most(const Study& study, const BallDetails& balls, const OilAt& oil_at, const StopFlag* stop) {
+  if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
+  const Measures before = measures_of(study, balls, stop);
+  Effect worst;
+  std::string which;
+  for (const Change& change : changes_of(study, balls, oil_at)) {
+    Effect effect = effect_of(study, before, measures_of(change.study, balls, stop));
+    if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
+    worst = std::move(effect);
+    const bool stokes = balls.oil_viscosity && change.of == drag_name;
+    which = fmt::format(words::study_check::change_does, change.of, stokes ? words::study_check::of_a_formula : "",
+                        change.amount, change.more ? "more" : "less", worst.words);
+  }
+  if (is_set(stop)) return words::study_check::stopped;
+  if (before.unstable && worst.size < decides) return words::study_check::stays_unstable;
+  if (which.empty())
+    return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
+                                                           : words::study_check::stays_impossible;
+  return which + how_judged(study, balls);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,182 @@
+// Fronts, spin-ups, margins and the search itself.
+#include "equipoise/report/plots/design_charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/words/plots.hpp"
+
+namespace equipoise {
+
+namespace {
+
+double shown_value(const DesignFigure& f, double value) { return f.share ? 100.0 * value : value; }
+
+std::string figure_label(const DesignFigure& f) {
+  if (f.share) return f.name + " (%)";
+  return f.unit.empty() ? f.name : fmt::format("{} ({})", f.name, f.unit);
+}
+
+std::string unit_label(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+// Skips infinite ends of intervals, which would leave no room for the rest.
+void add_point(ChartSeries& s, double x, const DesignFigure& f, const DesignEstimate& e) {
+  if (!std::isfinite(x) || !std::isfinite(e.value)) return;
+  s.x.push_back(x);
+  s.y.push_back(shown_value(f, e.value));
+  s.low.push_back(shown_value(f, e.low));
+  s.high.push_back(shown_value(f, std::isfinite(e.high) ? e.high : e.value));
+}
+
+const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.front[*r.chosen] : nullptr; }
+
+double leading_number(const StudyValue& value) { return value.string() ? number_in(*value.string()) : value.number(); }
+
+ChartSeries limit_series(const DesignResult& r, std::size_t figure, const ChartSeries& along) {
+  ChartSeries s{words::plots::must_hold, light_colour, ChartSeries::Style::dashed, {}, {}, {}, {}};
+  for (const DesignLimit& limit : r.limits)
+    if (limit.figure == figure && !along.x.empty()) {
+      const double bound = shown_value(r.figures[figure], limit.below ? *limit.below : *limit.above);
+      s.x = {*std::min_element(along.x.begin(), along.x.end()), *std::max_element(along.x.begin(), along.x.end())};
+      s.y = {bound, bound};
+    }
+  return s;
+}
+
+}  // namespace
+
+std::vector<Chart> front_charts(const DesignResult& r) {
+  std::vector<Chart> charts;
+  if (r.objectives.size() < 2 || r.front.empty()) return charts;
+  const DesignFigure& first = r.figures[r.objectives.front()];
+  for (std::size_t g = 1; g < r.objectives.size(); ++g) {
+    const std::size_t k = r.objectives[g];
+    Chart chart{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
+    ChartSeries front{words::plots::not_beaten, dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
+    ChartSeries best{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
+    ChartSeries before{words::design::as_given, "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
+    for (std::size_t m = 0; m < r.front.size(); ++m) {
+      const DesignSample& s = r.front[m].best_known();
+      if (s.figures.empty()) continue;
+      const double x = shown_value(first, s.figures[r.objectives.front()].value);
+      add_point(front, x, r.figures[k], s.figures[k]);
+      if (r.chosen == m) add_point(best, x, r.figures[k], s.figures[k]);
+    }
+    if (r.before && !r.before->figures.empty())
+      add_point(before, shown_value(first, r.before->figures[r.objectives.front()].value), r.figures[k],
+                r.before->figures[k]);
+    chart.series = {front, best};
+    if (!before.x.empty()) chart.series.push_back(before);
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+std::vector<Chart> spin_up_charts(const DesignResult& r) {
+  const DesignCandidate* best = chosen_of(r);
+  if (!best) return {};
+  for (std::size_t k = 0; k < r.variables.size(); ++k) {
+    const auto& shape = r.variables[k].spin_up;
+    if (!shape) continue;
+    const StudyValue& value = best->settings[k].value;
+    if (!value.find("times")) return {};  // of the study itself
+    ChartSeries speeds{"speed", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    for (const StudyValue& t : *value.find("times")->array()) speeds.x.push_back(leading_number(t));
+    for (const StudyValue& s : *value.find("speeds")->array()) speeds.y.push_back(leading_number(s));
+    const double top = *std::max_element(speeds.y.begin(), speeds.y.end());
+    speeds.x.push_back(1.1 * shape->until);
+    speeds.y.push_back(speeds.y.back());
+    Chart chart{
+        "",      unit_label("time", shape->time_unit), unit_label("speed", r.variables[k].unit), false, false, true,
+        {speeds}};
+    for (const DesignSetting& s : best->settings) {
+      if (s.key != "release.time") continue;
+      const double t = leading_number(s.value);
+      chart.series.push_back(
+          {words::plots::balls_let_go, light_colour, ChartSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
+    }
+    return {chart};
+  }
+  return {};
+}
+
+std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
+  std::vector<Chart> charts;
+  const DesignCandidate* best = chosen_of(r);
+  if (!best) return charts;
+  // A variable that is itself the objective tells nothing about others; the requirements do.
+  const auto is_variable = [&](const DesignFigure& f) {
+    return std::any_of(r.variables.begin(), r.variables.end(),
+                       [&](const DesignVariable& v) { return f.name == v.key || f.name == "-" + v.key; });
+  };
+  std::size_t k = r.objectives.front();
+  for (std::size_t other = 0; other < r.figures.size() && is_variable(r.figures[k]); ++other)
+    if (!is_variable(r.figures[other])) k = other;
+  for (const DesignMargin& m : r.margins) {
+    if (charts.size() == most) break;
+    const bool words = std::any_of(m.points.begin(), m.points.end(),
+                                   [](const DesignPoint& p) { return p.given.front() == '"' && p.value == 0.0; });
+    if (m.points.empty() || words) continue;
+    ChartSeries series{r.figures[k].name, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    bool here = false;
+    for (const DesignPoint& p : m.points) {
+      if (!here && p.value > m.value) add_point(series, m.value, r.figures[k], m.here.figures[k]), here = true;
+      if (!p.sample.figures.empty()) add_point(series, p.value, r.figures[k], p.sample.figures[k]);
+    }
+    if (!here) add_point(series, m.value, r.figures[k], m.here.figures[k]);
+    ChartSeries chosen{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
+    add_point(chosen, m.value, r.figures[k], m.here.figures[k]);
+    Chart chart{
+        "", unit_label(margin_name(m.key), m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};
+    if (ChartSeries limit = limit_series(r, k, series); !limit.x.empty()) chart.series.push_back(std::move(limit));
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+std::vector<Chart> history_charts(const DesignResult& r) {
+  const DesignFigure& first = r.figures[r.objectives.front()];
+  ChartSeries series{words::plots::best_so_far, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  for (const DesignStep& step : r.history) {
+    if (step.violation > 0.0 || !std::isfinite(step.value)) continue;
+    if (!series.y.empty()) {  // as good until then
+      series.x.push_back(static_cast<double>(step.trajectories));
+      series.y.push_back(series.y.back());
+    }
+    series.x.push_back(static_cast<double>(step.trajectories));
+    series.y.push_back(shown_value(first, step.value));
+  }
+  if (series.x.empty()) return {};
+  series.x.push_back(static_cast<double>(r.trajectories));
+  series.y.push_back(series.y.back());
+  return {{"", words::plots::trajectories_followed, figure_label(first), false, true, false, {series}}};
+}
+
+std::vector<Chart> design_charts(const DesignResult& r) {
+  constexpr std::size_t most = 4;
+  std::vector<Chart> charts = front_charts(r);
+  for (Chart& chart : spin_up_charts(r)) charts.push_back(std::move(chart));
+  if (charts.size() < most)
+    for (Chart& chart : margin_charts(r, most - charts.size())) charts.push_back(std::move(chart));
+  if (charts.empty()) charts = history_charts(r);
+  if (charts.size() > most) charts.resize(most);
+  return charts;
+}
+
+std::string design_title(const DesignResult& r) {
+  std::string wanted;
+  for (const std::size_t k : r.objectives)
+    wanted += fmt::format("{}{} {}", wanted.empty() ? "" : ", ", r.figures[k].up ? "more" : "less",
+                          r.figures[k].name.substr(r.figures[k].name.front() == '-' ? 1 : 0));
+  return fmt::format(words::plots::design_for, wanted, r.partial ? words::plots::partial_early : "");
+}
+
+}  // namespace equipoise

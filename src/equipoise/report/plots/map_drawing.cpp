@@ -1,0 +1,126 @@
+// Pixels as a picture in axes, limits of balance, legend.
+#include "equipoise/report/plots/map_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/plots/map_words.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
+#include "equipoise/report/words/pages.hpp"
+#include "equipoise/report/words/plots.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Angles of balls in parts of a turn, quantities in the unit that suits the largest value, others as in pictures.
+AxisWords words_for(const Study& study, const SliceAxis& axis) {
+  if (axis.angle()) {
+    const std::string label = axis_label(axis.key);
+    return {label.substr(0, label.find(" (rad)")) + " / π", 1.0 / pi};
+  }
+  const double largest = std::max(std::fabs(axis.low), std::fabs(axis.high));
+  if (const auto unit = study.scales ? study::unit_of(study, axis.key) : std::nullopt)
+    return PageQuantities(study).axis(key_words(axis.key), largest, unit->dimension);
+  return {axis_label(axis.key), 1.0};
+}
+
+std::string words_of(const Study& study, const SliceAxis& axis) {
+  const AxisWords words = words_for(study, axis);
+  return fmt::format(words::plots::axis_from_to, words.label, axis.low * words.factor, axis.high * words.factor);
+}
+
+// Blocks that were filled in have no times.
+bool shows_times(const BasinSlice& map) { return map.block == 0; }
+
+// Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and
+// at least half as bright, so that the legend's colour is recognised.
+class Shade {
+ public:
+  explicit Shade(const BasinSlice& map) : map_(map) {
+    if (!shows_times(map)) return;
+    for (std::size_t k = 0; k < map.code.size(); ++k)
+      if (map.code[k] > 0 && std::isfinite(map.time[k])) outcomes_[map.code[k]].times.push_back(map.time[k]);
+    for (auto& [code, outcome] : outcomes_) {
+      std::sort(outcome.times.begin(), outcome.times.end());
+      for (std::size_t k = 0; k < shades; ++k)
+        outcome.colours[k] = mixed_colour(colour_of(code), "#000000", 0.5 * static_cast<double>(k) / shades);
+    }
+  }
+
+  std::string colour(std::size_t pixel) const {
+    const short code = map_.code[pixel];
+    if (code == not_computed_code) return "#ffffff";
+    const auto found = outcomes_.find(code);
+    if (found == outcomes_.end() || !std::isfinite(map_.time[pixel])) return colour_of(code);
+    const auto& [times, colours] = found->second;
+    const auto rank = std::lower_bound(times.begin(), times.end(), map_.time[pixel]) - times.begin();
+    return colours[static_cast<std::size_t>(rank) * shades / times.size()];
+  }
+
+ private:
+  static constexpr std::size_t shades = 8;
+  struct Outcome {
+    std::vector<float> times;
+    std::array<std::string, shades> colours;
+  };
+  const BasinSlice& map_;
+  std::map<short, Outcome> outcomes_;
+};
+
+Raster raster_of(const BasinSlice& map) {
+  const Shade shade(map);
+  Raster raster{static_cast<std::size_t>(map.x.pixels), static_cast<std::size_t>(map.y.pixels), {}, {}};
+  for (int row = map.y.pixels - 1; row >= 0; --row)
+    for (int column = 0; column < map.x.pixels; ++column) raster.add(shade.colour(map.at(column, row)));
+  return raster;
+}
+
+std::string map_svg(const BasinSlice& map) {
+  std::vector<LegendEntry> legend;
+  for (const OutcomeShare& c : map.codes)
+    if (c.share.count > 0)
+      legend.push_back({{"", colour_of(c.id)}, fmt::format("{}, {}", legend_of(c), part_words(c.share.share))});
+  const std::vector<Border> borders{
+      {zero_line(map, map.balance_margin), {"#000000", "", 1.5, 1.0, true}, words::plots::balance_ends},
+      {zero_line(map, map.balance_growth), {"#000000", "", 1.5}, words::plots::balance_changes}};
+  add_to_legend(legend, borders);
+  Svg svg(drawing_width, below_plane, words::plots::outcome_at_points);
+  const SvgAxes axes(svg, plane_top_left, plane_bottom_right, {map.x.low, map.x.high}, {map.y.low, map.y.high},
+                     words_for(map.study, map.x), words_for(map.study, map.y));
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(map)));  // over the grid
+  draw_borders(svg, axes, borders);
+  draw_legend(svg, legend);
+  return svg.str();
+}
+
+}  // namespace
+
+DrawingRow map_drawing(const BasinSlice& whole) {
+  const BasinSlice map = thinned(whole, most_drawn_pixels);
+  DrawingRow row;
+  row.wide = true;
+  row.drawings.push_back({"", map_svg(map), "", ""});
+  row.caption = fmt::format(words::pages::start_at_every_point, words_of(map.study, map.x), words_of(map.study, map.y),
+                            fixed_angles_text(map));
+  if (shows_times(map)) row.caption += words::pages::darker_is_later;
+  if (map.every > 1) row.caption += fmt::format(words::pages::one_of_points, map.every);
+  return row;
+}
+
+std::string map_plot(const BasinSlice& map, const std::string& title) {
+  return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), map_making_text(map)}, map_drawing(map));
+}
+
+}  // namespace equipoise

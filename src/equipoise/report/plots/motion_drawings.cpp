@@ -1,0 +1,147 @@
+// A motion in two views.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/plots/drawings.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/words/plots.hpp"
+
+namespace equipoise {
+
+namespace {
+
+constexpr SvgPoint race_centre{80.0, 84.0}, rest_place{246.0, 84.0};
+constexpr double race = 60.0, field = 66.0;  // radii
+
+// Scale of the ring around the centre's path: enough for all motions, and for a fifth of the eccentricity. Below that a
+// rotor counts as balanced in any drawing.
+double ring_radius(const MachinePage& page) {
+  double reach = 0.2 * page.basin.study.parameters.eccentricity;
+  for (const DrawnMotion& m : page.motions) reach = std::max(reach, m.r_max);
+  const double unit = page.basin.study.scales ? page.basin.study.scales->length : 1.0;
+  return round_up(std::max(reach, 1e-12) * unit) / unit;
+}
+
+// Radius of the ball; a clearly visible one if the study gives no size.
+double ball_pixels(const model::Parameters& p, std::size_t i) {
+  double radius = 0.0;
+  if (p.ball_radius[i] > 0.0)
+    radius = p.ball_radius[i];
+  else if (p.balls_collide())
+    radius = std::sin(0.5 * p.contact_angle);
+  return radius > 0.0 ? std::clamp(radius * race, 4.0, 16.0) : 7.0;
+}
+
+SvgPoint on_race(double angle, double radius) {
+  return {race_centre.x + radius * std::cos(angle), race_centre.y - radius * std::sin(angle)};
+}
+
+// Places of the races along the shaft, the farthest to the front first; one for a rotor that does not tilt.
+std::vector<double> planes_of(const model::Parameters& p) {
+  std::vector<double> planes(p.tilt.plane.begin(), p.tilt.plane.begin() + p.balls);
+  std::sort(planes.rbegin(), planes.rend());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  return planes;
+}
+
+// Races in different planes are drawn inside each other.
+double race_radius(const std::vector<double>& planes, std::size_t k) {
+  constexpr double inmost = 0.4;
+  return race * (1.0 - (1.0 - inmost) * static_cast<double>(k) / static_cast<double>(planes.size()));
+}
+double race_of_ball(const model::Parameters& p, std::size_t ball) {
+  const std::vector<double> planes = planes_of(p);
+  return race_radius(
+      planes, static_cast<std::size_t>(std::find(planes.begin(), planes.end(), p.tilt.plane[ball]) - planes.begin()));
+}
+
+void draw_race(Svg& svg, const model::Parameters& p) {
+  const std::vector<double> planes = planes_of(p);
+  for (std::size_t k = 0; k < std::max<std::size_t>(planes.size(), 1); ++k)
+    svg.circle(race_centre, planes.empty() ? race : race_radius(planes, k), {rule_colour, "", 5.0});
+  svg.line({race_centre.x - 4.0, race_centre.y}, {race_centre.x + 4.0, race_centre.y}, {quiet_ink, ""});
+  svg.line({race_centre.x, race_centre.y - 4.0}, {race_centre.x, race_centre.y + 4.0}, {quiet_ink, ""});
+  if (p.tilts()) return;  // each plane has a heavy side of its own
+  // The heavy side is on the right.
+  const double from = race_centre.x + 0.48 * race, to = race_centre.x + 0.72 * race;
+  svg.path({{to, race_centre.y}, {from, race_centre.y - 7.0}, {from, race_centre.y + 7.0}}, {"", quiet_ink}, true);
+}
+
+double place_of(const BallOnMotion& ball) { return ball.drift != 0.0 ? ball.place : 0.5 * (ball.low + ball.high); }
+
+bool coincide(const BallOnMotion& a, const BallOnMotion& b) {
+  constexpr double seen = 0.02;  // rad, a pixel on the race
+  return std::fabs(wrapped(place_of(a) - place_of(b))) < seen;
+}
+bool coincide(const model::Parameters& p, const std::vector<BallOnMotion>& balls, std::size_t i, std::size_t k) {
+  return p.tilt.plane[i] == p.tilt.plane[k] && coincide(balls[i], balls[k]);
+}
+
+void draw_balls(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
+  const std::string colour = colour_of(motion.id);
+  const model::Parameters& p = page.basin.study.parameters;
+  const bool several = motion.balls.size() > 1;
+  for (std::size_t i = 0; i < motion.balls.size(); ++i) {
+    const BallOnMotion& ball = motion.balls[i];
+    const double radius = race_of_ball(p, i);
+    constexpr double arrow = 1.0, least_way = 0.03;
+    if (ball.drift != 0.0)
+      svg.arc(race_centre, radius, ball.place, ball.place + std::copysign(arrow, ball.drift), {colour, "", 3.0}, true);
+    else if (ball.high - ball.low > least_way)
+      svg.arc(race_centre, radius, ball.low, ball.high, {colour, "", 6.0, 0.45});
+  }
+  for (std::size_t i = 0; i < motion.balls.size(); ++i) {
+    const double size = ball_pixels(p, i);
+    const SvgPoint at = on_race(place_of(motion.balls[i]), race_of_ball(p, i));
+    svg.circle(at, size, {"var(--paper)", colour, 1.2});
+    // Balls that travel as one carry all their numbers.
+    std::string number;
+    for (std::size_t k = 0; k < motion.balls.size(); ++k)
+      if (k == i || coincide(p, motion.balls, i, k)) number += fmt::format("{}{}", number.empty() ? "" : "+", k + 1);
+    if (several && size >= 6.0)
+      svg.text({at.x, at.y + (number.size() > 1 ? 2.3 : 3.2)}, number, SvgAnchor::middle, "#ffffff",
+               number.size() > 1 ? 6.5 : 9.0);
+  }
+}
+
+void draw_centre(Svg& svg, const MachinePage& page, const DrawnMotion& motion) {
+  const double ring = ring_radius(page);
+  svg.circle(rest_place, field, {rule_colour, "", 1.0});
+  const auto& limit = page.basin.study.limits.displacement;
+  if (limit && *limit < ring) svg.circle(rest_place, field * *limit / ring, {limit_colour, "", 1.2, 1.0, true});
+  svg.line({rest_place.x - 3.0, rest_place.y}, {rest_place.x + 3.0, rest_place.y}, {quiet_ink, "", 0.8});
+  svg.line({rest_place.x, rest_place.y - 3.0}, {rest_place.x, rest_place.y + 3.0}, {quiet_ink, "", 0.8});
+  std::vector<SvgPoint> way;
+  double reach = 0.0;
+  for (std::size_t k = 0; k < motion.x.size(); ++k) {
+    way.push_back({rest_place.x + field * motion.x[k] / ring, rest_place.y - field * motion.y[k] / ring});
+    reach = std::max(reach, std::hypot(motion.x[k], motion.y[k]));
+  }
+  constexpr double dot = 2.5;  // pixels
+  if (reach / ring * field < dot)
+    svg.circle(rest_place, dot, {"", colour_of(motion.id)});
+  else
+    svg.path(way, {colour_of(motion.id), "", 1.1});
+  const PageQuantities shown(page.basin.study);
+  svg.text({rest_place.x, rest_place.y + field + 14.0}, "ring: " + shown.text(ring, study::Dimension::length),
+           SvgAnchor::middle, quiet_ink);
+}
+
+}  // namespace
+
+std::string motion_svg(const MachinePage& page, const DrawnMotion& motion) {
+  const model::Parameters& p = page.basin.study.parameters;
+  Svg svg(330.0, 170.0, motion.name + (p.tilts() ? words::plots::balls_and_shaft : words::plots::balls_and_centre));
+  draw_race(svg, p);
+  draw_balls(svg, page, motion);
+  draw_centre(svg, page, motion);
+  svg.text({race_centre.x, rest_place.y + field + 14.0}, planes_of(p).size() > 1 ? "races" : "race", SvgAnchor::middle,
+           quiet_ink);
+  return svg.str();
+}
+
+}  // namespace equipoise

@@ -1,0 +1,223 @@
+// Stacked areas, heat maps, peaks along a parameter.
+#include "equipoise/report/plots/sweep_drawings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/svg.hpp"
+#include "equipoise/report/plots/sweep_layers.hpp"
+#include "equipoise/report/words/pages.hpp"
+#include "equipoise/report/words/plots.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// Indices of the values in rising order.
+std::vector<std::size_t> rising(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+// The finished cells of a sweep along one axis, by value.
+std::vector<std::size_t> cells_along(const SweepResult& r) {
+  std::vector<std::size_t> cells;
+  for (const std::size_t k : rising(r.axes.front().parameters.front().values))
+    if (r.cells[k]) cells.push_back(k);
+  return cells;
+}
+
+// A quantile of a cell's peak displacements with finite ends: with few starts the interval ends at the largest.
+QuantileEstimate peak_quantile(const SweepResult& r, std::size_t cell, std::size_t quantile) {
+  const SampleSummary& figure = r.cells[cell]->transients->figure(&TransientRow::peak_radial);
+  QuantileEstimate estimate = figure.quantiles[quantile];
+  if (!std::isfinite(estimate.high)) estimate.high = figure.largest;
+  return estimate;
+}
+
+// Cells of a table, with labels for rows and columns where they fit.
+struct HeatGrid {
+  SvgPoint top_left{58.0, 10.0}, bottom_right{416.0, 236.0};
+  std::size_t columns, rows;
+
+  double width() const { return (bottom_right.x - top_left.x) / static_cast<double>(columns); }
+  double height() const { return (bottom_right.y - top_left.y) / static_cast<double>(rows); }
+  SvgPoint corner(std::size_t column, std::size_t row) const {  // rows from below
+    return {top_left.x + width() * static_cast<double>(column),
+            bottom_right.y - height() * static_cast<double>(row + 1)};
+  }
+};
+
+constexpr double letter = 6.4;  // wide
+
+std::vector<std::string> heat_labels(const SweepParameter& p, const std::vector<std::size_t>& order) {
+  std::vector<std::string> labels;
+  labels.reserve(order.size());
+  for (const std::size_t k : order) labels.push_back(fmt::format("{:.4g}", p.values[k]));
+  return labels;
+}
+
+// Labels every k-th value, so that labels do not overlap.
+void label_grid(Svg& svg, const HeatGrid& grid, const std::vector<std::string>& x, const std::vector<std::string>& y) {
+  std::size_t longest = 1;
+  for (const std::string& label : x) longest = std::max(longest, label.size());
+  const auto every = [](double needed, double room) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(needed / room)));
+  };
+  const std::size_t every_x = every(letter * static_cast<double>(longest + 1), grid.width());
+  const std::size_t every_y = every(13.0, grid.height());
+  for (std::size_t k = 0; k < x.size(); k += every_x)
+    svg.text({grid.corner(k, 0).x + 0.5 * grid.width(), grid.bottom_right.y + 14.0}, x[k], SvgAnchor::middle,
+             quiet_ink);
+  for (std::size_t k = 0; k < y.size(); k += every_y)
+    svg.text({grid.top_left.x - 5.0, grid.corner(0, k).y + 0.5 * grid.height() + 4.0}, y[k], SvgAnchor::end, quiet_ink);
+}
+
+void draw_scale(Svg& svg, double top) {
+  constexpr double left = 130.0, right = 344.0;
+  constexpr int steps = 40;
+  for (int k = 0; k < steps; ++k) {
+    const double from = left + (right - left) * k / steps;
+    svg.rectangle({from, top}, (right - left) / steps + 0.5, 9.0, {"", heat_colour((k + 0.5) / steps)});
+  }
+  svg.text({left - 6.0, top + 9.0}, "balanced: 0 %", SvgAnchor::end, quiet_ink);
+  svg.text({right + 6.0, top + 9.0}, "100 %", SvgAnchor::start, quiet_ink);
+}
+
+void draw_cell(Svg& svg, const HeatGrid& grid, SvgPoint corner, double share) {
+  // Slightly larger than the cell, so that the page does not show through between neighbours.
+  svg.rectangle(corner, grid.width() + 0.3, grid.height() + 0.3, {"", heat_colour(share)});
+  constexpr double least_width = 22.0, least_height = 11.0, light = 0.55;
+  if (grid.width() < least_width || grid.height() < least_height) return;
+  svg.text({corner.x + 0.5 * grid.width(), corner.y + 0.5 * grid.height() + 3.5}, fmt::format("{:.0f}", 100.0 * share),
+           SvgAnchor::middle, share > light ? "#000000" : "#ffffff", 10.0);
+}
+
+std::string stacked_svg(const SweepResult& r) {
+  const std::vector<SweepLayer> layers = sweep_layers(r);
+  const std::vector<std::size_t> cells = cells_along(r);
+  std::vector<LegendEntry> entries;
+  for (const SweepLayer& layer : layers) entries.push_back({{"", layer.colour}, layer.name});
+  if (!cells.empty())
+    entries.push_back({{"#1b1f24", "", 1.5}, words::plots::balanced_interval, LegendEntry::Mark::line});
+  Svg svg(drawing_width, drawing_height, words::plots::shares_along);
+  const SweepParameter& p = r.axes.front().parameters.front();
+  std::vector<double> x, sum(cells.size(), 0.0);
+  for (const std::size_t k : cells) x.push_back(p.values[k]);
+  const bool lone = x.size() == 1;
+  const AxisExtent across = x.empty() ? AxisExtent() : widened(AxisExtent{x.front(), x.back()}, lone ? 0.0 : 0.02);
+  SvgAxes axes(svg, drawing_top_left, drawing_bottom_right, across, {0.0, 100.0}, {sweep_axis_label(p)},
+               {words::plots::share_of_starts});
+  for (const SweepLayer& layer : layers) {
+    std::vector<double> next = sum;
+    for (std::size_t i = 0; i < cells.size(); ++i) next[i] += 100.0 * layer.share[cells[i]];
+    if (lone)
+      axes.bar(across.low, across.high, sum[0], next[0], {"", layer.colour});
+    else
+      axes.band(x, sum, next, {layer.colour, layer.colour, 0.4});
+    sum = next;
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Share& balanced = r.cells[cells[i]]->outcomes.front().share;
+    // Dark on light: visible on any layer.
+    for (const SvgPen& pen : {SvgPen{"#ffffff", "", 3.2, 0.8}, SvgPen{"#1b1f24", "", 1.5}})
+      svg.line(axes.at(x[i], 100.0 * balanced.low), axes.at(x[i], 100.0 * balanced.high), pen);
+  }
+  draw_legend(svg, entries);
+  return svg.str();
+}
+
+std::string heat_svg(const SweepResult& r, std::size_t first) {
+  const SweepParameter& y = r.axes[r.axes.size() - 2].parameters.front();
+  const SweepParameter& x = r.axes.back().parameters.front();
+  const std::vector<std::size_t> columns = rising(x.values), rows = rising(y.values);
+  HeatGrid grid{.columns = columns.size(), .rows = rows.size()};
+  constexpr double scale_top = 282.0;
+  Svg svg(drawing_width, scale_top + 16.0, words::plots::share_over_two);
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (const auto& cell = r.cells[first + rows[j] * columns.size() + columns[i]])
+        draw_cell(svg, grid, grid.corner(i, j), cell->outcomes.front().share.share);
+  label_grid(svg, grid, heat_labels(x, columns), heat_labels(y, rows));
+  svg.text({0.5 * (grid.top_left.x + grid.bottom_right.x), grid.bottom_right.y + 31.0}, sweep_axis_label(x),
+           SvgAnchor::middle, quiet_ink);
+  svg.text_upwards({11.0, 0.5 * (grid.top_left.y + grid.bottom_right.y)}, sweep_axis_label(y));
+  draw_scale(svg, scale_top);
+  return svg.str();
+}
+
+// One table for each value of the first axis.
+void add_heat_maps(DrawingRow& row, const SweepResult& r) {
+  const SweepParameter& outer = r.axes.front().parameters.front();
+  const std::size_t cells = r.cells.size() / outer.values.size();
+  constexpr std::size_t most = 12;
+  for (std::size_t k = 0; k < std::min(outer.values.size(), most); ++k)
+    row.drawings.push_back(
+        {key_words(outer.key) + " " + value_words(outer.key, outer.given[k]), heat_svg(r, k * cells), "", ""});
+  if (outer.values.size() > most)
+    row.caption += fmt::format(words::pages::more_not_drawn, outer.values.size() - most, key_words(outer.key));
+}
+
+}  // namespace
+
+DrawingRow sweep_drawing(const SweepResult& r) {
+  DrawingRow row;
+  row.wide = r.axes.size() < 3;
+  row.large = !row.wide;
+  row.caption = r.axes.size() == 1 ? words::pages::stacked_caption : words::pages::balanced_share_of_cells;
+  if (r.axes.size() == 1)
+    row.drawings.push_back({"", stacked_svg(r), "", ""});
+  else if (r.axes.size() == 2)
+    row.drawings.push_back({"", heat_svg(r, 0), "", ""});
+  else
+    add_heat_maps(row, r);
+  return row;
+}
+
+std::string sweep_plot(const SweepResult& r, const std::string& title) {
+  return plot_file(title,
+                   {parameters_text(r.study, keys_of(r.axes)) + (r.complete() ? "" : words::plots::partial_cells)},
+                   sweep_drawing(r));
+}
+
+std::optional<Chart> peak_chart(const SweepResult& r) {
+  if (!r.transients || r.axes.size() != 1) return std::nullopt;
+  const std::vector<std::size_t> cells = cells_along(r);
+  const SweepParameter& p = r.axes.front().parameters.front();
+  const TransientFigure& figure = transient_figures[figure_place(&TransientRow::peak_radial)];
+  double largest = r.study.limits.displacement.value_or(0.0);
+  for (const std::size_t cell : cells) largest = std::max(largest, peak_quantile(r, cell, 1).high);
+  const AxisWords words = PageQuantities(r.study).axis(figure.title, largest, *figure.dimension);
+  Chart chart{"", sweep_axis_label(p), words.label, false, false, true, {}};
+  const auto add = [&](std::size_t quantile, const char* name, const char* colour) {
+    ChartSeries series{name, colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    for (const std::size_t cell : cells) {
+      const QuantileEstimate estimate = peak_quantile(r, cell, quantile);
+      series.x.push_back(p.values[cell]);
+      series.y.push_back(estimate.value * words.factor);
+      series.low.push_back(estimate.low * words.factor);
+      series.high.push_back(estimate.high * words.factor);
+    }
+    chart.series.push_back(std::move(series));
+  };
+  add(0, "median", dark_colour);
+  add(1, words::plots::most_stay_below, light_colour);
+  if (const auto& limit = r.study.limits.displacement; limit && !cells.empty()) {
+    const double at = *limit * words.factor;
+    const std::vector<double> ends{p.values[cells.front()], p.values[cells.back()]};
+    chart.series.push_back({"limit", limit_colour, ChartSeries::Style::dashed, ends, {at, at}, {}, {}});
+  }
+  return chart;
+}
+
+}  // namespace equipoise

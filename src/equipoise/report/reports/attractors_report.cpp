@@ -1,0 +1,202 @@
+// Attractors as text and as JSON.
+#include "equipoise/report/reports/attractors_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/left_unbalance.hpp"
+#include "equipoise/report/text/motion_words.hpp"
+#include "equipoise/report/text/note_text.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The smallest share that is missed with a probability of at most `miss`.
+double detection_limit(std::uint64_t starts, double miss) {
+  return starts == 0 ? 1.0 : -std::expm1(std::log(miss) / static_cast<double>(starts));
+}
+
+constexpr double least_miss = 1e-9;
+
+std::uint64_t decided_starts(const AttractorsResult& r) {
+  std::uint64_t count = 0;
+  for (const OutcomeShare& a : r.basin.attractors) count += a.share.count;
+  return count;
+}
+
+Json attractor_json(const Attractor& a, const OutcomeShare& share, const Study& study) {
+  const Motion& m = a.motion;
+  Json json = motion_json(a, study);
+  if (!share.unbalance.empty()) json["left_unbalance"] = left_unbalance_json(share, study);
+  json["share"] = share.share.share;
+  json["share_interval"] = {share.share.low, share.share.high};
+  json["starts"] = share.share.count;
+  json["state"] = std::vector<double>(m.state.data(), m.state.data() + m.state.size());
+  return json;
+}
+
+const OutcomeShare& share_of(const AttractorsResult& r, int id) {
+  return *std::find_if(r.basin.attractors.begin(), r.basin.attractors.end(),
+                       [&](const OutcomeShare& s) { return s.id == id; });
+}
+
+// How rare an attractor may be and still be missed: only decided starts tell.
+std::string search_text(const AttractorsResult& r) {
+  const std::uint64_t decided = decided_starts(r), starts = r.basin.starts, undecided = r.basin.undecided.count;
+  std::string text = fmt::format(words::reports::starts_searched, starts, decided);
+  if (decided > 0) text += fmt::format(words::reports::missed_with_probability, detection_limit(decided, least_miss));
+  text += ".\n";
+  if (undecided > 0)
+    text += fmt::format(words::reports::undecided_may_hide,
+                        percent(r.basin.undecided.share, digits_for(r.basin.undecided)));
+  return text;
+}
+
+// What a motor does on a motion: mean speed and how far it wavers to either side, torque, power.
+std::vector<std::string> motor_texts(const Motion& m, const TableUnits& units) {
+  if (!m.motor) return std::vector<std::string>(4, "-");
+  const MotorLoad& load = *m.motor;
+  const double waver = 0.5 * (load.speed_max - load.speed_min);
+  return {fmt::format("{:.5f}", m.speed * units.speed + 0.0), fmt::format("{:.5f}", waver * units.speed),
+          fmt::format("{:.5g}", load.torque * units.torque), fmt::format("{:.5g}", load.power * units.power)};
+}
+
+// In rpm four digits are enough, to 1e-4.
+std::string drift_text(double drift, bool physical) {
+  return physical ? fmt::format("{:.4g}", std::round(1e4 * drift) * 1e-4 + 0.0) : fmt::format("{:.4f}", drift + 0.0);
+}
+
+// "locked: 1|2 touch." or "drifting apart: 1|2 strike, 1|2 strike in one period."
+std::string events_text(const Attractor& a, int balls) {
+  const Motion& m = a.motion;
+  if (!m.eventful) return "";
+  constexpr std::size_t most = 12;
+  std::vector<BallEvent> first = m.events;
+  const bool periodic = m.kind == MotionKind::periodic;
+  if (first.size() > most) first.resize(most);
+  std::string text = text_of(m.mode, balls);
+  if (!first.empty())
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : "; then ", text_of(first),
+                        first.size() < m.events.size() ? ", ..." : "",
+                        periodic ? words::reports::in_one_period : words::reports::never_the_same_again);
+  return text.empty() ? "" : fmt::format("{}: {}.\n", a.name, text);
+}
+
+// Meaning of the columns for a rotor whose equations depend on its angle.
+std::string section_text(const Study& study, const TableUnits& units) {
+  const model::System system = study.system();
+  if (system.autonomous()) return "";
+  const model::Parameters& p = study.parameters;
+  std::string text =
+      fmt::format(words::reports::a_strobe_is, p.gravity != 0.0 ? "a revolution" : words::reports::half_a_revolution);
+  if (system.prescribed())
+    text += fmt::format(", {:.5f}{}", system.section_period() * units.time, study.scales ? " s" : "");
+  if (p.gravity != 0.0)
+    text += fmt::format(words::reports::displacement_from_rest, model::static_sag(p) * units.length,
+                        study.scales ? " mm" : "");
+  return text + words::reports::multipliers_over_the_period;
+}
+
+}  // namespace
+
+std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
+  const int balls = r.basin.study.parameters.balls;
+  std::string text = lines_filled(study_heading(r.basin.study), style);
+  const TableUnits units(r.basin.study.scales);
+  DocumentTable table;
+  table.header = {"id",
+                  "attractor",
+                  "kind",
+                  "share",
+                  "copies",
+                  "period" + units.period,
+                  "r min" + units.r,
+                  "mean",
+                  "r max" + units.r,
+                  words::reports::drift_of_the_balls + units.drift,
+                  "stability"};
+  const bool driven = r.basin.study.speed.driven();
+  const auto put_motor = [&](std::vector<std::string>& row, const std::vector<std::string>& texts) {
+    if (driven) row.insert(row.end() - 2, texts.begin(), texts.end());
+  };
+  put_motor(table.header, {"speed" + units.drift, "+-", "torque" + units.moment, "power" + units.watts});
+  for (const Attractor& a : r.attractors) {
+    const Motion& m = a.motion;
+    const Share& share = share_of(r, a.id).share;
+    std::string drift;
+    for (int i = 0; i < balls; ++i)
+      drift += (i ? ", " : "") + drift_text(m.drift[i] * units.speed, r.basin.study.scales.has_value());
+    const bool measured = m.kind == MotionKind::measured;  // its state is unknown
+    const auto r_text = [&](double value) { return measured ? "-" : fmt::format("{:.4f}", value * units.length); };
+    std::vector<std::string> row{fmt::format("{}", a.id),
+                                 reader_title(a, r.basin.study.scales.has_value()),
+                                 name_of(m.kind),
+                                 share.total ? share_cell(share).text : "-",
+                                 a.continuum || measured ? "-" : fmt::format("{}", m.copies),
+                                 m.kind == MotionKind::periodic ? fmt::format("{:.5f}", m.period * units.time) : "-",
+                                 r_text(m.r_min),
+                                 r_text(m.r_mean),
+                                 r_text(m.r_max),
+                                 measured ? "-" : drift,
+                                 stability_text(a, units)};
+    put_motor(row, motor_texts(m, units));
+    table.rows.push_back(row_of(driven ? "nttnnnnnnnnnntt" : "nttnnnnnntt", row));
+  }
+  // Without these in this order where the terminal is narrow.
+  for (const char* title : {words::reports::drift_of_the_balls, "kind", "stability", "speed", "period", "mean", "r min",
+                            "power", "torque", "+-", "copies"})
+    for (std::size_t k = 0; k < table.header.size(); ++k)
+      if (table.header[k].starts_with(title)) table.spare.push_back(k);
+  text += table_text(table, style) + "\n";
+  std::string notes = section_text(r.basin.study, units);
+  for (const Attractor& a : r.attractors) notes += events_text(a, balls);
+  notes += left_unbalance_text(r.basin.attractors, r.basin.study);
+  if (!r.basin.note.empty()) notes += fmt::format("Note: {}.\n", note_text(r.basin.study, r.basin.note));
+  if (r.basin.partial) notes += fmt::format(words::reports::partial_search, r.basin.starts, r.basin.asked);
+  notes += search_text(r);
+  notes += fmt::format(words::reports::attractors_made_with, r.basin.study.sampling.seed, computed_text(r.basin),
+                       version_string);
+  return text + lines_filled(notes, style);
+}
+
+std::string attractors_json(const AttractorsResult& r) {
+  Json json;
+  json["attractors"] = Json::array();
+  for (const Attractor& a : r.attractors)
+    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study));
+  json["starts"] = r.basin.starts;
+  json["partial"] = r.basin.partial;
+  json["decided"] = decided_starts(r);
+  for (const OutcomeShare& o : r.basin.others())
+    if (o.id != stalled_code) json[o.name] = o.share.share;
+  const std::uint64_t decided = decided_starts(r);
+  json["detection"] = {{"share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(nullptr)},
+                       {"of", "decided starts"},
+                       {"miss_probability", least_miss},
+                       {"missing_at_most", r.basin.undecided.most}};
+  json["note"] = r.basin.note;
+  json["seconds"] = r.basin.seconds;
+  json["threads"] = r.basin.threads;
+  json["cpu_target"] = r.basin.cpu_target;
+  json["study_name"] = r.basin.study.name;
+  json["study"] = study_json(r.basin.study);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

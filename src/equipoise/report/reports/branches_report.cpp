@@ -1,0 +1,222 @@
+// Branches as text, JSON and CSV.
+#include "equipoise/report/reports/branches_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/csv.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+#include "equipoise/results/commands/motion_table.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
+
+// The number with the fewest digits between the bounds, but with as many digits as they support.
+std::string located(double low, double high) {
+  const double middle = 0.5 * (low + high);
+  if (!(high > low)) return fmt::format("{:.12g}", middle);
+  for (int digits = std::max(digits_of(high - low) - 1, 0); digits < 12; ++digits) {
+    std::string text = fmt::format("{:.{}f}", middle, digits);
+    if (const double value = number_in(text); value >= low && value <= high) return text;
+  }
+  return fmt::format("{:.12f}", middle);
+}
+
+// Rounded down or up to these digits; a number that already has no more digits stays.
+std::string rounded_down(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::floor(value * scale + 1e-6) / scale, digits);
+}
+std::string rounded_up(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return fmt::format("{:.{}f}", std::ceil(value * scale - 1e-6) / scale, digits);
+}
+
+std::string event_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = digits_of(e.high - e.low);
+  if (e.change == BranchChange::first_seen) return rounded_up(e.high, digits);
+  if (e.change == BranchChange::last_seen) return rounded_down(e.low, digits);
+  return located(e.low, e.high);
+}
+
+std::string bracket_text(const BranchEvent& e) {
+  if (!(e.high > e.low)) return fmt::format("{:.12g}", e.middle());
+  const int digits = std::min(digits_of(e.high - e.low) + 1, 12);
+  return fmt::format("{} and {}", rounded_down(e.low, digits), rounded_up(e.high, digits));
+}
+
+// Where the branch's range ends, as exactly as known.
+std::string end_text(const Branch& branch, double value) {
+  for (const BranchEvent& e : branch.events)
+    if (e.place() == value) return event_text(e);
+  return fmt::format("{:.12g}", value);
+}
+
+std::string range_text(const Branch& branch, const ValueRange& range) {
+  if (range.begin == range.end) return end_text(branch, range.begin);
+  return fmt::format("{} to {}", end_text(branch, range.begin), end_text(branch, range.end));
+}
+
+bool has_event(const Branch& branch, BranchChange change) {
+  return std::any_of(branch.events.begin(), branch.events.end(),
+                     [&](const BranchEvent& e) { return e.change == change; });
+}
+
+// Whether the branch begins, or ends, for a known reason or at the line's end.
+bool begin_is_known(const BranchesResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::birth) ||
+         (branch.points.front().value == r.values.front() && !has_event(branch, BranchChange::first_seen));
+}
+bool end_is_known(const BranchesResult& r, const Branch& branch) {
+  return has_event(branch, BranchChange::death) ||
+         (branch.points.back().value == r.values.back() && !has_event(branch, BranchChange::last_seen));
+}
+
+std::string existence_text(const BranchesResult& r, const Branch& branch) {
+  const auto ranges = ranges_of(branch);
+  const ValueRange whole{ranges.front().begin, ranges.back().end, true};
+  const bool begin = begin_is_known(r, branch), end = end_is_known(r, branch);
+  if (begin && end) return range_text(branch, whole);
+  const char* where = begin ? " above" : end ? " below" : "";
+  return fmt::format(words::reports::seen_not_followed, whole.begin == whole.end ? "at " : "from ",
+                     range_text(branch, whole), where);
+}
+
+std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ranges) {
+  std::string text;
+  for (const ValueRange& range : ranges)
+    if (range.stable) text += (text.empty() ? "" : ", ") + range_text(branch, range);
+  return text.empty() ? "nowhere" : text;
+}
+
+// What is not a number is written as null.
+Json point_json(const BranchPoint& point, int balls) {
+  const Motion& m = point.motion;
+  Json json = {{"value", point.value},
+               {"kind", name_of(m.kind)},
+               {"stable", m.stable},
+               {"period", motion_number("period").value(m)},
+               {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
+               {"multiplier", largest_multiplier(m)},
+               {"growth_rate", growth_rate(m)},
+               {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
+               {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
+  if (!m.motor) return json;
+  json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
+  json["torque"] = m.motor->torque;
+  json["power"] = m.motor->power;
+  return json;
+}
+
+}  // namespace
+
+std::string branches_text(const BranchesResult& r, const TextStyle& style) {
+  std::string text = lines_filled(study_heading(r.study), style);
+  const std::string label = parameter_label(r.key);
+  const std::string key = label == r.key ? r.key : fmt::format("{} ({})", r.key, label);
+  text +=
+      lines_filled(fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
+  const bool physical = r.study.scales.has_value();
+  DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
+  for (const Branch& b : r.branches)
+    branches.rows.push_back(row_of("nttt", {fmt::format("{}", b.id), reader_title(b, physical), existence_text(r, b),
+                                            stable_text(b, ranges_of(b))}));
+  std::vector<std::pair<const BranchEvent*, const Branch*>> events;
+  for (const Branch& b : r.branches)
+    for (const BranchEvent& e : b.events) events.emplace_back(&e, &b);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
+  DocumentTable table{{"at", "between", "id", "attractor", "event", "type"}, {}, "", false, {}};
+  for (const auto& [e, b] : events)
+    table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id),
+                                           reader_title(*b, physical), name_of(e->change), name_of(e->cause)}));
+  table.spare = {2, 5, 1};
+  text += table_text(branches, style) + "\n" + table_text(table, style);
+  if (events.empty()) text += "  none\n";
+  std::string notes = fmt::format(words::reports::range_may_go_on, r.values.front(), r.values.back(), r.starts);
+  if (r.partial) notes += words::reports::partial_branches;
+  notes += fmt::format(words::reports::branches_made_with, r.seconds, r.threads, plural(r.threads), r.cpu_target,
+                       version_string);
+  return text + lines_filled(notes, style);
+}
+
+std::string branches_json(const BranchesResult& r) {
+  const int balls = r.study.parameters.balls;
+  Json json = {{"parameter", r.key}, {"values", r.values}};
+  json["branches"] = Json::array();
+  json["events"] = Json::array();
+  for (const Branch& b : r.branches) {
+    const auto ranges = ranges_of(b);
+    Json stable = Json::array(), points = Json::array();
+    for (const ValueRange& range : ranges)
+      if (range.stable) stable.push_back({range.begin, range.end});
+    for (const BranchPoint& point : b.points) points.push_back(point_json(point, balls));
+    json["branches"].push_back({{"id", b.id},
+                                {"name", b.name},
+                                {"alias", b.alias},
+                                {"exists", {ranges.front().begin, ranges.back().end}},
+                                {"ends_known", {begin_is_known(r, b), end_is_known(r, b)}},
+                                {"stable", stable},
+                                {"points", points}});
+    for (const BranchEvent& e : b.events)
+      json["events"].push_back({{"id", e.id},
+                                {"change", name_of(e.change)},
+                                {"type", name_of(e.cause)},
+                                {"between", {e.low, e.high}},
+                                {"radial", {{"min", e.r_min}, {"mean", e.r_mean}, {"max", e.r_max}}}});
+  }
+  json["starts"] = r.starts;
+  json["partial"] = r.partial;
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string branches_csv(const BranchesResult& r) {
+  const int balls = r.study.parameters.balls;
+  std::string text = fmt::format(words::reports::csv_branches, version_string, r.key,
+                                 r.partial ? words::reports::csv_partial_early : "");
+  text += csv_study(r.study);
+  for (const Branch& b : r.branches)
+    for (const BranchEvent& e : b.events)
+      text += fmt::format(words::reports::csv_event, b.id, name_of(e.change), name_of(e.cause), e.low, e.high);
+  text += r.key + ",id,name,alias,kind,stable";
+  for (const MotionNumber& f : motion_numbers) text += std::string(",") + f.name;
+  for (int i = 1; i <= balls; ++i) text += fmt::format(",drift_{}", i);
+  if (r.study.speed.driven())
+    for (const MotionNumber& f : motor_numbers) text += std::string(",") + f.name;
+  text += "\n";
+  for (std::size_t k = 0; k < r.values.size(); ++k) {
+    for (const Branch& b : r.branches) {
+      const auto at = std::find_if(b.points.begin(), b.points.end(), [&](const BranchPoint& p) { return p.at == k; });
+      if (at == b.points.end()) continue;
+      const Motion& m = at->motion;
+      text += fmt::format("{},{},{},{},{},{:d}", at->value, b.id, csv_text(b.name), csv_text(b.alias), name_of(m.kind),
+                          m.stable);
+      for (const MotionNumber& f : motion_numbers) text += "," + csv_number(f.value(m));
+      for (int i = 0; i < balls; ++i) text += fmt::format(",{}", m.drift[i] + 0.0);
+      if (m.motor)
+        for (const MotionNumber& f : motor_numbers) text += "," + csv_number(f.value(m));
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace equipoise

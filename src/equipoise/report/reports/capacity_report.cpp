@@ -1,0 +1,153 @@
+// Capacities as text, JSON and CSV.
+#include "equipoise/report/reports/capacity_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/plain_number.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/cell_text.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/csv.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string four_digits(double value) { return plain_number(value, 4); }
+
+std::string in_unit(const CapacityResult& r, const std::string& value) {
+  return r.unit.empty() ? value : value + " " + r.unit;
+}
+
+// "20 to 400 g mm"
+std::string sought_text(const CapacityResult& r) {
+  return in_unit(r, fmt::format("{} to {}", four_digits(r.from), four_digits(r.to)));
+}
+
+// "213", "above 400", "below 20".
+std::string capacity_value_text(const CapacityResult& r, const CapacityCell& cell) {
+  if (cell.never) return "below " + four_digits(r.from);
+  if (cell.always) return "above " + four_digits(r.to);
+  return four_digits(*cell.value);
+}
+
+}  // namespace
+
+DocumentTable capacity_table(const CapacityResult& r, KeyWords words) {
+  DocumentTable table;
+  table.header = parameter_titles(r.axes, words);
+  table.header.insert(table.header.end(),
+                      {column_title(words(r.key), r.unit), "between", words::reports::undecided_at_most, "trials"});
+  table.spare = {table.header.size() - 1};
+  table.caption = words::reports::between_means;
+  bool unknown = false;
+  const auto end = [&](const std::optional<double>& value) {
+    unknown = unknown || !value;
+    return value ? four_digits(*value) : std::string("?");
+  };
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    const auto add_row = [&](const std::string& value, const OpenCapacity& of, const std::string& undecided) {
+      std::vector<DocumentCell> row = parameter_values(r.axes, index);
+      for (const std::string& text :
+           {value, fmt::format("{} and {}", end(of.low), end(of.high)), undecided, fmt::format("{}", of.trials)})
+        row.push_back(number_cell(text));
+      table.rows.push_back(std::move(row));
+    };
+    if (const auto& open = r.open[index]) add_row("open", *open, "-");
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    Share open;
+    for (const CapacityTrial& t : cell.trials)
+      if (t.undecided.share >= open.share) open = t.undecided;
+    add_row(capacity_value_text(r, cell), {cell.shown_low(r.at_least), cell.shown_high(r.at_least), cell.trials.size()},
+            share_cell(open).text);
+  }
+  if (!r.complete()) table.caption += words::reports::open_means;
+  if (unknown) table.caption += words::reports::unknown_means;
+  return table;
+}
+
+std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
+  std::vector<std::string> set = keys_of(r.axes);
+  set.push_back(r.key);
+  std::string text = filled("answer   ", answer_sentence(r), style) + "\n";
+  text += lines_filled(study_heading(r.study) + uncertain_text(r.study, set), style);
+  text += lines_filled(
+      fmt::format(words::reports::largest_at_which, r.key, 100.0 * r.at_least, r.asked(), sought_text(r)), style);
+  text += table_text(capacity_table(r, key_itself), style);
+  std::string notes = fmt::format(words::reports::located_to, in_unit(r, four_digits(r.precision * (r.to - r.from))));
+  if (!r.complete()) notes += words::reports::partial_cells;
+  if (r.resumed_trials > 0) notes += fmt::format(words::reports::trials_from_earlier, r.resumed_trials);
+  notes += fmt::format(words::reports::capacity_made_with, r.starts, r.study.sampling.seed, computed_text(r),
+                       version_string);
+  return text + lines_filled(notes, style);
+}
+
+std::string capacity_json(const CapacityResult& r) {
+  Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"by", r.by}, {"from", r.from}, {"to", r.to}};
+  json["over"] = over_json(r.axes);
+  json["partial"] = !r.complete();
+  json["cells"] = Json::array();
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    Json trials = Json::array();
+    for (const CapacityTrial& t : cell.trials) {
+      Json one{{"value", t.value}};
+      one.update(share_json(t.balanced));
+      one["undecided"] = t.undecided.share;
+      one["unstable"] = t.unstable;
+      trials.push_back(one);
+    }
+    json["cells"].push_back({{"at", at_json(r.axes, index)},
+                             {"value", cell.value.value_or(NAN)},
+                             {"low", cell.low},
+                             {"high", cell.high},
+                             {"always", cell.always},
+                             {"never", cell.never},
+                             {"trials", trials}});
+  }
+  json["open"] = Json::array();
+  for (std::size_t index = 0; index < r.open.size(); ++index)
+    if (const auto& open = r.open[index])
+      json["open"].push_back({{"at", at_json(r.axes, index)},
+                              {"low", open->low.value_or(NAN)},
+                              {"high", open->high.value_or(NAN)},
+                              {"trials", open->trials}});
+  json["confidence"] = 0.95;
+  json["starts"] = r.starts;
+  json["resumed_trials"] = r.resumed_trials;
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string capacity_csv(const CapacityResult& r) {
+  std::string text = fmt::format(words::reports::csv_capacity, version_string, r.key, r.at_least, r.starts,
+                                 r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
+  text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
+  for (std::size_t index = 0; index < r.cells.size(); ++index) {
+    if (!r.cells[index]) continue;
+    const CapacityCell& cell = *r.cells[index];
+    text += csv_values(r.axes, index);
+    text += fmt::format("{},{},{},{:d},{:d},{}\n", csv_number(cell.value.value_or(NAN)), cell.low, cell.high,
+                        cell.always, cell.never, cell.trials.size());
+  }
+  return text;
+}
+
+}  // namespace equipoise

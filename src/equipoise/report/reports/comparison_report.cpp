@@ -1,0 +1,149 @@
+// Comparisons as text and JSON.
+#include "equipoise/report/reports/comparison_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string points(double difference) { return fmt::format("{:+.2f}", 100.0 * difference); }
+
+std::string interval_text(const ShareDifference& d) { return fmt::format("{} to {}", points(d.low), points(d.high)); }
+
+// Means of transients, and how much more the second has.
+DocumentTable figures_table(const ComparisonResult& r) {
+  DocumentTable table{
+      {words::reports::mean_of_starts, "first", "second", "second - first", "open"}, {}, "", false, {4}};
+  bool open = false;
+  for (const ComparedFigure& f : r.figures) {
+    const MeanDifference& m = f.mean;
+    const double half = 0.5 * (m.high - m.low);
+    open = open || f.first_open + f.second_open > 0;
+    table.rows.push_back(
+        row_of("lnnnn",
+               {fmt::format("{}, {}", f.title, f.unit), fmt::format("{:.4g}", m.first), fmt::format("{:.4g}", m.second),
+                fmt::format("{:+.3g} ± {}", m.difference, std::isfinite(half) ? fmt::format("{:.2g}", half) : "?"),
+                fmt::format("{}, {}", f.first_open, f.second_open)}));
+  }
+  table.caption = fmt::format(words::reports::means_of,
+                              r.common ? words::reports::differences_by_start : words::reports::independent_samples,
+                              open ? words::reports::open_figures : "");
+  if (!open)
+    for (auto& row : table.rows) row.pop_back();
+  if (!open) table.header.pop_back();
+  if (!open) table.spare.clear();
+  return table;
+}
+
+}  // namespace
+
+std::string verdict(const ComparisonResult& r) {
+  if (r.starts == 0) return words::reports::nothing_to_compare;
+  if (!r.limits && !r.balanced) return words::reports::neither_balances;
+  const ShareDifference& d = r.limits ? r.limits->difference : r.shares[*r.balanced].difference;
+  const double low = r.limits ? r.limits->surely_low : r.surely_low,
+               high = r.limits ? r.limits->surely_high : r.surely_high;
+  const char* does = !r.limits         ? words::reports::balances
+                     : r.limits->alike ? words::reports::keeps_every_limit
+                                       : words::reports::keeps_its_own_limits;
+  const char* starts = r.limits ? words::reports::starts_within_all_limits : words::reports::balanced_starts;
+  const std::string by = fmt::format(words::reports::by_points, points(d.difference), interval_text(d));
+  if (low > 0.0) return fmt::format(words::reports::second_more_often, does, by);
+  if (high < 0.0) return fmt::format(words::reports::second_less_often, does, by);
+  if (d.low > 0.0 || d.high < 0.0)
+    return fmt::format(words::reports::difference_open, starts, by, points(low), points(high));
+  return fmt::format(words::reports::no_difference, starts, interval_text(d));
+}
+
+std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
+  std::string text = filled("", verdict(r), style) + "\n";
+  text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
+                                   study_heading(r.second) + uncertain_text(r.second)),
+                       style);
+  DocumentTable table{
+      {"outcome", "first", "second", "difference", words::reports::interval_in_points}, {}, "", false, {}};
+  const auto row = [&](const std::string& name, const auto& s) {
+    table.rows.push_back(row_of("lnnnn", {name, percent(s.first.share, 2), percent(s.second.share, 2),
+                                          points(s.difference.difference), interval_text(s.difference)}));
+  };
+  if (r.limits) row(words::reports::starts_within_all_limits, *r.limits);
+  for (const ComparedShare& s : r.shares)
+    if (s.first.count > 0 || s.second.count > 0) row(reader_title(s, r.first.scales.has_value()), s);
+  text += table_text(table, style) + "\n";
+  if (const DocumentTable figures = figures_table(r); !figures.rows.empty()) text += table_text(figures, style) + "\n";
+  std::string notes;
+  if (r.changed && r.starts > 0) {
+    notes += fmt::format(words::reports::common_end_differently, r.changed->count, r.starts,
+                         percent(r.changed->share, digits_for(*r.changed)), interval(*r.changed));
+    for (const ChangedFate& c : r.changes)
+      notes += fmt::format(words::reports::from_one_to_other, c.starts, c.from, c.to);
+  } else if (!r.common) {
+    notes += fmt::format(words::reports::compared_as_independent, r.why_not_common);
+  }
+  if (r.partial) notes += words::reports::partial_comparison;
+  return text + lines_filled(notes + fmt::format("equipoise {}\n", version_string), style);
+}
+
+std::string comparison_json(const ComparisonResult& r) {
+  Json json;
+  json["differences"] = Json::array();
+  for (const ComparedShare& s : r.shares)
+    json["differences"].push_back({{"name", s.name},
+                                   {"alias", s.alias},
+                                   {"difference", s.difference.difference},
+                                   {"low", s.difference.low},
+                                   {"high", s.difference.high},
+                                   {"first", share_json(s.first)},
+                                   {"second", share_json(s.second)}});
+  json["figures"] = Json::array();
+  for (const ComparedFigure& f : r.figures) {
+    const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+    json["figures"].push_back({{"name", f.name},
+                               {"unit", f.unit},
+                               {"first", f.mean.first},
+                               {"second", f.mean.second},
+                               {"difference", f.mean.difference},
+                               {"low", bound(f.mean.low)},
+                               {"high", bound(f.mean.high)},
+                               {"counts", {f.mean.first_count, f.mean.second_count}},
+                               {"open", {f.first_open, f.second_open}}});
+  }
+  json["common"] = r.common;
+  json["starts"] = r.starts;
+  json["changed"] = r.changed ? Json(r.changed->count) : Json(nullptr);
+  json["changed_share"] = r.changed ? share_json(*r.changed) : Json(nullptr);
+  json["changes"] = Json::array();
+  for (const ChangedFate& c : r.changes)
+    json["changes"].push_back({{"from", c.from}, {"to", c.to}, {"starts", c.starts}});
+  json["balanced_surely"] = {{"low", r.surely_low}, {"high", r.surely_high}};
+  if (r.limits)
+    json["limits"] = {{"difference", r.limits->difference.difference},
+                      {"low", r.limits->difference.low},
+                      {"high", r.limits->difference.high},
+                      {"surely_low", r.limits->surely_low},
+                      {"surely_high", r.limits->surely_high},
+                      {"first", share_json(r.limits->first)},
+                      {"second", share_json(r.limits->second)},
+                      {"alike", r.limits->alike}};
+  json["verdict"] = verdict(r);
+  json["partial"] = r.partial;
+  json["first"] = study_json(r.first);
+  json["second"] = study_json(r.second);
+  json["version"] = version_string;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

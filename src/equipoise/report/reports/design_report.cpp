@@ -1,0 +1,279 @@
+// Fronts, choices and margins in words and numbers.
+#include "equipoise/report/reports/design_report.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/analyses/words/design.hpp"
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/answers/design_words.hpp"
+#include "equipoise/report/reports/result_tables.hpp"
+#include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/csv.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using DesignOut = nlohmann::ordered_json;
+
+// What is not a number, or has no end, is written as null.
+DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
+
+DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
+  const DesignSample& sample = c.best_known();
+  DesignOut out{{"as_it_is", c.as_it_is},
+                {"things", things_chosen(r.study, c.settings)},
+                {"variables", DesignOut::object()},
+                {"objectives", DesignOut::object()},
+                {"constraints", DesignOut::object()}};
+  for (const DesignSetting& s : c.settings) out["variables"][s.key] = tree_json(s.value);
+  if (!sample.figures.empty()) {
+    for (const std::size_t k : r.objectives) {
+      out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
+      if (c.held_out && !c.search.figures.empty())
+        out["objectives"][r.figures[k].name]["on_search_starts"] = c.search.figures[k].value;
+    }
+    for (const DesignLimit& limit : r.limits) {
+      const DesignEstimate& e = sample.figures[limit.figure];
+      DesignOut one = estimate_out(e);
+      if (limit.below) one["below"] = *limit.below;
+      if (limit.above) one["above"] = *limit.above;
+      one["kept"] = keeps(limit, e.value);
+      one["surely"] = surely_keeps(limit, e);
+      out["constraints"][r.figures[limit.figure].name] = one;
+    }
+  }
+  out["undecided"] = estimate_out(sample.undecided);
+  out["starts"] = sample.starts;
+  out["held_out"] = c.held_out.has_value();
+  return out;
+}
+
+DesignOut margin_out(const DesignResult& r, const DesignMargin& m) {
+  DesignOut points = DesignOut::array();
+  for (const DesignPoint& p : m.points) {
+    DesignOut figures = DesignOut::object();
+    for (std::size_t k = 0; k < p.sample.figures.size(); ++k)
+      figures[r.figures[k].name] = estimate_out(p.sample.figures[k]);
+    points.push_back({{"value", p.given}, {"figures", figures}, {"starts", p.sample.starts}});
+  }
+  return {{"unit", m.unit},
+          {"value", m.value},
+          {"keeps_from", m.keeps_from},
+          {"keeps_to", m.keeps_to},
+          {"fails_below", m.fails_below},
+          {"fails_above", m.fails_above},
+          {"effect", m.effect},
+          {"points", points}};
+}
+
+std::string estimate_or_dash(const DesignResult& r, const DesignSample* s, std::size_t k) {
+  return s && !s->figures.empty() ? estimate_with_interval(r.figures[k], s->figures[k]) : "-";
+}
+
+// What fails where a margin ends; what was tried, if nothing does.
+std::string fails_text(const DesignMargin& m) {
+  std::string text;
+  if (!m.fails_below.empty()) text = "below: " + m.fails_below;
+  if (!m.fails_above.empty()) text += (text.empty() ? "above: " : "; above: ") + m.fails_above;
+  return text.empty() ? words::reports::nothing_tried_fails : text;
+}
+
+// By how much the search thought the chosen design better than the held-out starts say; empty if no different.
+std::string optimism_text(const DesignResult& r) {
+  const DesignCandidate& best = r.front[*r.chosen];
+  const std::size_t k = r.objectives.front();
+  if (!best.held_out || best.search.figures.empty() || best.held_out->figures.empty()) return "";
+  const double search = best.search.figures[k].value, held_out = best.held_out->figures[k].value;
+  const double gain = r.figures[k].up ? search - held_out : held_out - search;
+  const std::string found = estimate_text(r.figures[k], search);
+  if (!std::isfinite(gain) || found == estimate_text(r.figures[k], held_out)) return "";
+  return fmt::format(words::reports::search_thought, best.search.starts, found, figure_words(r.figures[k], true),
+                     gain > 0.0 ? words::reports::was_optimistic : words::reports::was_pessimistic);
+}
+
+}  // namespace
+
+DocumentTable front_table(const DesignResult& r, KeyWords words) {
+  DocumentTable table;
+  for (const std::size_t k : r.objectives) table.header.push_back(figure_words(r.figures[k], true));
+  for (const DesignVariable& v : r.variables) table.header.push_back(words(v.key));
+  for (std::size_t m = 0; m < r.front.size(); ++m) {
+    std::vector<DocumentCell> row;
+    for (const std::size_t k : r.objectives)
+      row.push_back(number_cell(estimate_or_dash(r, &r.front[m].best_known(), k)));
+    for (const DesignSetting& setting : r.front[m].settings) row.push_back(number_cell(setting_text(setting.value)));
+    for (DocumentCell& cell : row) cell.tone = r.chosen == m ? Tone::good : Tone::plain;
+    table.rows.push_back(std::move(row));
+  }
+  if (r.objectives.size() > 1) table.caption = words::reports::chosen_is_marked;
+  return table;
+}
+
+DocumentTable figure_table(const DesignResult& r) {
+  const DesignCandidate& best = r.front[*r.chosen];
+  const DesignSample& now = best.best_known();
+  DocumentTable table{{"figure", words::design::as_given, "chosen", words::reports::must_be_title}, {}, "", false, {3}};
+  const DesignSample* before = r.before ? &*r.before : nullptr;
+  for (std::size_t k = 0; k < now.figures.size(); ++k) {
+    table.rows.push_back(row_of(
+        "lnnt", {figure_words(r.figures[k], true), estimate_or_dash(r, before, k), estimate_or_dash(r, &now, k), ""}));
+    for (const DesignLimit& limit : r.limits)
+      if (limit.figure == k) {
+        table.rows.back()[2].tone = surely_keeps(limit, now.figures[k]) ? Tone::good : Tone::bad;
+        table.rows.back()[3].text = limit_text(r.figures[k], limit);
+      }
+  }
+  const DesignFigure undecided{"undecided", "", false, true};
+  table.rows.push_back(
+      row_of("lnnt", {figure_words(undecided), before ? estimate_with_interval(undecided, before->undecided) : "-",
+                      estimate_with_interval(undecided, now.undecided), ""}));
+  table.caption = fmt::format(words::reports::over_starts, now.starts,
+                              best.held_out ? words::reports::search_did_not_see : words::reports::of_the_search,
+                              best.held_out ? r.held_out_seed : r.search_seed, optimism_text(r));
+  return table;
+}
+
+DocumentTable margin_table(const DesignResult& r, KeyWords words) {
+  const DesignFigure& first = r.figures[r.objectives.front()];
+  DocumentTable table{{words::reports::varied_alone, "chosen", words::reports::may_go_from, "to",
+                       words::reports::near_it, words::reports::what_fails_beyond},
+                      {},
+                      "",
+                      false,
+                      {}};
+  for (const DesignMargin& m : r.margins) {
+    const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
+    table.rows.push_back(row_of(
+        "lnnnnt",
+        {words(margin_name(m.key)), fmt::format("{}{:.4g}{}{}", m.prefix, m.value, m.unit.empty() ? "" : " ", m.unit),
+         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_from) : "-",
+         ordered ? fmt::format("{}{:.4g}", m.prefix, m.keeps_to) : "-", estimate_text(first, m.effect),
+         ordered ? fails_text(m) : words::reports::choices_have_no_ends}));
+  }
+  table.caption =
+      fmt::format(words::reports::margins_mean,
+                  r.limits.empty() ? words::reports::until_objective_worse : words::reports::until_requirement_fails,
+                  figure_words(first));
+  return table;
+}
+
+namespace {
+
+std::string required_text(const DesignResult& r, const TextStyle& style) {
+  std::string text;
+  for (const DesignLimit& limit : r.limits)
+    text += fmt::format("{}{} {}", text.empty() ? words::reports::must_be : "; ",
+                        figure_words(r.figures[limit.figure], true), limit_text(r.figures[limit.figure], limit));
+  return text.empty() ? "" : filled("", text + ".", style);
+}
+
+std::string stopped_design_text(const DesignResult& r) {
+  const bool checked = r.chosen && r.front[*r.chosen].held_out;
+  std::string text = fmt::format(words::reports::partial_design,
+                                 checked ? words::reports::starts_not_seen : words::reports::own_starts);
+  if (r.trajectories >= r.budget) return text + words::reports::checks_still_to_make;
+  return text + fmt::format(words::reports::trajectories_left, r.budget - r.trajectories, r.budget);
+}
+
+}  // namespace
+
+std::string design_text(const DesignResult& r, const TextStyle& style) {
+  std::string text =
+      design_verdict_text(r, style) + lines_filled(study_heading(r.study) + uncertain_text(r.study), style);
+  if (!r.proposed.empty()) text += words::reports::design_proposed + r.proposed;
+  if (r.front.empty()) return text;
+  text += r.proposed.empty() ? "" : "\n";
+  text += fmt::format(words::reports::chosen_is_starred, r.front.size() == 1
+                                                             ? words::reports::best_candidate
+                                                             : fmt::format(words::reports::not_beaten, r.front.size()));
+  text +=
+      table_text(front_table(r, thing_of), style) + "\n" + table_text(figure_table(r), style) + required_text(r, style);
+  if (!r.limited_by.empty()) {
+    text += words::reports::what_limits_it;
+    for (const std::string& words : r.limited_by) text += filled("  ", words, style);
+  }
+  if (!r.margins.empty()) text += "\n" + table_text(margin_table(r, thing_of), style);
+  if (r.partial) text += lines_filled(stopped_design_text(r), style);
+  if (r.resumed > 0) text += fmt::format(words::reports::ensembles_from_earlier, r.resumed);
+  return text + lines_filled(fmt::format(words::reports::design_made_with, r.candidates, plural(r.candidates),
+                                         design_method_names[static_cast<std::size_t>(r.method)], r.trajectories,
+                                         r.budget, computed_text(r), version_string),
+                             style);
+}
+
+std::string design_json(const DesignResult& r) {
+  const DesignVerdict verdict = design_verdict(r);
+  DesignOut json{{"verdict", {{"words", verdict.words}, {"because", verdict.because}, {"margins", verdict.margins}}},
+                 {"front", DesignOut::array()},
+                 {"chosen", nullptr},
+                 {"before", nullptr}};
+  for (const DesignCandidate& c : r.front) json["front"].push_back(candidate_out(r, c));
+  if (r.chosen) json["chosen"] = candidate_out(r, r.front[*r.chosen]);
+  if (r.before && !r.before->figures.empty()) {
+    DesignCandidate as_it_is;
+    as_it_is.search = *r.before;
+    as_it_is.as_it_is = true;
+    json["before"] = candidate_out(r, as_it_is);
+    json["before"]["held_out"] = r.chosen && r.front[*r.chosen].held_out.has_value();
+  }
+  json["feasible"] = r.feasible;
+  json["leave_out"] = r.leave_out;
+  json["trajectories"] = r.trajectories;
+  json["budget"] = r.budget;
+  json["candidates"] = r.candidates;
+  json["method"] = design_method_names[static_cast<std::size_t>(r.method)];
+  json["units"] = DesignOut::object();
+  for (const DesignFigure& f : r.figures) json["units"][f.name] = f.unit;
+  json["margins"] = DesignOut::object();
+  for (const DesignMargin& m : r.margins) json["margins"][m.key] = margin_out(r, m);
+  json["limited_by"] = r.limited_by;
+  json["history"] = DesignOut::array();
+  for (const DesignStep& s : r.history)
+    json["history"].push_back({{"trajectories", s.trajectories}, {"violation", s.violation}, {"value", s.value}});
+  json["partial"] = r.partial;
+  json["confidence"] = 0.95;
+  json["search_seed"] = r.search_seed;
+  json["held_out_seed"] = r.held_out_seed;
+  json["resumed"] = r.resumed;
+  json["best_study"] = r.best_study;
+  json["proposed_design"] = r.proposed.empty() ? DesignOut(nullptr) : DesignOut(r.proposed);
+  add_computed(json, r);
+  return json.dump(2) + "\n";
+}
+
+std::string design_csv(const DesignResult& r) {
+  std::string text =
+      fmt::format(words::reports::csv_front, version_string, r.partial ? ", PARTIAL" : "") + csv_study(r.study);
+  std::string titles;
+  for (const DesignVariable& v : r.variables) titles += csv_text(v.key) + ",";
+  for (const DesignFigure& f : r.figures) {
+    const std::string name = f.unit.empty() ? f.name : fmt::format("{} ({})", f.name, f.unit);
+    titles += fmt::format("{0},{1}_low,{1}_high,", csv_text(name), f.name);
+  }
+  text += titles + "undecided,starts,held_out,chosen\n";
+  for (std::size_t m = 0; m < r.front.size(); ++m) {
+    const DesignSample& sample = r.front[m].best_known();
+    for (const DesignSetting& s : r.front[m].settings) text += csv_text(setting_text(s.value)) + ",";
+    for (std::size_t k = 0; k < r.figures.size(); ++k) {
+      const DesignEstimate e = sample.figures.empty() ? DesignEstimate{NAN, NAN, NAN} : sample.figures[k];
+      text += fmt::format("{},{},{},", csv_number(e.value), csv_number(e.low), csv_number(e.high));
+    }
+    text += fmt::format("{},{},{},{}\n", csv_number(sample.undecided.value), sample.starts, r.front[m].held_out ? 1 : 0,
+                        r.chosen == m ? 1 : 0);
+  }
+  return text;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,42 @@
+// Inspections as text and JSON.
+#include "equipoise/report/reports/inspection_report.hpp"
+
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/report/words/reports.hpp"
+
+namespace equipoise {
+
+std::string inspection_text(const Inspection& i) {
+  std::string text = fmt::format("{}: {}, {} bytes", i.path, i.kind.empty() ? "results" : i.kind, i.bytes);
+  if (!i.version.empty()) text += fmt::format(words::reports::of_version, i.version);
+  if (i.complete) text += *i.complete ? ", complete" : ", NOT complete";
+  text += "\n";
+  if (!i.damage.empty()) text += fmt::format("DAMAGE: {}\n", i.damage);
+  for (const auto& [name, value] : i.facts) text += fmt::format("  {:<14}{}\n", name, value);
+  for (const OutcomeShare& o : i.outcomes)
+    text += fmt::format("  {:>9.4f} %  {} ({})\n", 100.0 * o.share.share, o.name, o.id);
+  if (i.study.empty()) return text;
+  text += "study:\n";
+  std::istringstream lines(i.study);
+  for (std::string line; std::getline(lines, line);) text += line.empty() ? "" : "  " + line + "\n";
+  return text;
+}
+
+std::string inspection_json(const Inspection& i) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"path", i.path},   {"kind", i.kind},     {"version", i.version},
+            {"bytes", i.bytes}, {"damage", i.damage}, {"complete", i.complete ? Json(*i.complete) : Json(nullptr)}};
+  json["facts"] = Json::array();
+  for (const auto& [name, value] : i.facts) json["facts"].push_back({{"name", name}, {"value", value}});
+  json["outcomes"] = Json::array();
+  for (const OutcomeShare& o : i.outcomes)
+    json["outcomes"].push_back({{"id", o.id}, {"name", o.name}, {"share", o.share.share}});
+  json["study"] = i.study;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,223 @@
+// Basin slices as text and as JSON.
+#include "equipoise/report/reports/map_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/decision/plain_names.hpp"
+#include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
+#include "equipoise/report/words/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using MapJson = nlohmann::ordered_json;
+
+std::string axis_text(const char* letter, const SliceAxis& a, int every) {
+  return fmt::format(words::reports::map_axis, letter, a.key, a.low, a.high, a.pixels,
+                     every > 1 ? fmt::format(words::reports::pixels_apart, every) : "");
+}
+
+std::string figure_text(const char* name, const std::optional<SliceFigure>& f) {
+  return f ? fmt::format("{:<25} {:.3f} ({:.3f} to {:.3f})\n", name, f->value, f->low, f->high) : "";
+}
+
+// Over which distances the exponent holds, and how it changes among them.
+std::string scales_text(const SliceFigures& f) {
+  if (!f.uncertainty_exponent) return "";
+  std::string values;
+  for (const LocalExponent& e : f.local_exponents)
+    values += fmt::format("{}{:.2f}", values.empty() ? "" : ", ", e.value);
+  return fmt::format(words::reports::exponent_scales, f.local_exponents.front().from, f.local_exponents.back().to,
+                     values);
+}
+
+MapJson local_json(const std::vector<LocalExponent>& exponents) {
+  MapJson json = MapJson::array();
+  for (const LocalExponent& e : exponents) json.push_back({{"from", e.from}, {"to", e.to}, {"value", e.value}});
+  return json;
+}
+
+MapJson figure_json(const std::optional<SliceFigure>& f) {
+  return f ? MapJson{{"value", f->value}, {"low", f->low}, {"high", f->high}} : MapJson(nullptr);
+}
+
+MapJson axis_json(const SliceAxis& a) {
+  std::vector<double> values;
+  for (int k = 0; k < a.pixels; ++k) values.push_back(a.centre(k));
+  return {{"key", a.key}, {"values", values}};
+}
+
+// Rows of a slice as text: a JSON tree of so many numbers would take ten times the memory.
+template <class Cell>
+void add_rows(const BasinSlice& map, std::string& text, const Cell& cell) {
+  text += '[';
+  for (int row = 0; row < map.y.pixels; ++row) {
+    text += row == 0 ? "[" : ",[";
+    for (int column = 0; column < map.x.pixels; ++column) {
+      if (column > 0) text += ',';
+      cell(map.at(column, row));
+    }
+    text += ']';
+  }
+  text += ']';
+}
+
+template <class Number>
+void add_number(std::string& text, Number number) {
+  fmt::format_to(std::back_inserter(text), "{}", number);
+}
+
+// Where balls start that neither an axis nor a link places.
+std::string starts_text(const BasinSlice& map) {
+  if (draws_starts(map)) return fmt::format(words::reports::pixels_draw_angles, map.study.sampling.seed);
+  std::string text;
+  for (int i = 1; i <= map.study.parameters.balls; ++i) {
+    const std::string key = fmt::format("initial.phi_{}", i);
+    const bool tied =
+        std::any_of(map.links.begin(), map.links.end(), [&](const AngleLink& link) { return link.ball == i; });
+    if (key != map.x.key && key != map.y.key && !tied)
+      text += fmt::format("{}phi_{} = {:.6g}", text.empty() ? "" : ", ", i,
+                          map.study.initial.phi[static_cast<std::size_t>(i - 1)]);
+  }
+  if (text.empty()) return text;
+  text = fmt::format(words::reports::pixels_start_with, text,
+                     states_angles(map.study) ? "" : words::reports::evenly_spread);
+  const bool as_stated = map.links.empty() && !map.x.angle() && !map.y.angle();
+  const std::string together = as_stated ? coincident_text(map.study) : "";
+  return together.empty() ? text : text + "Note: " + together + ".\n";
+}
+
+// Pixels of which shares are told.
+std::uint64_t counted_pixels(const BasinSlice& map) { return map.pixels - map.pixels_left_out; }
+
+// Pixels that a stopped run did not reach.
+std::uint64_t open_pixels(const BasinSlice& map) { return counted_pixels(map) - map.codes.front().share.total; }
+
+// After a stop: bounds whatever the open pixels come to.
+std::string part_of_map(const BasinSlice& map, const Share& share) {
+  const double all = static_cast<double>(counted_pixels(map)), count = static_cast<double>(share.count);
+  const auto percents = [&](double pixels) { return 100.0 * pixels / all; };
+  if (map.complete) return fmt::format("{:.2f} %", percents(count));
+  return fmt::format("{:.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
+}
+
+// How the slice was made, if not by one run that computed every pixel.
+std::string making_text(const BasinSlice& map) {
+  std::string text;
+  const double all = static_cast<double>(map.pixels);
+  if (map.pixels_left_out > 0)
+    text += fmt::format(fmt::runtime(map.study.parameters.balls_collide() ? words::reports::overlaps_left_out
+                                                                          : words::reports::pixels_left_out),
+                        map.pixels_left_out);
+  if (map.block > 0)
+    text += fmt::format(words::reports::pixels_filled_in, map.pixels_computed,
+                        100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
+  if (map.pixels_kept > 0) text += fmt::format(words::reports::pixels_from_output, map.pixels_kept);
+  if (map.pixels_reused > 0) text += fmt::format(words::reports::pixels_from_another_map, map.pixels_reused);
+  return text;
+}
+
+}  // namespace
+
+std::string map_text(const BasinSlice& map, const TextStyle& style) {
+  const SliceFigures& f = map.figures;
+  const bool physical = map.study.scales.has_value();
+  const std::string answer = filled("answer   ", answer_sentence(map), style) + "\n";
+  std::string text = study_heading(map.study) + axis_text("x", map.x, map.every) + axis_text("y", map.y, map.every);
+  for (const AngleLink& link : map.links)
+    text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
+  text = answer + lines_filled(text + starts_text(map), style) + "\n";
+  DocumentTable table{
+      {"code", physical ? words::text::what_the_balls_do : "outcome", "pixels", words::reports::of_the_map},
+      {},
+      "",
+      false,
+      {}};
+  for (const OutcomeShare& c : map.codes)
+    table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
+                                         fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
+  const bool any = open_pixels(map) < counted_pixels(map);
+  if (map.complete || any) text += table_text(table, style);
+  const std::string figures = figure_text(words::reports::box_dimension, f.box_dimension) +
+                              figure_text(words::reports::uncertainty_exponent, f.uncertainty_exponent) +
+                              figure_text(words::text::basin_entropy, f.basin_entropy) +
+                              figure_text(words::reports::boundary_basin_entropy, f.boundary_basin_entropy) +
+                              (f.balanced_radius ? fmt::format(words::reports::around_balanced,
+                                                               words::reports::balanced_within, *f.balanced_radius)
+                                                 : "");
+  std::string notes = text.ends_with("\n\n") ? "" : "\n";
+  if (!figures.empty()) notes += figures + scales_text(f) + words::reports::figures_mean;
+  notes += making_text(map);
+  if (!map.complete)
+    notes += any ? fmt::format(words::reports::partial_map, open_pixels(map), counted_pixels(map))
+                 : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
+  const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
+  notes +=
+      fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),
+                  now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
+  return text + lines_filled(notes, style);
+}
+
+std::string map_json(const BasinSlice& map) {
+  const SliceFigures& f = map.figures;
+  MapJson json = {{"x", axis_json(map.x)}, {"y", axis_json(map.y)}};
+  json["ties"] = MapJson::array();
+  for (const AngleLink& link : map.links)
+    json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
+  json["outcomes"] = MapJson::array();
+  for (const OutcomeShare& c : map.codes)
+    json["outcomes"].push_back(
+        {{"id", c.id}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
+  std::string text = json.dump();
+  text.back() = ',';
+  text += "\"outcome\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (map.code[at] == not_computed_code)
+      text += "null";
+    else
+      add_number(text, map.code[at]);
+  });
+  text += ",\"time\":";
+  add_rows(map, text, [&](std::size_t at) {
+    if (std::isfinite(map.time[at]))
+      add_number(text, map.time[at]);
+    else
+      text += "null";
+  });
+  json = MapJson::object();
+  json["figures"] = {{"box_dimension", figure_json(f.box_dimension)},
+                     {"uncertainty_exponent", figure_json(f.uncertainty_exponent)},
+                     {"local_exponents", local_json(f.local_exponents)},
+                     {"basin_entropy", figure_json(f.basin_entropy)},
+                     {"boundary_basin_entropy", figure_json(f.boundary_basin_entropy)},
+                     {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
+  json["partial"] = !map.complete;
+  json["pixels"] = map.pixels;
+  json["pixels_open"] = open_pixels(map);
+  json["pixels_left_out"] = map.pixels_left_out;
+  json["pixels_computed"] = map.pixels_computed;
+  json["pixels_kept"] = map.pixels_kept;
+  json["pixels_reused"] = map.pixels_reused;
+  json["draws_starts"] = draws_starts(map);
+  json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
+  json["every"] = map.every;
+  add_computed(json, map);
+  const std::string rest = json.dump();
+  return text + "," + rest.substr(1) + "\n";
+}
+
+}  // namespace equipoise

@@ -1,0 +1,95 @@
+// Tables of indices.
+#include "equipoise/report/reports/sensitivity_report.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+std::string distribution_text(const UncertainValue& v) {
+  switch (v.kind) {
+    case DistributionKind::uniform:
+      return fmt::format(words::text::uniform, v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::loguniform:
+      return fmt::format(words::text::log_uniform, v.text(v.numbers[0]), v.text(v.numbers[1]));
+    case DistributionKind::normal: {
+      const std::string cut =
+          v.between ? fmt::format(words::text::cut_to, v.text((*v.between)[0]), v.text((*v.between)[1])) : "";
+      return fmt::format(words::text::normal, v.text(v.numbers[0]), v.text(v.numbers[1]), cut);
+    }
+    case DistributionKind::values:
+      break;
+  }
+  constexpr std::size_t most_shown = 6;
+  std::string text = words::text::one_of;
+  for (std::size_t k = 0; k < std::min(v.numbers.size(), most_shown); ++k)
+    text += (k ? ", " : "") + v.text(v.numbers[k]);
+  return v.numbers.size() > most_shown ? fmt::format("{}, .. ({} values)", text, v.numbers.size()) : text;
+}
+
+std::string range_text(const IndexEstimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
+
+nlohmann::ordered_json estimate_json(const IndexEstimate& e) {
+  return {{"value", e.value}, {"low", e.low}, {"high", e.high}};
+}
+
+}  // namespace
+
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set) {
+  std::string text;
+  for (const UncertainValue& v : study.uncertain.values)
+    if (std::find(set.begin(), set.end(), v.key) == set.end())
+      text += fmt::format(words::text::drawn_with_each_start, v.key, distribution_text(v));
+  text += drawn_instead_text(study);
+  return text.empty() ? text : text + "\n";
+}
+
+std::string sensitivity_text(const SensitivityResult& r) {
+  std::string text;
+  if (r.inputs.empty()) {
+    text = r.rows == 0
+               ? words::text::nothing_followed
+               : fmt::format(words::text::depends_on_nothing, 2 * r.rows, r.balanced.count == 0 ? "none" : "all");
+  } else {
+    DocumentTable table;
+    table.header = {words::text::balance_depends_on, words::text::first_order, "95 % interval", "total",
+                    "95 % interval"};
+    for (const auto& [key, indices] : r.inputs)
+      table.rows.push_back(row_of("tntnt", {key == start_input ? words::text::where_start_begins : key,
+                                            fmt::format("{:.2f}", indices.first.value), range_text(indices.first),
+                                            fmt::format("{:.2f}", indices.total.value), range_text(indices.total)}));
+    table.caption = words::text::indices_mean;
+    text = table_text(table);
+  }
+  text += fmt::format(words::text::balanced_of_rows, r.evaluations, r.rows,
+                      percent(r.balanced.share, digits_for(r.balanced)), interval(r.balanced));
+  if (r.undecided > 0) text += fmt::format(words::text::undecided_not_balanced, r.undecided);
+  return text + (r.partial ? words::text::partial_rows : ".\n\n");
+}
+
+nlohmann::ordered_json sensitivity_json(const SensitivityResult& r) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& [key, indices] : r.inputs)
+    json.push_back({{"key", key}, {"first", estimate_json(indices.first)}, {"total", estimate_json(indices.total)}});
+  return json;
+}
+
+nlohmann::ordered_json sensitivity_design_json(const SensitivityResult& r) {
+  return {{"rows", r.rows},
+          {"evaluations", r.evaluations},
+          {"undecided", r.undecided},
+          {"partial", r.partial},
+          {"balanced", share_json(r.balanced)}};
+}
+
+}  // namespace equipoise

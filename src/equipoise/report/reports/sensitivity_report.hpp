@@ -1,0 +1,24 @@
+// What is uncertain in a study, and how the outcome depends on it, as text and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/results/commands/sensitivity_result.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+namespace equipoise {
+
+/// One line for every uncertain value: "drawn with each start: rotor.eccentricity uniform, 0.005 to 0.015", and one for
+/// what the study states of starts although they draw it. Empty if there are none. Omits keys that are `set` otherwise.
+std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
+
+std::string sensitivity_text(const SensitivityResult& result);
+/// An array: key, first and total, each value, low and high.
+nlohmann::ordered_json sensitivity_json(const SensitivityResult& result);
+/// Numbers of rows and evaluations, and so on.
+nlohmann::ordered_json sensitivity_design_json(const SensitivityResult& result);
+
+}  // namespace equipoise

@@ -1,0 +1,42 @@
+// The transients of an ensemble as text and as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/report/drawing/document.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
+#include "equipoise/results/commands/transient_result.hpp"
+
+namespace equipoise {
+
+/// A table for the terminal, in the units of the study's scales: mm, N, mm/s, s; else dimensionless.
+std::string transient_text(const TransientResult& result, const Study& study);
+
+/// e omega in mm/s of the mean residual unbalance at the end, at the speed that the starts of `group` came to. Empty
+/// unless is_graded() (results/commands/left_grade.hpp), and if a driven rotor's speed was never measured.
+std::optional<double> left_grade(const TransientGroup& group, const Study& study);
+
+/// Whether the result tells of the rotor without balls beside that with them.
+bool tells_without_balls(const BasinResult& result);
+/// A row a figure: without balls, with balls held, with balls. Only where tells_without_balls().
+DocumentTable without_balls_table(const BasinResult& result);
+/// The same of a rotor that has no balls at all.
+DocumentTable bare_table(const BasinResult& result);
+/// What to read from either, a sentence each.
+std::vector<std::string> without_balls_words(const BasinResult& result);
+/// The object "without_balls" of basin_json(), in the units of transient_json().
+nlohmann::ordered_json without_balls_json(const WithoutBalls& without, const Study& study);
+
+/// Starts within all limits, a row each of Within; without rows where no limit is stated.
+DocumentTable limits_table(const TransientGroup& group, const Study& study);
+/// Of a study with limits.clearance: how many starts hit the housing. Else empty.
+std::string clearance_words(const TransientGroup& group, const Study& study);
+
+/// The object "transients" of basin_json(), in the same units, which it names.
+nlohmann::ordered_json transient_json(const TransientResult& result, const Study& study);
+
+}  // namespace equipoise

@@ -1,0 +1,63 @@
+// Columns, CSV and JSON of parameters.
+#include "equipoise/report/text/cell_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/report/text/csv.hpp"
+
+namespace equipoise {
+
+std::string column_title(const std::string& key, const std::string& unit) {
+  return unit.empty() ? key : fmt::format("{}, {}", key, unit);
+}
+
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words) {
+  std::vector<std::string> titles;
+  visit_parameters(axes, 0,
+                   [&](const SweepParameter& p, std::size_t) { titles.push_back(column_title(words(p.key), p.unit)); });
+  return titles;
+}
+
+std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::vector<DocumentCell> cells;
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) {
+    cells.push_back(number_cell(fmt::format("{:.6g}", p.values[k])));
+  });
+  return cells;
+}
+
+std::string csv_title(const std::string& key, const std::string& unit) {
+  return csv_text(unit.empty() ? key : fmt::format("{} ({})", key, unit));
+}
+
+std::string csv_titles(const std::vector<SweepAxis>& axes) {
+  std::string line;
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) { line += csv_title(p.key, p.unit) + ","; });
+  return line;
+}
+
+std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  std::string line;
+  visit_parameters(axes, cell,
+                   [&](const SweepParameter& p, std::size_t k) { line += fmt::format("{},", p.values[k]); });
+  return line;
+}
+
+nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes) {
+  auto json = nlohmann::ordered_json::array();
+  visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
+    json.push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+  });
+  return json;
+}
+
+nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  auto json = nlohmann::ordered_json::object();
+  visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) { json[p.key] = p.values[k]; });
+  return json;
+}
+
+}  // namespace equipoise

@@ -1,0 +1,34 @@
+// Parameters of sweeps and similar results in tables.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "equipoise/report/drawing/document.hpp"
+#include "equipoise/results/commands/sweep_result.hpp"
+
+namespace equipoise {
+
+/// "rotor.unbalance, g mm": the title of a column.
+std::string column_title(const std::string& key, const std::string& unit);
+/// The columns of all parameters: titles, and values in a cell. What a key is called there: itself, or words
+/// (report/answers/quantities.hpp).
+using KeyWords = std::string (*)(const std::string& key);
+inline std::string key_itself(const std::string& key) { return key; }
+std::vector<std::string> parameter_titles(const std::vector<SweepAxis>& axes, KeyWords words);
+std::vector<DocumentCell> parameter_values(const std::vector<SweepAxis>& axes, std::size_t cell);
+
+/// The same in CSV, each with a comma behind it.
+std::string csv_titles(const std::vector<SweepAxis>& axes);
+std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell);
+/// "rotor.unbalance (g mm)".
+std::string csv_title(const std::string& key, const std::string& unit);
+
+/// The parameters with their values, and a cell's values by key.
+nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes);
+nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell);
+
+}  // namespace equipoise

@@ -1,0 +1,47 @@
+// Numbers, texts and studies in CSV.
+#include "equipoise/report/text/csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/read_number.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// For a spreadsheet: all that begins so, except for a number with its unit.
+bool is_formula(const std::string& text) {
+  if (text.find_first_of("=+-@\t\r") != 0) return false;
+  double number = 0.0;
+  const char *const end = text.data() + text.size(), *const begin = text.data() + (text.front() == '+' ? 1 : 0);
+  const auto read = read_number(begin, end, number);
+  return read.error != std::errc() ||
+         std::any_of(read.end, end, [](char c) { return std::strchr("=+-@|!(", c) != nullptr; });
+}
+
+}  // namespace
+
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+std::string csv_text(const std::string& given) {
+  std::string text = is_formula(given) ? "'" + given : given;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_study(const Study& study) {
+  std::string text;
+  std::istringstream lines(to_toml(study));
+  for (std::string line; std::getline(lines, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  return text;
+}
+
+}  // namespace equipoise

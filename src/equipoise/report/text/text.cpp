@@ -1,0 +1,219 @@
+// Numbers and studies as text.
+#include "equipoise/report/text/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/plural.hpp"
+#include "equipoise/machine/mechanics/held_speed.hpp"
+#include "equipoise/report/answers/start_text.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/words/text.hpp"
+
+namespace equipoise {
+
+namespace {
+
+using study::Dimension;
+
+// A number of the study, in physical units if the study has them.
+class Shown {
+ public:
+  explicit Shown(const Study& study) : scales_(study.scales) {}
+
+  std::string operator()(double value, Dimension d) const {
+    return scales_ ? engineering(value * study::scale_of(d, *scales_), d) : fmt::format("{}", value);
+  }
+  // One value for all balls, or one per ball; `factor` (only in physical units) multiplies each.
+  std::string list(const double* values, const double* factor, int count, bool same, Dimension d) const {
+    const auto entry = [&](int i) { return (*this)(scales_ && factor ? values[i] * factor[i] : values[i], d); };
+    if (same) return entry(0);
+    std::string text = "[";
+    for (int i = 0; i < count; ++i) text += (i ? ", " : "") + entry(i);
+    return text + "]";
+  }
+
+ private:
+  const std::optional<model::Scales>& scales_;
+};
+
+std::string motor_text(const Study& study) {
+  const TorqueSetting& t = study.speed.torque;
+  using Kind = model::MotorLaw::Kind;
+  const Shown shown(study);
+  const auto torque = [&](double value) { return shown(value, Dimension::torque); };
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  std::string law;
+  if (t.by_stall)
+    law = fmt::format(words::text::torque_by_stall, torque(t.stall), speed(t.no_load_speed));
+  else if (t.kind == Kind::curve)
+    law = fmt::format(words::text::torque_by_curve, t.speeds.size(),
+                      torque(*std::max_element(t.values.begin(), t.values.end())));
+  else if (t.kind == Kind::table)
+    law = fmt::format(words::text::torque_by_time, t.times.size());
+  else if (t.kind == Kind::control)
+    law = fmt::format(words::text::speed_control, speed(study.motor().target.final_speed()),
+                      shown(t.gain, Dimension::gain),
+                      t.limit ? fmt::format(words::text::torque_at_most, torque(*t.limit)) : "");
+  else
+    law = fmt::format(words::text::torque_by_line, torque(t.constant), shown(t.slope, Dimension::gain),
+                      t.until ? fmt::format(", until t = {}", shown(*t.until, Dimension::time)) : "");
+  const LoadSetting& load = study.speed.load;
+  if (!load.is_none()) law += words::text::machine_takes + torque(load.constant + load.linear + load.quadratic);
+  if (load.linear + load.quadratic > 0.0) law += " at " + speed(*load.at);
+  if (model::speeds_up_for_ever(study.system())) law += std::string("; the ") + model::holds_no_speed;
+  return fmt::format(words::text::driven_from, speed(study.speed.initial), law);
+}
+
+// Features beyond an isotropic, horizontal rotor with balls subject only to drag; empty if there are none.
+// One number then stands for all balls, in whatever planes they are.
+bool alike(const std::array<double, model::max_balls>& values, int balls) {
+  return std::count(values.begin(), values.begin() + balls, values[0]) == balls;
+}
+
+std::string more_text(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  const Shown shown(study);
+  const auto both = [&](const std::array<double, 2>& v, Dimension d) {
+    return study.scales ? fmt::format("[{}, {}]", shown(v[0], d), shown(v[1], d))
+                        : fmt::format("[{:.6g}, {:.6g}]", v[0], v[1]);
+  };
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (p.stiffness[0] != p.stiffness[1]) add("stiffness " + both(p.stiffness, Dimension::stiffness));
+  if (p.damping[0] != p.damping[1]) add("damping " + both(p.damping, Dimension::damping));
+  if (p.gravity != 0.0)
+    add(study.scales ? "gravity " + shown(p.gravity, Dimension::acceleration)
+                     : fmt::format("gravity {:.6g}", p.gravity));
+  if (p.tilts()) {
+    const bool same = alike(p.tilt.plane, p.balls);
+    add(fmt::format(words::text::tilts, shown(p.tilt.transverse_inertia, Dimension::inertia),
+                    shown(p.tilt.polar_inertia, Dimension::inertia)));
+    if (p.balls > 0)
+      add(fmt::format(words::text::balls_in_planes, plural(p.balls), same ? "" : "s",
+                      shown.list(p.tilt.plane.data(), nullptr, p.balls, same, Dimension::length)));
+  }
+  if (!p.race_is_centred()) add(words::text::race_offset + both(p.race_offset, Dimension::length));
+  if (p.rolls) {
+    const bool same = alike(p.ball_radius, p.balls);
+    add(words::text::balls_roll + shown.list(p.ball_radius.data(), nullptr, p.balls, same, Dimension::length));
+  }
+  if (p.balls_collide()) add(fmt::format(words::text::balls_touch, p.contact_angle, p.restitution));
+  if (p.balls_stick()) add(fmt::format(words::text::rolling_resistance, p.rolling[0], p.stiction[0]));
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string speed_text(const Study& study) {
+  const SpeedSetting& s = study.speed;
+  const Shown shown(study);
+  const auto speed = [&](double value) { return shown(value, Dimension::speed); };
+  const auto time = [&](double value) { return shown(value, Dimension::time); };
+  std::string text;
+  if (s.driven())
+    text = motor_text(study);
+  else if (s.profile == Profile::constant)
+    text = fmt::format(words::text::constant_speed, speed(s.speed));
+  else if (s.profile == Profile::ramp)
+    text = fmt::format(words::text::ramp, speed(s.initial), speed(s.final), time(s.duration));
+  else if (s.profile == Profile::trapezoid)
+    text = fmt::format(words::text::trapezoid, speed(s.initial), speed(s.peak), time(s.rise_until), time(s.hold_until),
+                       speed(s.final), time(s.fall_until));
+  else if (s.profile == Profile::hill)
+    text = fmt::format(words::text::hill, speed(s.final), time(s.half_time), s.exponent);
+  else
+    text = fmt::format(words::text::speed_points, s.times.size(), speed(s.speeds.back()), time(s.times.back()));
+  if (s.profile != Profile::constant && !s.driven())
+    text += s.law == model::SpeedLaw::published ? words::text::published_law : words::text::kinematic_law;
+  return text;
+}
+
+}  // namespace
+
+std::string percent(double share, int digits) { return fmt::format("{:.{}f} %", 100.0 * share, digits); }
+
+int digits_for(const Share& s) {
+  const double width = 100.0 * s.half_width();
+  return width >= 1.0 ? 1 : width >= 0.05 ? 2 : width >= 0.005 ? 3 : 4;
+}
+
+std::string interval(const Share& s) {
+  const int digits = digits_for(s);
+  if (s.total == 0) return "-";
+  if (s.count == 0) return "below " + percent(s.high, digits);
+  if (s.count == s.total) return "above " + percent(s.low, digits);
+  return fmt::format("{:.{}f} to {}", 100.0 * s.low, digits, percent(s.high, digits));
+}
+
+std::string bounds_text(const Share& s) {
+  Share bounds = s;
+  bounds.low = s.least;
+  bounds.high = s.most;
+  bounds.count = s.least <= 0.0 ? 0 : s.most >= 1.0 ? s.total : s.count;
+  return interval(bounds);
+}
+
+std::string study_heading(const Study& study) {
+  const model::Parameters& p = study.parameters;
+  std::string text = fmt::format("{}\n", study.name);
+  const Shown shown(study);
+  const bool same = alike(p.mass, p.balls) && alike(p.drag, p.balls);
+  if (p.balls == 0)
+    text += words::text::no_balls_semicolon;
+  else
+    text += fmt::format(words::text::balls_are, p.balls, plural(p.balls),
+                        shown.list(p.mass.data(), nullptr, p.balls, same, Dimension::mass),
+                        shown.list(p.drag.data(), p.mass.data(), p.balls, same, Dimension::gain));
+  text += fmt::format(words::text::rotor_is, shown(p.eccentricity, Dimension::length),
+                      shown(p.damping[0], Dimension::damping));
+  if (study.scales)
+    text += fmt::format(fmt::runtime(p.tilts() || p.stiffness[0] != p.stiffness[1] ? words::text::unit_of_speed_is
+                                                                                   : words::text::critical_speed_is),
+                        shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
+  const std::string held = held_text(study);
+  return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
+}
+
+std::string rotor_speed_text(const Study& study, double speed) {
+  return study.scales ? Shown(study)(speed, Dimension::speed) : fmt::format("{:.6g}", speed);
+}
+
+const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
+
+nlohmann::ordered_json share_json(const Share& s) {
+  return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
+}
+
+nlohmann::ordered_json sure_share_json(const Share& s) {
+  nlohmann::ordered_json json = share_json(s);
+  json["least"] = s.least;
+  json["most"] = s.most;
+  return json;
+}
+
+nlohmann::ordered_json tree_json(const StudyValue& value) {
+  using nlohmann::ordered_json;
+  if (const auto* table = value.table()) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [key, member] : *table) json[key] = tree_json(member);
+    return json;
+  }
+  if (const auto* array = value.array()) {
+    ordered_json json = ordered_json::array();
+    for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
+    return json;
+  }
+  if (const auto* truth = value.boolean()) return *truth;
+  if (const auto* whole = value.integer()) return *whole;
+  if (const auto* number = value.real()) return *number;
+  return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
+}
+
+nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
+
+}  // namespace equipoise

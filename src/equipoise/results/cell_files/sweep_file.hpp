@@ -1,0 +1,37 @@
+// The file of a sweep: cells are kept as they come, results are written whole at the end.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "equipoise/results/commands/sweep_result.hpp"
+
+namespace equipoise {
+
+/// Writes `path` anew from a sweep in memory, as sweep() would leave it there. NetCDF (classic, 64-bit offsets),
+/// sealed: a coordinate for every parameter, one dimension per axis; outcome kinds with code, name and alias; count,
+/// share and its interval, mean decision time and figures of the motion by cell and outcome; quantiles of the
+/// transients and shares above limits by cell. Missing cells are filled. Every variable has units and long_name. Throws
+/// InputError if unfinished results stand beside it; RunError, with an old file kept, if the disk is full.
+void write_sweep_file(const std::string& path, const SweepResult& result);
+
+/// Identity and content of a sweep's results or its unfinished part. Throws InputError for other or damaged files.
+struct StoredSweep {
+  std::string identity;
+  std::map<std::size_t, std::shared_ptr<SweepCell>> cells;  ///< by index, which may be any number
+};
+StoredSweep read_sweep(const std::string& path);
+
+namespace io {
+
+class CellFile;
+
+/// Records are cells (sweep_cells.hpp). `cells`, an entry per cell, receives the known ones. Throws like CellFile.
+std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::string& identity, SweepCells& cells);
+/// Only searches of missing cells stay in the unfinished part.
+void finish_sweep_file(CellFile& file, const SweepResult& result);
+
+}  // namespace io
+}  // namespace equipoise

@@ -1,0 +1,32 @@
+// How a column of numbers is described: one line each, over which files, tables, pages and Python go.
+// This room: columns of numbers: name, meaning, unit, getter, one line each.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "equipoise/study/units/units.hpp"
+
+namespace equipoise {
+
+struct Column {
+  const char* name;                                          ///< in files, JSON and arrays
+  const char* meaning;                                       ///< without its unit
+  std::optional<study::Dimension> dimension = std::nullopt;  ///< none: a pure number
+  const char* remark = "";                                   ///< behind the unit: "missing: not settled"
+
+  const char* unit() const { return dimension ? study::words(*dimension).dimensionless : "1"; }
+  /// As CF has it, which knows nothing of R and omega_c: long_name() tells of those.
+  const char* cf_units() const { return dimension == study::Dimension::angle ? "radian" : "1"; }
+  /// "study time at which the outcome was known, in 1/omega_c".
+  std::string long_name() const {
+    std::string text = meaning;
+    if (dimension == study::Dimension::length)
+      text += ", in race radii";
+    else if (dimension && dimension != study::Dimension::angle)
+      text += std::string(", in ") + unit();
+    return text + (*remark ? "; " : "") + remark;
+  }
+};
+
+}  // namespace equipoise

@@ -1,0 +1,90 @@
+// How large a parameter may become before a balancer fails.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/core/statistics/share.hpp"
+#include "equipoise/results/commands/sweep_result.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+namespace equipoise {
+
+/// One ensemble of the search.
+struct CapacityTrial {
+  double value = 0.0;
+  Share balanced, undecided;  ///< balanced: that do what is asked; of no starts if `unstable`
+  bool unstable = false;      ///< no balanced state attracts there: no start was followed
+  /// States on the motions found, from which the search at a neighbouring value begins.
+  std::vector<std::vector<double>> states;
+
+  /// Upper bound on the balanced share, whatever undecided starts would come to.
+  double most() const { return unstable ? 0.0 : balanced.most; }
+};
+
+/// The boundary in one cell: at every value tried below it, the balanced share is as large as required.
+struct CapacityCell {
+  std::vector<CapacityTrial> trials;  ///< by value
+  /// Where the share falls short: half-way between the last value that does not and the first that does. Empty if it
+  /// does so at the least value already, or nowhere.
+  std::optional<double> value;
+  /// With 95 % confidence at each end: the last value at which the share is surely as large, whatever undecided starts
+  /// would come to, and the first at which it is surely smaller. The ends of the range if there are none.
+  double low = 0.0, high = 0.0;
+  bool always = false;  ///< as large up to the end of the range: the capacity lies beyond
+  bool never = false;   ///< smaller from the start of the range
+
+  /// `low` and `high` as far as a trial shows them.
+  std::optional<double> shown_low(double at_least) const {
+    for (const CapacityTrial& t : trials)
+      if (t.value <= low && !t.unstable && t.balanced.least >= at_least) return low;
+    return std::nullopt;
+  }
+  std::optional<double> shown_high(double at_least) const {
+    for (const CapacityTrial& t : trials)
+      if (t.value >= high && t.most() < at_least) return high;
+    return std::nullopt;
+  }
+};
+
+/// What a stopped run knows of a cell's boundary, as CapacityCell::low and high; empty if no value tried shows it. More
+/// trials only bring the two closer.
+struct OpenCapacity {
+  std::optional<double> low, high;
+  std::size_t trials = 0;
+};
+
+struct CapacityResult {
+  Study study;
+  std::string key, unit;  ///< the key asked for, and the unit of its values
+  double from = 0.0, to = 0.0, precision = 0.0;
+  double at_least = 0.95;
+  std::string by = "balanced";  ///< what a start must do: balance, keep all "limits", or keep one, by its name
+  std::uint64_t starts = 0;     ///< of each ensemble
+  std::vector<SweepAxis> axes;
+  std::vector<std::optional<CapacityCell>> cells;  ///< as in a sweep
+  std::vector<std::optional<OpenCapacity>> open;   ///< for cells that were begun and not finished
+  std::uint64_t trials = 0;                        ///< made in this run
+  std::uint64_t most_trials = 0;                   ///< number that all cells take
+  std::uint64_t resumed_trials = 0;                ///< read from an earlier run's file
+  int threads = 0;
+  std::string cpu_target;
+  double seconds = 0.0, cpu_seconds = 0.0;
+
+  /// "end balanced", "keep every limit", "keep limits.velocity".
+  std::string asked() const {
+    return by == "balanced" ? "end balanced" : by == "limits" ? "keep every limit" : "keep limits." + by;
+  }
+  /// The same of one start: "ends balanced", "keeps velocity".
+  std::string asked_of_one() const { return by == "balanced" ? "ends balanced" : "keeps " + by; }
+  bool complete() const {
+    for (const auto& cell : cells)
+      if (!cell) return false;
+    return true;
+  }
+};
+
+}  // namespace equipoise

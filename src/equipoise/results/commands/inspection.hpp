@@ -1,0 +1,27 @@
+// Content of a file of results.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equipoise/results/commands/outcome_share.hpp"
+
+namespace equipoise {
+
+struct Inspection {
+  std::string path;
+  std::string kind;  ///< "basin", "sweep", "capacity", "design", "map", "branches", "trajectory", "unfinished results";
+                     ///< empty: unknown
+  std::string version;  ///< of the program that wrote it
+  std::uint64_t bytes = 0;
+  std::string damage;                                      ///< in words that follow the file's name; empty: none
+  std::optional<bool> complete;                            ///< if the file says
+  std::vector<std::pair<std::string, std::string>> facts;  ///< by name: starts, cells, what varies
+  std::vector<OutcomeShare> outcomes;  ///< for an ensemble or a basin slice; only the estimates of their shares
+  std::string study;                   ///< TOML; empty if nothing could be read
+};
+
+}  // namespace equipoise

@@ -1,0 +1,70 @@
+// Where the starts of an ensemble end: one line per attractor or other outcome, the same in all results.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/core/statistics/share.hpp"
+#include "equipoise/results/types/outcomes.hpp"
+
+namespace equipoise {
+
+/// Starts that came to one attractor, or to one outcome without attractor.
+struct OutcomeShare {
+  int id = 0;                   ///< the attractor's identifier, or a code of no_attractors
+  std::string name{}, alias{};  ///< alias: V1 to V4 of Wright and Peng (2019)
+  Share share{};                ///< with its 95 % interval
+  std::string kind{};           ///< of the attractor's motion
+  double mean_time = 0.0;       ///< mean time from the start of the last piece (and release) to decision
+  std::array<std::uint64_t, decided_by_count> decided_by{};  ///< starts by the grounds of decision
+  /// For a continuum caused by dry friction: quantiles (unbalance_quantiles) of the unbalance left, over the starts
+  /// that come there; else empty.
+  std::vector<double> unbalance{};
+  std::vector<double> grade{};  ///< in a study with physical units: their balance quality grades, mm/s
+};
+inline constexpr std::array<double, 4> unbalance_quantiles{0.1, 0.5, 0.9, 1.0};
+
+/// "co-drifting (V1)".
+template <class Named>
+std::string title_of(const Named& o) {
+  return o.alias.empty() ? o.name : o.name + " (" + o.alias + ")";
+}
+/// "V1: co-drifting".
+template <class Named>
+std::string legend_of(const Named& o) {
+  return o.alias.empty() ? o.name : o.alias + ": " + o.name;
+}
+
+/// Shares of the starts that came to no attractor.
+struct OtherShares {
+  Share undecided, diverged, failed;
+  std::optional<Share> stalled;  ///< of a driven rotor: its motor did not bring it to stall_speed()
+
+  std::uint64_t lost() const { return diverged.count + failed.count; }
+  /// Null for impossible outcomes: only driven rotors stall.
+  const Share* of(int code) const {
+    return code == undecided_code  ? &undecided
+           : code == diverged_code ? &diverged
+           : code == failed_code   ? &failed
+                                   : (stalled ? &*stalled : nullptr);
+  }
+  /// In display order: starts that stalled come to something, so they come first.
+  std::vector<OutcomeShare> others() const {
+    std::vector<OutcomeShare> lines;
+    for (const NoAttractor& n : no_attractors)
+      if (const Share* share = of(n.code))
+        lines.insert(n.code == stalled_code ? lines.begin() : lines.end(), {n.code, n.name, "", *share});
+    return lines;
+  }
+  /// Those that some start came to; for a driven rotor always including stalled.
+  std::vector<OutcomeShare> others_met() const {
+    std::vector<OutcomeShare> lines = others();
+    std::erase_if(lines, [](const OutcomeShare& o) { return o.share.count == 0 && o.id != stalled_code; });
+    return lines;
+  }
+};
+
+}  // namespace equipoise

@@ -1,0 +1,42 @@
+// Every start of an ensemble in arrays: the content of basin()'s NetCDF file, without the file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "equipoise/results/columns/transient_figures.hpp"
+
+namespace equipoise {
+
+/// Entry i of every array is start i. Arrays that do not apply to the study are empty.
+struct StartArrays {
+  std::uint64_t starts = 0;
+  int balls = 0;
+  std::vector<double> phi;              ///< initial ball angles, `balls` a start
+  std::vector<double> psi;              ///< of the caller's own starts: initial psi
+  std::vector<double> rotor_state;      ///< with a sampling box, or the caller's own: initial x, y, x_dot, y_dot, 4 per
+                                        ///< start
+  std::vector<double> phi_dot;          ///< with a sampling box, or the caller's own: `balls` per start
+  std::vector<double> drawn;            ///< with uncertain values: the start's draw of each, in its own unit
+  std::vector<double> weight;           ///< on a grid: cells that the start's cell stands for
+  std::vector<short> outcome;           ///< attractor's identifier, or a code of no_attractors
+  std::vector<double> decision_time;    ///< study time at which the outcome was known
+  std::vector<signed char> decided_by;  ///< a DecidedBy
+  std::vector<float> mean_speed;        ///< of a driven rotor; not-a-number where never measured
+  std::vector<float> left_unbalance;    ///< of balls that stick; not-a-number where dry friction holds none
+  std::vector<signed char> balls_met;   ///< of balls that touch: 1 where they did before the outcome was known
+  /// If they were gathered: one array a column of transient_figures. Infinite (a file says: missing) where a time goes
+  /// on, not-a-number for starts that were lost.
+  std::array<std::vector<float>, transient_figures.size()> transients;
+
+  /// The column with this name, such as "settling_time"; null if there is none.
+  const std::vector<float>* transient(std::string_view name) const {
+    for (std::size_t k = 0; k < transient_figures.size(); ++k)
+      if (name == transient_figures[k].name) return &transients[k];
+    return nullptr;
+  }
+};
+
+}  // namespace equipoise

@@ -1,0 +1,259 @@
+// The journal's file: header, records, damage passed over.
+#include "equipoise/results/io/journal.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/results/io/checksum.hpp"
+#include "equipoise/results/io/replacement.hpp"
+#include "equipoise/results/words/files.hpp"
+
+namespace equipoise::io {
+
+namespace {
+
+// Numbers are in the machine's byte order; on a machine of the other order the marks do not match.
+constexpr std::uint64_t file_mark = 0x314C4E524A505145, record_mark = 0x3144524F43455245;
+
+struct FileHeader {
+  std::uint64_t mark = file_mark, bytes = 0, checksum = 0;
+};
+
+struct RecordHeader {
+  std::uint64_t mark = record_mark, kind = 0, first = 0, count = 0;
+  double seconds = 0.0, cpu_seconds = 0.0;
+  std::uint64_t bytes = 0, checksum = 0;  // over everything before it, and the payload
+};
+constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
+
+// Time between two syncs: little work is lost. Syncs take a hundredth of the time at most.
+constexpr std::chrono::seconds sync_every{1};
+constexpr int sync_rest = 100;
+
+bool add_to(Checksum& sum, const DiskFile& file, std::uint64_t offset, std::uint64_t size) {
+  std::vector<char> part(std::min<std::uint64_t>(size, 1 << 20));
+  for (std::uint64_t at = 0; at < size; at += part.size()) {
+    part.resize(std::min<std::uint64_t>(part.size(), size - at));
+    if (!file.read_at(offset + at, part.data(), part.size())) return false;
+    sum.add(part.data(), part.size());
+  }
+  return true;
+}
+
+// The header at `begin`, of a record that fits into the first `end` bytes of the file.
+std::optional<RecordHeader> fitting_header(const DiskFile& file, std::uint64_t begin, std::uint64_t end) {
+  RecordHeader header;
+  if (end < begin || end - begin < sizeof header || !file.read_at(begin, &header, sizeof header)) return {};
+  if (header.mark != record_mark || header.bytes > end - begin - sizeof header) return {};
+  return header;
+}
+
+bool is_sound(const DiskFile& file, std::uint64_t begin, const RecordHeader& header) {
+  Checksum sum;
+  sum.add(&header, summed);
+  return add_to(sum, file, begin + sizeof header, header.bytes) && sum.value() == header.checksum;
+}
+
+}  // namespace
+
+Journal::Journal(const std::string& path, const std::string& output, const std::string& identity)
+    : path_(path), synced_(std::chrono::steady_clock::now()) {
+  open_locked(output);
+  const auto there = file_.size();
+  if (!there) throw RunError(path_ + ": cannot be read");
+  const std::uint64_t size = *there;
+  try {
+    read_header(identity, size);
+    if (end_ > 0) read_records(size);
+  } catch (...) {
+    if (size == 0) (void)remove_file(path_);
+    throw;
+  }
+  spoilt_ = size > end_;
+}
+
+Journal::Journal(const std::string& path) : path_(path), only_reads_(true) {
+  const int error = file_.open(path, DiskFile::Open::read);
+  const auto there = file_.size();
+  if (error != 0 || !there) throw InputError(path, "", "", fmt::format("cannot be read: {}", error_text(error)));
+  read_header("", *there);
+  if (end_ > 0) read_records(*there);
+}
+
+Journal::~Journal() {
+  const bool damaged = end_ > 0 && spoilt_;
+  if (!only_reads_ && file_.is_open() && records_.empty() && !damaged) (void)remove_file(path_);
+}
+
+// The lock ends with the process. If the file's last owner removed it before it was locked here, it is opened anew.
+void Journal::open_locked(const std::string& output) {
+  for (;;) {
+    if (const int error = file_.open(path_, DiskFile::Open::update))
+      throw InputError("output", "", "", fmt::format(words::files::file_must_be_writable, path_, error_text(error)));
+    if (!file_.lock()) throw InputError(output, "", "", words::files::written_by_another);
+    if (file_.is_named(path_)) return;
+  }
+}
+
+void Journal::read_header(const std::string& identity, std::uint64_t size) {
+  FileHeader header;
+  const std::size_t there = std::min<std::uint64_t>(size, sizeof header);
+  if (!file_.read_at(0, &header, there) || std::memcmp(&header, &file_mark, std::min(there, sizeof file_mark)) != 0)
+    throw InputError(path_, "", "", words::files::no_results_or_damaged);
+  const bool begun = there < sizeof header || (header.bytes == identity.size() && size - there < header.bytes);
+  if (begun) {  // new, or its writer was killed at once
+    identity_ = identity;
+    return;
+  }
+  identity_.resize(std::min(header.bytes, size - there));
+  Checksum sum;
+  const bool read = file_.read_at(sizeof header, identity_.data(), identity_.size());
+  sum.add(identity_.data(), identity_.size());
+  if (!read || identity_.size() != header.bytes || sum.value() != header.checksum)
+    throw InputError(path_, "", "", words::files::owner_is_damaged);
+  end_ = sizeof header + header.bytes;
+}
+
+// Brings the file and its name to disk before any result relies on them.
+void Journal::write_header() {
+  Checksum sum;
+  sum.add(identity_.data(), identity_.size());
+  const FileHeader header{file_mark, identity_.size(), sum.value()};
+  std::vector<char> bytes(sizeof header + identity_.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, identity_.data(), identity_.size());
+  write(bytes);
+  sync();
+  (void)to_disk(std::filesystem::path(path_).parent_path().string());
+}
+
+// Where the mark of a record is next, at `from` or behind it; `size` if nowhere.
+std::uint64_t Journal::next_mark(std::uint64_t from, std::uint64_t size) const {
+  std::string mark(sizeof record_mark, '\0');
+  std::memcpy(mark.data(), &record_mark, mark.size());
+  std::string block(mark.size(), '\0');  // mostly it is there
+  while (from <= size && size - from >= mark.size()) {
+    block.resize(std::min<std::uint64_t>(block.size(), size - from));
+    if (!file_.read_at(from, block.data(), block.size())) break;
+    if (const std::size_t at = block.find(mark); at != std::string::npos) return from + at;
+    from += block.size() - (mark.size() - 1);
+    block.resize(1 << 20);
+  }
+  return size;
+}
+
+void Journal::read_records(std::uint64_t size) {
+  // A file made of marks must not be summed up again from each.
+  constexpr std::uint64_t most_readings = 16;
+  std::uint64_t in_vain = 0;
+  for (std::uint64_t at = end_; (at = next_mark(at, size)) < size && in_vain <= most_readings * size;) {
+    const auto header = fitting_header(file_, at, size);
+    if (!header || !is_sound(file_, at, *header)) {
+      in_vain += header ? header->bytes : 0;
+      ++at;
+      continue;
+    }
+    lost_ += at - end_;
+    const std::uint64_t payload = at + sizeof *header;
+    records_.push_back({static_cast<Kind>(header->kind), header->first, header->count, header->seconds,
+                        header->cpu_seconds, payload, header->bytes});
+    at = end_ = payload + header->bytes;
+  }
+  lost_ += size - end_;
+}
+
+std::string Journal::loss() const { return lost_ == 0 ? "" : fmt::format(words::files::damaged_bytes, path_, lost_); }
+
+void Journal::read(const Record& record, std::uint64_t offset, std::size_t bytes, void* data) const {
+  if (offset > record.bytes || bytes > record.bytes - offset || !file_.read_at(record.payload + offset, data, bytes))
+    throw RunError(path_ + ": cannot be read");
+}
+
+void Journal::require_sound() const {
+  for (const Record& record : records_) {
+    const std::uint64_t begin = record.payload - sizeof(RecordHeader);
+    const auto header = fitting_header(file_, begin, record.end());
+    if (!header || header->bytes != record.bytes || !is_sound(file_, begin, *header))
+      throw RunError(fmt::format(words::files::changed_by_another, path_));
+  }
+}
+
+void Journal::append(Record record, const void* payload, std::size_t bytes) {
+  const std::lock_guard lock(appending_);
+  RecordHeader header;
+  header.kind = static_cast<std::uint64_t>(record.kind);
+  header.first = record.first;
+  header.count = record.count;
+  header.seconds = record.seconds;
+  header.cpu_seconds = record.cpu_seconds;
+  header.bytes = bytes;
+  Checksum sum;
+  sum.add(&header, summed);
+  sum.add(payload, bytes);
+  header.checksum = sum.value();
+  std::vector<char> text(sizeof header + bytes);
+  std::memcpy(text.data(), &header, sizeof header);
+  if (bytes > 0) std::memcpy(text.data() + sizeof header, payload, bytes);
+  if (end_ == 0) write_header();
+  record.payload = end_ + sizeof header;
+  record.bytes = bytes;
+  write(text);
+  records_.push_back(record);
+  const auto rest = std::max<std::chrono::steady_clock::duration>(sync_every, sync_rest * sync_took_);
+  if (std::chrono::steady_clock::now() - synced_ >= rest) sync();
+}
+
+// A partial write is undone.
+void Journal::write(const std::vector<char>& bytes) {
+  if (file_.size().value_or(end_) < end_) throw RunError(fmt::format(words::files::changed_by_another, path_));
+  int error = spoilt_ ? file_.cut(end_) : 0;
+  if (error == 0) error = file_.write_at(end_, bytes.data(), bytes.size());
+  spoilt_ = false;
+  if (error == 0) {
+    end_ += bytes.size();
+    return;
+  }
+  (void)file_.cut(end_);
+  throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(error)));
+}
+
+void Journal::sync() {
+  const auto begin = std::chrono::steady_clock::now();
+  if (const int error = file_.to_disk(false))
+    throw RunError(fmt::format("{}: cannot be written: {}", path_, error_text(error)));
+  synced_ = std::chrono::steady_clock::now();
+  sync_took_ = synced_ - begin;
+}
+
+void Journal::remove() {
+  (void)remove_file(path_);
+  (void)file_.close();
+}
+
+void Journal::keep_only(Kind kind) {
+  std::vector<std::pair<Record, std::vector<char>>> kept;
+  for (const Record& record : records_) {
+    if (record.kind != kind) continue;
+    auto& [copy, payload] = kept.emplace_back(record, std::vector<char>(record.bytes));
+    read(copy, 0, payload.size(), payload.data());
+  }
+  if (kept.empty()) return remove();
+  records_.clear();
+  end_ = sizeof(FileHeader) + identity_.size();
+  lost_ = 0;
+  spoilt_ = true;  // the first record overwrites everything after the header
+  try {
+    for (const auto& [record, payload] : kept) append(record, payload.data(), payload.size());
+    sync();
+  } catch (const RunError&) {  // a full disk: nobody had asked for what is lost
+    remove();
+  }
+}
+
+}  // namespace equipoise::io

@@ -1,0 +1,45 @@
+// Files that appear whole or not at all.
+// This room: whole-file replacement, journal, checksums, NetCDF.
+#pragma once
+
+#include <string>
+
+namespace equipoise::io {
+
+/// Why no file can be written at `path` ("the folder a/b does not exist"); empty if one can. Leaves no traces.
+std::string why_not_writable(const std::string& path);
+
+/// The final path of a file, with symbolic links followed, so that replacing it does not break them.
+std::string resolved(const std::string& path);
+
+/// The system's words for an error number.
+std::string error_text(int error);
+
+/// Brings a file, or a folder's list of files, to disk. Returns the system's error, 0 for none.
+int to_disk(const std::string& path);
+
+/// A new file beside `path` that atomically replaces it on disk once complete. Readers see the old or the new content,
+/// even after a crash or on a full disk. A path that is no regular file (a terminal, a pipe) is written directly.
+class Replacement {
+ public:
+  /// Throws RunError if the file cannot be created. `ending`: of the new file's name, which
+  /// nothing has had so far.
+  explicit Replacement(const std::string& path, const std::string& ending = {});
+  ~Replacement();
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  /// Where to write: an empty file.
+  const std::string& file() const { return file_; }
+  /// Puts it in place. Throws RunError, with the old content kept, if it cannot be brought to disk.
+  void commit();
+
+ private:
+  std::string path_, file_;
+  bool beside_ = true, done_ = false;
+};
+
+/// Writes `text` to `path` by a Replacement. Throws RunError.
+void write_whole(const std::string& path, const std::string& text);
+
+}  // namespace equipoise::io

@@ -1,0 +1,117 @@
+// Per-start results as NetCDF, kept as they come and resumable.
+// This room: files of single results.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "equipoise/machine/datasheet/scales.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+#include "equipoise/results/commands/without_balls.hpp"
+#include "equipoise/results/result_files/start_columns.hpp"
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
+
+namespace equipoise {
+
+class SearchLog;
+
+/// What a basin file states about the run that made it.
+struct BasinFileHeader {
+  std::string study;  ///< resolved study as TOML, without its number of starts
+  int balls = 2;
+  std::string cpu_target;              ///< of this run; a file may hold results of several
+  std::string arithmetic;              ///< runs with the same value give bit-identical results
+  bool angles = true;                  ///< false: leave phi out; it follows from seed and index
+  bool driven = false;                 ///< a motor turns the rotor: each start has its own mean speed
+  bool touches = false;                ///< balls collide: each start records whether they did
+  bool sticks = false;                 ///< dry friction may hold balls anywhere: each start has its own unbalance left
+  std::vector<std::string> variables;  ///< of the states of discoveries, by name
+  /// Uncertain values that each start draws, by key, and their units. A motion is then kept as the number of the start
+  /// that met it, because each start has its own rotor.
+  std::vector<std::string> drawn, drawn_units;
+  bool full_starts = false;  ///< starts differ in more than their ball angles
+  std::string own_starts;    ///< for the caller's own starts: their number and checksum; empty: drawn
+  SamplingMethod method = SamplingMethod::random;
+  std::optional<TransientSettings> transients;  ///< if the file holds transients
+  std::optional<model::Scales> scales;          ///< of a study in physical units; stated in files with transients
+};
+
+/// Total time of all runs into a file.
+struct RunTime {
+  double seconds = 0.0, cpu_seconds = 0.0;
+};
+
+/// A basin result is kept in two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole
+/// to another file that is then renamed. Dimension start has its index and the variables phi(start, ball),
+/// outcome(start), decision_time(start), decided_by(start); for driven rotors mean_speed(start), with balls that stick
+/// left_unbalance(start), with balls that touch balls_met(start), with full_starts rotor_state(start, rotor_component)
+/// and phi_dot(start, ball), with own_starts psi(start), on a grid weight(start), with uncertain values drawn(start,
+/// uncertain_value), with transients the columns of TransientRow. Dimension outcome_kind has code, name, alias, count,
+/// share and its interval; except for random starts also the origin of the interval and the equivalent number of random
+/// starts; with balls that stick quantiles of what they leave. Dimension discovery has states of motions met during the
+/// run. Every variable has units and long_name. Readable by xarray, ncdump, ncview. A checksum ends the file; without
+/// the right one it is not read.
+///
+/// During a run, `path`.part holds what is new (results/io/journal.hpp): a run that is killed loses a second's work. It
+/// also holds what the search has found out. It is removed once all results are in place; with incomplete results only
+/// the search stays in it. Only one run at a time may use a file.
+class BasinFile {
+ public:
+  /// Opens what `path` and `path`.part hold of the same study, seed, version and arithmetic, or begins anew. Throws
+  /// InputError if it cannot be written, is in use, is damaged, or holds something else, and says which.
+  BasinFile(const std::string& path, const BasinFileHeader& header);
+  ~BasinFile();
+  BasinFile(const BasinFile&) = delete;
+  BasinFile& operator=(const BasinFile&) = delete;
+
+  /// Starts already stored (0 .. stored() - 1).
+  std::uint64_t stored() const;
+  /// The next start that is stored behind a gap, left by damage; the largest number if there is none. Once the gap is
+  /// filled, stored() passes over it.
+  std::uint64_t stored_next() const;
+  /// What damage has taken from `path`.part, in words; empty if nothing.
+  std::string loss() const;
+  /// Of these, those that `path` does not hold yet.
+  std::uint64_t unfinished() const;
+  /// The CPU targets that they were computed on.
+  const std::vector<std::string>& cpu_targets() const;
+  /// Fates of starts first .. first + count - 1.
+  std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
+  /// Their transients, of a file that holds them.
+  std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
+  /// Appends starts; they are on disk within about a second of work. `so_far`: time of this run. If the disk cannot
+  /// take them, throws RunError and keeps all earlier starts.
+  void append(const StartBatch& batch, const RunTime& so_far);
+  /// States on motions first met during earlier runs, in the order of starts: enough to name the motions again.
+  std::vector<std::vector<double>> discoveries() const;
+  /// The search log of earlier runs that did not finish.
+  SearchLog& notes();
+  /// Removes the search log: everything asked for is in `path`.
+  void forget_notes();
+  void append_attractor_search(const std::vector<double>& state);
+  /// Writes the results: everything stored, its summary, the resolved study. `complete`: all requested starts are
+  /// there. `time`: of this run; earlier runs' time is added. Writes nothing if nothing is stored. Call it last. If the
+  /// disk cannot take it, throws RunError and keeps everything as it was.
+  /// `all`, `without_balls`: if the file holds transients.
+  void finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
+              const RunTime& time, const std::optional<TransientGroup>& all = {},
+              const std::optional<WithoutBalls>& without_balls = {});
+  /// As stated by the last run's finish(); complete() is false if there was none.
+  bool complete() const;
+  std::vector<OutcomeShare> summary() const;
+  RunTime time() const;
+
+ private:
+  void read_share(std::size_t kind, Share& share) const;
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace equipoise

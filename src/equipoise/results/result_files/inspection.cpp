@@ -1,0 +1,157 @@
+// Recognises kinds of files by their content.
+#include "equipoise/results/result_files/inspection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_file.hpp"
+#include "equipoise/results/io/journal.hpp"
+#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
+#include "equipoise/results/words/files.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// What was varied and looked for.
+void add_question(const io::IdentityLines& identity, Inspection& i) {
+  for (const std::string& parameter : identity.over()) i.facts.emplace_back("over", parameter);
+  for (const char* key : {"of", "at_least", "by", "from", "to", "unit"})
+    if (const std::string value = identity.value(std::string("capacity.") + key); !value.empty())
+      i.facts.emplace_back(key, value);
+}
+
+std::string kind_of(const io::NetcdfFile& file) {
+  if (std::string kind = file.attribute("kind"); !kind.empty()) return kind;
+  if (file.length("start") > 0) return "basin";
+  if (file.length("x") > 0 && file.length("y") > 0) return "map";
+  if (!file.attribute("parameter").empty()) return "branches";
+  return file.length("t") > 0 || file.length("time") > 0 ? "trajectory" : "";
+}
+
+// `before`: prefix of their variables' names.
+void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
+  const std::size_t kinds = file.length("outcome_kind");
+  const int codes = file.variable(before + "code", NC_SHORT, {kinds}),
+            shares = file.variable(before + "share", NC_DOUBLE, {kinds});
+  for (std::size_t k = 0; k < kinds; ++k) {
+    short code = 0;
+    OutcomeShare outcome;
+    file.read(codes, {k}, {1}, &code);
+    file.read(shares, {k}, {1}, &outcome.share.share);
+    outcome.id = code;
+    outcome.name = file.read_text(before + "name", k);
+    i.outcomes.push_back(outcome);
+  }
+}
+
+void count_cells(const io::NetcdfFile& file, Inspection& i) {
+  const std::size_t cells = file.length("cell");
+  std::vector<double> ends(cells);
+  file.read(file.variable("record_end", NC_DOUBLE, {cells}), {0}, {cells}, ends.data());
+  std::size_t done = 0;
+  for (std::size_t k = 0; k < cells; ++k) done += ends[k] > (k > 0 ? ends[k - 1] : 0.0);
+  i.facts.emplace_back("cells done", fmt::format("{} of {}", done, cells));
+}
+
+void read_results_file(Inspection& i) {
+  const io::NetcdfFile file(i.path, io::NetcdfFile::Mode::read);
+  i.kind = kind_of(file);
+  const std::string source = file.attribute("source"), identity = file.attribute("identity");
+  i.version = source.starts_with("equipoise ") ? source.substr(10) : "";
+  if (const std::string complete = file.attribute("complete"); !complete.empty()) i.complete = complete == "yes";
+  i.study = file.attribute("study");
+  constexpr std::array told{"start",     "x", "y",    "value",    "attractor", "event",
+                            "discovery", "t", "time", "ensemble", "front"};
+  for (const char* dimension : told)
+    if (const std::size_t length = file.length(dimension)) i.facts.emplace_back(dimension, fmt::format("{}", length));
+  if (i.kind == "sweep" || i.kind == "capacity") {
+    count_cells(file, i);
+    add_question(io::IdentityLines(identity), i);
+  }
+  if (i.kind == "basin") add_outcomes(file, "kind_", i);
+  if (i.kind == "map") add_outcomes(file, "", i);
+  for (const char* name : {"parameter", "axes", "links", "refine", "cpu_target", "seconds"})
+    if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
+}
+
+// A basin may be asked for any number of starts, so its identity names none: 1 stands there, except on a grid.
+std::string study_of(const io::IdentityLines& identity) {
+  const std::string placeholder = "starts = 1\n";
+  std::string study = identity.study;
+  const std::size_t at = identity.value("angles").empty() ? std::string::npos : study.find(placeholder);
+  return at == std::string::npos ? study : study.erase(at, placeholder.size());
+}
+
+void read_unfinished(Inspection& i) {
+  const io::Journal journal(i.path);
+  const io::IdentityLines identity(display_lines(journal.identity()));
+  i.kind = "unfinished results";
+  i.complete = false;
+  i.version = identity.value("version");
+  i.study = study_of(identity);
+  add_question(identity, i);
+  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0;
+  std::set<std::uint64_t> cells;
+  for (const io::Journal::Record& record : journal.records()) {
+    if (record.kind == io::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
+    if (record.kind == io::Journal::Kind::cell) cells.insert(record.first);
+    if (record.kind == io::Journal::Kind::pixels) pixels += record.count;
+    if (record.kind == io::Journal::Kind::trial) trials += record.count;
+    if (record.kind == io::Journal::Kind::ensemble) ensembles += record.count;
+    if (record.kind == io::Journal::Kind::note) ++notes;
+  }
+  if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
+  if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
+  if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
+  if (ensembles > 0) i.facts.emplace_back("ensembles done", fmt::format("{}", ensembles));
+  if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
+  if (notes > 0) i.facts.emplace_back(words::files::search_steps, fmt::format("{}", notes));
+  i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
+  if (journal.lost_bytes() > 0) i.damage = fmt::format(words::files::damaged_within_sound, journal.lost_bytes());
+}
+
+bool is_netcdf(const std::string& path) {
+  std::array<char, 3> begin{};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string(begin.data(), begin.size()) == "CDF";
+}
+
+}  // namespace
+
+Inspection inspect_file(const std::string& path) {
+  Inspection i;
+  i.path = path;
+  std::error_code error;
+  i.bytes = std::filesystem::file_size(path, error);
+  if (error || !std::filesystem::is_regular_file(path))
+    throw InputError(path, "", "",
+                     fmt::format(words::files::results_or_unfinished_part, error && error != std::errc::not_supported
+                                                                               ? unreadable_because(error.value())
+                                                                               : words::files::not_a_regular_file));
+  if (!is_netcdf(path)) {
+    read_unfinished(i);
+    return i;
+  }
+  i.damage = io::why_not_whole(path);
+  if (!i.damage.empty()) return i;
+  try {
+    read_results_file(i);
+  } catch (const RunError& e) {
+    i.damage = e.what();
+  }
+  return i;
+}
+
+}  // namespace equipoise

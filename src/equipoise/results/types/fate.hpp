@@ -1,0 +1,63 @@
+// What became of one start, on what grounds, and how that is told in numbers and words.
+// This room: plain types that engine and results share: fates, motions, attractors, transients, warm starts.
+#pragma once
+
+#include <array>
+#include <limits>
+
+namespace equipoise {
+
+/// Outcomes of a start.
+enum class Outcome : signed char {
+  attracted = 0,  ///< came to an attractor; Fate::attractor says which
+  undecided = 1,  ///< came to none by the horizon
+  diverged = 2,   ///< left every motion a balancer can make (divergence_limit)
+  failed = 3,     ///< the integrator's step size vanished
+  stalled = 4,    ///< a driven rotor whose motor did not bring it up to speed (Sommerfeld capture)
+};
+
+/// On what grounds a fate was decided. The numbers are stored in result files.
+enum class DecidedBy : signed char {
+  nothing = 0,
+  proof = 1,      ///< inside a level set proved to lead to the attractor only
+  validated = 2,  ///< inside a level set from the edge of one of twice the level every one of a thousand tried states
+                  ///< or more came to the attractor
+  windows = 3,    ///< features of successive windows of time
+  horizon = 4,    ///< there at the horizon
+  followed = 5,   ///< stationary by its windows in a way that the rule did not know; then followed to its motion
+};
+inline constexpr int decided_by_count = 6;
+inline constexpr std::array<const char*, decided_by_count> decided_by_names{"nothing", "proof",   "validated",
+                                                                            "windows", "horizon", "followed"};
+
+/// The identifier of the balanced state in every catalogue.
+inline constexpr int balanced_id = 1;
+
+/// What stands for those that no attractor's identifier stands for, in files and arrays.
+inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
+
+const char* name_of(Outcome outcome);  ///< the word in results and files: "undecided"
+
+struct Fate {
+  Outcome outcome = Outcome::undecided;
+  DecidedBy by = DecidedBy::nothing;
+  /// Identifier in the catalogue, from 1; 0: none, or a stationary motion that the rule does not list. Below 0: one of
+  /// OwnRotor::met, until it is listed.
+  short attractor = 0;
+  double time = 0.0;  ///< study time at which it was known
+  /// Of a driven rotor: mean psi' of the motion it came to, or, of an undecided start, when it was last seen; signed.
+  /// NaN where it was never measured, and for all others.
+  float mean_speed = std::numeric_limits<float>::quiet_NaN();
+  /// Unbalance left by balls that dry friction holds (machine/model/unbalance.hpp); NaN for all others, and for starts
+  /// read from a file.
+  float unbalance = std::numeric_limits<float>::quiet_NaN();
+  /// The largest r of the motion that it came to, measured on its own trajectory
+  /// (classification/start_runs/last_radius.hpp); NaN if it was not measured.
+  float radius = std::numeric_limits<float>::quiet_NaN();
+  bool met = false;  ///< balls that collide: two of them touched before the outcome was known
+};
+
+/// The attractor's identifier, or the code of another outcome.
+short code_of(const Fate& fate);
+
+}  // namespace equipoise

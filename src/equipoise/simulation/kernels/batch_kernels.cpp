@@ -1,0 +1,158 @@
+// The choice of a task's kernel, the equations alone for benchmarks, and CPU targets. Highway's foreach_target compiles
+// this file once per CPU target.
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
+
+#include <cstdint>
+
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/simulation/kernels/batch_job.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "equipoise/simulation/kernels/batch_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#include "equipoise/simulation/kernels/kernel-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace equipoise {
+namespace HWY_NAMESPACE {
+
+template <int room>
+int evaluate_balls(const model::Parameters& p, double speed, long count, double* checksum) {
+  using Flow = FreeFlow<Pack, room, paper_terms(false)>;
+  const Flow flow(p, model::Segment{0.0, 0.0, 0.0, speed, 0.0, false});
+  constexpr int groups = batch_groups<room>;
+  Pack z[groups][Flow::dimension];
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < flow.size(); ++i) z[g][i] = Pack(0.01 * (i + g));
+  for (long k = 0; k < count; ++k)
+#pragma GCC unroll 1
+    for (int g = 0; g < groups; ++g) {
+      Pack rate[Flow::dimension];
+      flow(Pack(0.0), z[g], rate);
+      for (int i = 0; i < flow.size(); ++i) z[g][i] = multiply_add(Pack(1e-3), rate[i], z[g][i]);
+    }
+  Pack sum(0.0);
+  for (int g = 0; g < groups; ++g)
+    for (int i = 0; i < flow.size(); ++i) sum = sum + z[g][i];
+  alignas(64) double lanes[8];
+  sum.store(lanes);
+  *checksum = lanes[0];
+  return groups * static_cast<int>(pack_lanes);
+}
+
+int evaluate_target(const model::Parameters& p, double speed, long count, double* checksum) {
+  return model::with_ball_count(p.balls, [&](auto room) { return evaluate_balls<room>(p, speed, count, checksum); });
+}
+
+std::int64_t target_code() { return HWY_TARGET; }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace equipoise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace equipoise {
+
+HWY_EXPORT(evaluate_target);
+HWY_EXPORT(target_code);
+
+namespace {
+// The usual names: Highway calls AVX-512 "AVX3", and says of NEON what else it asks of a processor.
+std::string name_of(std::int64_t target) {
+  if (target == HWY_AVX3) return "AVX-512";
+  if (target == HWY_SCALAR) return "scalar";
+  const std::string name = hwy::TargetName(target);
+  return name.rfind("NEON", 0) == 0 ? "NEON" : name;
+}
+
+bool run_kind(const BatchJob& job) {
+  if (job.task.held) return advance_held_batch(job);
+  switch (job.task.kind()) {
+    case BatchKind::smooth:
+      return run_smooth_batch(job);
+    case BatchKind::hybrid:
+      return run_hybrid_batch(job);
+    case BatchKind::tilting:
+      return run_tilting_batch(job);
+    case BatchKind::turning:
+      return run_general_batch(job);
+    default:
+      return run_plain_batch(job);
+  }
+}
+
+// Carries Fate::met over from one piece of the drive to the next: balls that touched once have touched.
+bool run_batch(const BatchJob& job) {
+  if (!job.task.parameters->balls_collide() || job.task.held) return run_kind(job);
+  std::vector<char> met(job.task.count);
+  for (std::size_t i = 0; i < met.size(); ++i) met[i] = job.fates[i].met;
+  BatchTask task = job.task;
+  task.met = met.data();
+  const bool done = run_kind({task, job.fates, job.rule, job.pilot});
+  for (std::size_t i = 0; i < met.size(); ++i) job.fates[i].met = met[i] != 0;
+  return done;
+}
+}  // namespace
+
+bool advance_batch(const BatchTask& task, std::vector<Fate>& fates) { return run_batch({task, fates}); }
+
+bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
+                    std::vector<PilotRecord>* pilot) {
+  return run_batch({task, fates, &rule, pilot});
+}
+
+bool hold_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+  return run_held_batch(task, rule, ends);
+}
+
+int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {
+  return HWY_DYNAMIC_DISPATCH(evaluate_target)(p, speed, count, checksum);
+}
+
+std::string cpu_target() { return name_of(HWY_DYNAMIC_DISPATCH(target_code)()); }
+
+// Kernels do the same operations in the same order on every instruction set. Only fused multiply-add rounds
+// differently: where a set has it, the written ones are fused; with EQUIPOISE_KERNELS_CONTRACTED also those that GCC
+// chooses.
+std::string cpu_arithmetic(const std::string& target) {
+#if !(defined(EQUIPOISE_KERNELS_CONTRACTED) && defined(__FMA__))  // GCC would fuse in portable code, too
+  if (target == "SSE4" || target == "scalar") return words::runs::not_fused;
+#endif
+#ifdef EQUIPOISE_KERNELS_CONTRACTED
+  if (target == "AVX-512" || target == "AVX2") return words::runs::fused;
+#else
+  if (target == "AVX-512" || target == "AVX2" || target == "NEON") return words::runs::fused_where_written;
+#endif
+  return "of " + target;
+}
+
+// Found before the first choice, since a choice hides all other targets from Highway.
+static const std::vector<std::int64_t>& all_targets() {
+  static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  return targets;
+}
+
+std::vector<std::string> cpu_targets() {
+  std::vector<std::string> names;
+  for (const std::int64_t target : all_targets()) names.push_back(name_of(target));
+  return names;
+}
+
+bool use_cpu_target(const std::string& name) {
+  hwy::SetSupportedTargetsForTest(0);  // back to all that this computer has
+  hwy::GetChosenTarget().DeInit();
+  if (name.empty()) return true;
+  for (const std::int64_t target : all_targets())
+    if (name == name_of(target)) {
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().DeInit();
+      return true;
+    }
+  return false;
+}
+
+}  // namespace equipoise
+#endif

@@ -1,0 +1,34 @@
+// The compiled kernels: model, integrator, lane block and observer bound together, once per CPU target, chosen at run
+// time.
+// This room: batch, rule and watches compiled for every CPU target.
+#pragma once
+
+#include <vector>
+
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/simulation/batch/batch_task.hpp"
+#include "equipoise/simulation/kernels/cpu_target.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
+#include "equipoise/simulation/rule/held.hpp"
+
+namespace equipoise {
+
+/// Takes every trajectory to task.end. False if stopped early.
+/// `fates[i]` becomes diverged or failed for a trajectory lost on the way and is left alone otherwise; a lost one's
+/// state stays where it was lost.
+bool advance_batch(const BatchTask& task, std::vector<Fate>& fates);
+
+/// Decides every trajectory of a task over the last segment, or piece of a drive; fates[i] and states are set. `pilot`,
+/// if given, receives one record per trajectory. False if stopped early.
+bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::vector<Fate>& fates,
+                    std::vector<PilotRecord>* pilot);
+
+/// Follows driven rotors whose balls are held (task.held) until they reach the release speed, are steady without
+/// reaching it, or to task.end; ends[i] and states are set. False if stopped early.
+bool hold_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
+
+/// Derivative evaluations alone, for benchmarks: evaluates the equations `count` times in every lane, each from the
+/// result of the one before. Returns the number of lanes.
+int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum);
+
+}  // namespace equipoise

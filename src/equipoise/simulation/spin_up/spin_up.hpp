@@ -1,0 +1,62 @@
+// Brings starts to the last piece of their drive, with free balls.
+// This room: starts brought to the last piece of their drive.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/results/types/transient_table.hpp"
+#include "equipoise/simulation/batch/batch_task.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+namespace equipoise {
+
+/// Row-major, one row a start.
+struct SpunUp {
+  std::vector<double> phi;       ///< initial ball angles
+  std::vector<double> states;    ///< of the system (machine/model/system.hpp), at `begins`
+  std::vector<double> begins;    ///< when balls are free and the last piece has begun; empty: all at SpinUp::settled()
+  std::vector<double> released;  ///< when balls were released, if starts differ in it; else empty
+  std::vector<Fate> fates;       ///< of starts that are over
+  std::vector<char> over;        ///< whether the fate is known: never released; empty: only lost starts are over
+  std::vector<double> nearest;   ///< of starts never released: the speed that they reached nearest to the release speed
+  std::vector<OwnRotor> rotors;  ///< each start's own, over the last piece of its drive; empty: all share one
+
+  bool is_over(std::size_t i) const {
+    const bool lost = fates[i].outcome == Outcome::diverged || fates[i].outcome == Outcome::failed;
+    return lost || (!over.empty() && over[i]);
+  }
+  std::size_t size() const { return fates.size(); }
+  double begin(std::size_t i, double settled) const { return begins.empty() ? settled : begins[i]; }
+};
+
+/// Thread-safe after construction and watch().
+class SpinUp {
+ public:
+  virtual ~SpinUp() = default;
+
+  /// Prepares make() for tables with these settings.
+  virtual void watch(const TransientSettings& settings) = 0;
+  /// Makes starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, with the settings of
+  /// watch(), receives a row for each start, up to the time of its state.
+  virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                    TransientTable* transients = nullptr) const = 0;
+  /// The same for given starts (given_starts.hpp). At a prescribed speed with clamped balls, only their angles count.
+  virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
+                      TransientTable* transients = nullptr) const = 0;
+  /// The task over the last piece of the drive, without trajectories, end and observers.
+  virtual BatchTask last_task() const = 0;
+  /// When the last piece begins and, at a prescribed speed, the balls are free.
+  virtual double settled() const = 0;
+  virtual double tolerance() const = 0;
+};
+
+/// For any system. The study must have its horizon.
+std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop);
+
+}  // namespace equipoise

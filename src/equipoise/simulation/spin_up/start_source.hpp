@@ -1,0 +1,71 @@
+// Takes a start from its index to its state at the final speed, for rotors at a prescribed speed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/machine/drives/speed.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/results/types/fate.hpp"
+#include "equipoise/simulation/batch/batch_task.hpp"
+#include "equipoise/simulation/integrate/clamped.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
+#include "equipoise/simulation/transients/clamped_transients.hpp"
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/sampling/sampling.hpp"
+
+namespace equipoise {
+
+/// Thread-safe after construction and watch().
+class StartSource : public SpinUp {
+ public:
+  /// Integrates the clamped spin-up, which all starts share.
+  StartSource(const Study& study, const StopFlag* stop);
+  /// With `segments` in place of the study's [speed] and [release]: contiguous from 0, clamped ones first, the last one
+  /// free and without end.
+  StartSource(const Study& study, std::vector<model::Segment> segments, const StopFlag* stop);
+
+  void watch(const TransientSettings& settings) override;
+  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+            TransientTable* transients = nullptr) const override;
+  bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
+
+  /// The states, row-major, in which balls at these angles are released.
+  void release(const std::vector<double>& phi, std::vector<double>& states) const;
+  /// An ensemble's task over the whole of free segment `k`.
+  BatchTask task(std::size_t k, std::vector<double>& states) const;
+  BatchTask last_task() const override;
+  /// Takes states at the end of segment `k`, not the last, across the jump of psi' that follows.
+  void cross(std::size_t k, std::vector<double>& states) const;
+
+  const std::vector<model::Segment>& segments() const { return segments_; }
+  std::size_t first_free() const { return first_free_; }
+
+  /// When the last piece has begun and the balls are free.
+  double settled() const override { return segments_.back().begin; }
+  double tolerance() const override { return tolerance_; }
+
+ private:
+  std::size_t size() const;  // of a state
+  void place(const InitialState& start, double* state, TransientSums* sums = nullptr) const;
+  void place_tilting(const InitialState& start, double* state, TransientSums* sums) const;
+  std::array<double, 4> origin() const;
+  void end_piece(std::size_t k, TransientTable& transients) const;
+
+  Study study_;
+  Sampler sampler_;
+  const StopFlag* stop_;
+  std::vector<model::Segment> segments_;
+  std::vector<model::System> systems_;  // over each segment, unless the system is simple (system.hpp); else empty
+  std::size_t first_free_ = 0;
+  ClampedBasis basis_;
+  ClampedTransients clamped_;
+  TransientSettings watched_;  // of a rotor that tilts, whose held starts are watched one by one
+  double tolerance_;
+};
+
+}  // namespace equipoise

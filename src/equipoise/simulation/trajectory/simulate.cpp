@@ -1,0 +1,204 @@
+// One trajectory: clamped spin-up by superposition, then the free equations piece by piece.
+#include "equipoise/simulation/trajectory/simulate.hpp"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/simulation/integrate/clamped.hpp"
+#include "equipoise/machine/mechanics/frames.hpp"
+#include "equipoise/machine/model/ball_count.hpp"
+#include "equipoise/machine/model/flow-inl.hpp"
+#include "equipoise/machine/model/state_layout.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/core/running/reporting.hpp"
+#include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/trajectory/machine_run.hpp"
+#include "equipoise/simulation/trajectory/record.hpp"
+#include "equipoise/simulation/words/runs.hpp"
+
+namespace equipoise {
+
+namespace {
+namespace kernels = HWY_NAMESPACE;
+
+void check_times(const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || times[i] < 0.0)
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       words::runs::finite_not_negative);
+    if (i > 0 && !(times[i] > times[i - 1]))
+      throw InputError("output times", fmt::format("time {}", i + 1), fmt::format("{}", times[i]),
+                       fmt::format(words::runs::times_out_of_order, times[i - 1]));
+  }
+}
+
+void record(Trajectory& out, const model::Parameters& p, const model::Segment& segment, double t, const double* z) {
+  record(out, p, segment.psi_at(t), segment.speed_at(t), t, z);
+}
+
+// Reports rarely: a row takes microseconds.
+class RowCount {
+ public:
+  RowCount(const RunOptions& options, std::size_t total) : options_(options), total_(total) {}
+
+  void report(std::size_t rows, bool last = false) {
+    constexpr std::chrono::milliseconds interval{50};
+    if (!options_.progress || (!last && std::chrono::steady_clock::now() - last_ < interval)) return;
+    last_ = std::chrono::steady_clock::now();
+    options_.progress({rows, total_, "rows", {}});
+  }
+
+ private:
+  const RunOptions& options_;
+  std::size_t total_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+struct Task {
+  const Study& study;
+  double tolerance;
+  const std::vector<double>& times;
+  const StopFlag* stop;
+  RowCount& rows;
+
+  bool stopped() const { return is_set(stop); }
+};
+
+void simulate_free(const Task& task, const std::vector<model::Segment>& segments, std::size_t first,
+                   std::vector<double>& z, std::size_t next, Trajectory& out) {
+  using Flow = kernels::FreeFlow<double, model::any_count, kernels::Terms{}>;
+  const model::Parameters& p = task.study.parameters;
+  const std::vector<double>& times = task.times;
+  const auto scale = kernels::error_scale<Flow::dimension>(p, task.tolerance);
+  for (std::size_t k = first; k < segments.size() && next < times.size(); ++k) {
+    const model::Segment& segment = segments[k];
+    for (; next < times.size() && times[next] == segment.begin; ++next)
+      record(out, p, segment, segment.begin, z.data());
+    const double end = std::min(segment.end, times.back());
+    if (!(segment.begin < end)) continue;
+    const Flow flow(p, segment);
+    kernels::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
+    out.status = integrator.advance(
+        segment.begin, end, z.data(),
+        [&](double, double t_new, auto&& state_at) {
+          for (; next < times.size() && times[next] <= t_new && times[next] < segment.end; ++next) {
+            double at[Flow::dimension];
+            state_at(times[next], at);
+            record(out, p, segment, times[next], at);
+          }
+          task.rows.report(out.t.size());
+        },
+        task.stop);
+    out.stopped = task.stopped();
+    if (out.status != IntegrationStatus::done || out.stopped) return;
+    if (k + 1 < segments.size())
+      model::apply_speed_jump(segments[k + 1].speed - segment.speed_at(segment.end), z.data());
+  }
+}
+
+template <bool tilt>
+void simulate_machine(const Task& task, Trajectory& out) {
+  using Run = kernels::MachineRunOf<tilt>;
+  using Machine = typename Run::Machine;
+  const std::vector<double>& times = task.times;
+  const model::Parameters& p = task.study.parameters;
+  const model::StateLayout layout = model::machine_layout(p);
+  Run run(task.study);
+  Machine& machine = run.machine();
+  const ShaftBearings bearings = shaft_bearings(task.study);
+  std::size_t next = 0;
+  const auto take = [&](double t, const double* at) {
+    record(out, p, at[layout.psi], at[layout.speed], t, at, tilt ? at + layout.tilt : nullptr);
+    if (tilt) record_bearings(out, p, bearings, at[layout.psi], at, at + layout.tilt);
+  };
+  if (times.empty()) return;
+  out.status = machine.advance(
+      times.back(),
+      [&](double, double to, auto&& state_at) {
+        for (; next < times.size() && times[next] < to; ++next) {
+          double at[Machine::dimension];
+          state_at(times[next], at);
+          take(times[next], at);
+        }
+        task.rows.report(out.t.size());
+        return false;
+      },
+      task.stop);
+  out.stopped = task.stopped();
+  if (out.status != IntegrationStatus::done || out.stopped) return;
+  machine.enter();
+  take(times.back(), machine.state());
+}
+
+Trajectory followed(const Task& task) {
+  const Study& study = task.study;
+  const std::vector<double>& times = task.times;
+  const model::Parameters& p = study.parameters;
+  Trajectory out;
+  out.phi.resize(p.balls);
+  out.phi_dot.resize(p.balls);
+  out.tilts = p.tilts();
+  if (out.tilts) {
+    out.bearing_radial.resize(study.bearings.size());
+    out.bearing_force.resize(study.each_bearing().size());
+  }
+  // FreeFlow sums the rotor's forces up with its first ball.
+  if (!study.system().simple() || p.balls == 0) {
+    kernels::check_overlap(study);
+    if (p.tilts())
+      simulate_machine<true>(task, out);
+    else
+      simulate_machine<false>(task, out);
+    return out;
+  }
+  const double release = study.release_time();
+  const auto segments = model::segments(study.speed_profile(), release);
+  const InitialState start = parted(p, study.initial);
+  const double* phi = start.phi.data();
+
+  std::vector<double> z(model::dimension(p.balls));
+  initial_state(start, p.balls, segments.front().speed, z.data());
+
+  std::size_t free_from = 0;
+  while (segments[free_from].clamped) ++free_from;
+  std::size_t next = 0;
+  if (free_from > 0) {
+    ClampedBasis basis;
+    std::vector<double> at = z;
+    const auto observe = [&](double t, const model::Segment& segment, const ClampedBasis& there) {
+      there.centre(p, phi, at.data());
+      record(out, p, segment, t, at.data());
+    };
+    out.status = integrate_clamped(p, segments, {z[0], z[1], z[2], z[3]}, task.tolerance, basis, times, observe,
+                                   times.empty() ? 0.0 : times.back(), task.stop);
+    next = out.t.size();
+    out.stopped = task.stopped();
+    if (out.status != IntegrationStatus::done || out.stopped) return out;
+    basis.centre(p, phi, z.data());
+  }
+  simulate_free(task, segments, free_from, z, next, out);
+  return out;
+}
+
+}  // namespace
+
+Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options) {
+  check(study);
+  check_times(times);
+  return reported(options, [&](const RunOptions& o) {
+    RowCount rows(o, times.size());
+    Trajectory out =
+        followed({study, study.numerics.tolerance.value_or(default_simulate_tolerance), times, o.stop, rows});
+    rows.report(out.t.size(), true);
+    return out;
+  });
+}
+
+}  // namespace equipoise

@@ -1,0 +1,402 @@
+// The table of keys.
+#include "equipoise/study/contents/keys.hpp"
+
+#include <algorithm>
+
+#include "equipoise/core/base/angles.hpp"
+
+namespace equipoise::study {
+
+namespace {
+using enum Key::Trait;
+using D = Dimension;
+using P = model::Parameters;
+using R = RampSetting;
+using S = SpeedSetting;
+using T = TorqueSetting;
+using W = ReleaseSetting;
+using I = InitialState;
+using Q = LoadSetting;
+using A = Sampling;
+using B = SamplingBox;
+using N = Numerics;
+using X = model::Tilt;
+using L = Limits;
+constexpr auto par = &Study::parameters;
+constexpr auto speed = &Study::speed;
+constexpr auto torque = &SpeedSetting::torque;
+constexpr auto load = &SpeedSetting::load;
+constexpr auto release = &Study::release;
+constexpr auto start = &Study::initial;
+constexpr auto draws = &Study::sampling;
+constexpr auto box = &Sampling::box;
+constexpr auto num = &Study::numerics;
+constexpr auto tilt = &P::tilt;
+constexpr auto lim = &Study::limits;
+constexpr auto norms = &Study::standards;
+
+template <auto... path>
+Member at(Study& study) {
+  return &(study.*....*path);
+}
+template <auto scale>
+Member scale_at(Study& study) {
+  return &((*study.scales).*scale);
+}
+Member nowhere(Study&) { return {}; }
+
+constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
+constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
+constexpr Range ratio{0.0, 1e30}, quality{0.0, 1e30, true},
+    si_size{1e-30, 1e30};  // products of three such sizes stay finite
+constexpr unsigned nameplate = physical | characteristic;
+constexpr Range any = any_number;
+constexpr std::nullopt_t bare = std::nullopt;  // no quantity
+
+// Of race and balls only features in use are echoed: a rotor without them reads as it always did.
+bool tilts(const Study& study) { return study.parameters.tilts(); }
+bool has_bearings(const Study& study) { return !study.bearings.empty(); }
+bool has_bearing_supports(const Study& study) { return !study.bearings_stiffness.empty(); }
+bool has_inertia(const Study& study) {
+  const P& p = study.parameters;
+  return p.inertia != (p.tilts() ? model::axial_inertia(p.tilt) : 0.0);
+}
+bool off_centre(const Study& study) { return !study.parameters.race_is_centred(); }
+bool resisted(const Study& study) {
+  const P& p = study.parameters;
+  const auto on = [](double v) { return v != 0.0; };
+  const auto balls = std::clamp(p.balls, 0, model::max_balls);
+  return std::any_of(p.rolling.begin(), p.rolling.begin() + balls, on) ||
+         std::any_of(p.stiction.begin(), p.stiction.begin() + balls, on);
+}
+bool has_class(const Study& study) { return study.standards.severity_class.has_value(); }
+bool is_hand_held(const Study& study) { return study.standards.hand_held; }
+bool rolls(const Study& study) { return study.parameters.rolls; }
+bool touches(const Study& study) { return study.parameters.contact_angle != 0.0; }
+bool rebounds(const Study& study) { return touches(study) || study.parameters.restitution != P{}.restitution; }
+
+std::vector<Key> all_keys() {
+  return {
+      // Supports and rotor, in dimensionless and physical studies.
+      {"rotor.eccentricity", at<par, &P::eccentricity>, not_negative, D::length, required | plain, "lambda = eps/R"},
+      {"rotor.damping", at<par, &P::damping>, not_negative, D::damping, required | plain, "zeta = c/sqrt(k M)"},
+      {"rotor.stiffness", at<par, &P::stiffness>, positive, D::stiffness, plain, "kappa, in k"},
+      {"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, plain, "G = g/(R omega_c^2), along -Y"},
+      {"rotor.inertia", at<par, &P::inertia>, not_negative, D::inertia, plain,
+       "iota = I_C/(M R^2), about the centre of mass; for motors, and the work of a change of speed", nullptr,
+       has_inertia},
+      {"rotor.eccentricity_angle", at<par, &P::eccentricity_angle>, any, D::angle, none,
+       "beta_0, of the centre of mass from angle 0, that of the couple unbalance; only with `tilt`", nullptr, tilts},
+      {"rotor.tilt", nowhere, any, bare, none, "a table: how the rotor tilts"},
+      {"rotor.tilt.transverse_inertia", at<par, tilt, &X::transverse_inertia>, positive, D::inertia, required,
+       "Jt/(M R^2), about a diameter"},
+      {"rotor.tilt.polar_inertia", at<par, tilt, &X::polar_inertia>, not_negative, D::inertia, required,
+       "Jp/(M R^2), about the shaft's axis; at most 2 Jt"},
+      {"rotor.tilt.misalignment", at<par, tilt, &X::misalignment>, any, D::angle, none,
+       "chi, in rad, of the principal axis from the shaft; the couple unbalance is chi (Jt - Jp)"},
+      {"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, required | plain,
+       "`[k12, k22]` of the supports, or `{ x = [..], y = [..] }`; with `rotor.stiffness` positive definite"},
+      {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, required | plain,
+       "likewise `[c12, c22]`; with `rotor.damping` no less than 0 in any motion"},
+      {"rotor.tilt.bearings_at", at<&Study::bearings>, any, D::length, none,
+       "places of bearings along the shaft from the centre of mass, where displacements are told, and forces where "
+       "they "
+       "are all supports; by default none",
+       nullptr, has_bearings},
+      {"rotor.tilt.bearings_stiffness", at<&Study::bearings_stiffness>, not_negative, D::stiffness, none,
+       "of each bearing, or of each in X and Y in turn, in k; by default each is known if two are all supports",
+       nullptr, has_bearing_supports},
+      {"rotor.tilt.bearings_damping", at<&Study::bearings_damping>, not_negative, D::damping, none,
+       "likewise, in M omega_c; by default likewise", nullptr, has_bearing_supports},
+      {"rotor.tilt.bearings", nowhere, any, bare, physical,
+       "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
+      {"rotor.tilt.stiffness", nowhere, any, bare, physical,
+       "or this, `[\"0 N\", \"900 N m\"]`: `[k12, k22]`, or `{ x = [..], y = [..] }`, beside `rotor.stiffness`"},
+      {"rotor.tilt.damping", nowhere, any, bare, physical,
+       "likewise `[\"0 N s\", \"18 N m s\"]`: `[c12, c22]`, beside `rotor.damping`"},
+      {"rotor.tilt.unbalance", nowhere, any, bare, physical,
+       "a table for each plane that has one; two planes hold all that a rigid rotor has [ISO 21940-11]; adds to its "
+       "own"},
+      {"rotor.mass", nowhere, positive, D::mass, required | physical,
+       "M: all that vibrates, every `[[place]]` included, without the balls"},
+      {"rotor.stiffness", nowhere, positive, D::stiffness, physical, "of the supports; k is the mean"},
+      {"rotor.natural_frequency", nowhere, positive, D::speed, physical,
+       "or this: of the rotor without balls on its supports; k = M omega^2"},
+      {"rotor.static_sag", nowhere, positive, D::length, physical,
+       "or this: of the rotor without balls under its weight; k = M g/sag, g of `gravity` or 9.80665 m/s2"},
+      {"rotor.damping", nowhere, not_negative, D::damping, physical, "of the supports"},
+      {"rotor.damping_ratio", nowhere, ratio, bare, physical,
+       "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta; `\"5 %\"` is 0.05"},
+      {"rotor.logarithmic_decrement", nowhere, ratio, bare, physical,
+       "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"},
+      {"rotor.quality_factor", nowhere, quality, bare, physical, "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
+      {"rotor.loss_factor", nowhere, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"},
+      {"rotor.eccentricity", nowhere, not_negative, D::length, physical, "of the rotor's centre of mass"},
+      {"rotor.unbalance", nowhere, not_negative, D::unbalance, physical, "or this: M times the eccentricity"},
+      {"rotor.balance_grade", nowhere, any, bare, physical,
+       "or this, a table: `{ grade = \"G 6.3\", at = \"3000 rpm\" }`; the eccentricity is grade/speed [ISO 21940-11]"},
+      {"rotor.gravity", nowhere, not_negative, D::acceleration, physical, "across the shaft"},
+      {"rotor.inertia", nowhere, positive, D::inertia, physical, "J, as in a dimensionless study"},
+      {"rotor.radius_of_gyration", nowhere, positive, D::length, physical, "or this, r: J = M r^2"},
+      {"rotor.gd2", nowhere, positive, D::inertia, physical,
+       "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`"},
+      {"rotor.balance_grade.grade", nowhere, any, bare, required | physical,
+       "`\"G 6.3\"`, or the velocity that it means, `\"6.3 mm/s\"`"},
+      {"rotor.balance_grade.at", nowhere, positive, D::speed, required | physical, "the speed that it holds at"},
+      {"rotor.tilt.bearings.at", nowhere, any, D::length, required | physical,
+       "its place along the shaft from the rotor's centre of mass"},
+      {"rotor.tilt.bearings.stiffness", nowhere, not_negative, D::stiffness, required | physical,
+       "or `[x, y]`; greater than 0 at two places at least"},
+      {"rotor.tilt.bearings.damping", nowhere, not_negative, D::damping, required | physical, "or `[x, y]`"},
+      {"rotor.tilt.unbalance.at", nowhere, any, D::length, required | physical,
+       "the plane's place along the shaft from the rotor's centre of mass"},
+      {"rotor.tilt.unbalance.size", nowhere, not_negative, D::unbalance, required | physical, "mass times radius"},
+      {"rotor.tilt.unbalance.angle", nowhere, any, D::angle, required | physical, "from the rotor's angle 0"},
+      {"place.mass", nowhere, positive, D::mass, required | physical, "at this place; part of `rotor.mass`"},
+      {"place.radius", nowhere, positive, D::length, required | physical, "from the shaft"},
+      {"place.angle", nowhere, any, D::angle, required | physical, "from the rotor's own unbalance"},
+      {"place.at", nowhere, any, D::length, physical,
+       "along the shaft from the rotor's centre of mass; required with `rotor.tilt`"},
+      {"place.name", nowhere, any, bare, physical, "a text, for the reader"},
+      {"balancer.balls",
+       at<par, &P::balls>,
+       {0.0, model::max_balls},
+       bare,
+       required,
+       "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
+      {"balancer.race_radius", nowhere, positive, D::length, physical, "R: of the circle of ball centres"},
+      {"balancer.race_diameter", nowhere, positive, D::length, physical, "or this: 2 R"},
+      {"balancer.ball_diameter", nowhere, positive, D::length, physical, "balls whose size is given roll, and touch"},
+      {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
+      {"balancer.mass", nowhere, positive, D::mass, physical, "of a ball"},
+      {"balancer.ball_density", nowhere, positive, D::density, physical, "or this, with `ball_diameter`"},
+      {"balancer.ball_material", nowhere, any, bare, physical,
+       "or this, with `ball_diameter`: `steel`, `stainless steel`, `tungsten carbide`, `ceramic`, `glass`"},
+      {"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | plain, "beta = D/(m R^2 omega_c)"},
+      {"balancer.drag", nowhere, not_negative, D::gain, physical,
+       "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)"},
+      {"balancer.oil_viscosity", nowhere, positive, D::viscosity, physical,
+       "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`"},
+      {"balancer.oil", nowhere, any, bare, physical,
+       "or this, a table: `{ grade = \"ISO VG 32\", at = \"40 degC\" }`; needs `ball_diameter`"},
+      {"balancer.oil_density", nowhere, positive, D::density, physical,
+       "for kinematic viscosities and the Reynolds number of `explain`; of an `oil` 870, of silicone 970 kg/m3"},
+      {"balancer.channel_diameter", nowhere, positive, D::length, physical,
+       "of the race's cross-section, for the drag of its walls; balls of at most 0.8 of it"},
+      {"balancer.oil.grade", nowhere, any, bare, required | physical,
+       "`\"ISO VG 32\"`, a class of ISO 3448; or `\"silicone 1000 cSt\"`, at 25 degC"},
+      {"balancer.oil.at", nowhere, positive, D::temperature, required | physical, "in the running machine"},
+      {"balancer.oil.viscosity_100", nowhere, positive, D::kinematic_viscosity, physical,
+       "of a mineral oil at 100 degC, `\"5.4 cSt\"`; left out, that of viscosity index 95"},
+      {"balancer.contact", nowhere, any, bare, physical,
+       "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
+      {"balancer.plane", at<par, tilt, &X::plane>, any, D::length, none,
+       "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`, and "
+       "then without a default",
+       nullptr, tilts},
+      {"balancer.race_offset", at<par, &P::race_offset>, any, D::length, pair,
+       "e/R, the race's centre from the shaft's, in the rotating frame", nullptr, off_centre},
+      {"balancer.rolling", at<par, &P::rolling>, not_negative, bare, none,
+       "resistance of a moving ball over its normal force", nullptr, resisted},
+      {"balancer.stiction", at<par, &P::stiction>, not_negative, bare, none,
+       "the largest at rest: `rolling` (default) or more", nullptr, resisted},
+      {"balancer.rolls", at<par, &P::rolls>, any, bare, none,
+       "balls are solid spheres that do not slip; else point masses that slide, as in Wright and Peng", nullptr, rolls},
+      {"balancer.ball_radius", at<par, &P::ball_radius>, below_one, D::length, none,
+       "of a ball that rolls, over R; plays a part only while the speed changes", nullptr, rolls},
+      {"balancer.contact_angle", at<par, &P::contact_angle>, below_turn, D::angle, none,
+       "between touching balls, below 2 pi/n; 0: balls pass each other", nullptr, touches},
+      {"balancer.restitution", at<par, &P::restitution>, up_to_one, bare, none, "of ball on ball", nullptr, rebounds},
+      // The variants of [speed] are its profiles, those of speed.torque the laws of motors.
+      {"speed.profile", at<speed, &R::profile>, any, bare, required, "names the ramp function Omega(t)"},
+      {"speed.law", at<speed, &S::law>, any, bare, none, "how the rotor follows it"},
+      {"speed.speed", at<speed, &R::speed>, any, D::speed, required | constant, "Omega"},
+      {"speed.initial", at<speed, &R::initial>, any, D::speed, ramp | trapezoid | driven, "at t = 0", "initial speed"},
+      {"speed.peak", at<speed, &R::peak>, any, D::speed, required | trapezoid, "from `rise_until` to `hold_until`",
+       "peak speed"},
+      {"speed.final", at<speed, &R::final>, any, D::speed, required | ramp | trapezoid | hill,
+       "at last; `hill`: Omega_max"},
+      {"speed.duration", at<speed, &R::duration>, positive, D::time, required | ramp, "of the ramp"},
+      {"speed.rise_until", at<speed, &R::rise_until>, positive, D::time, required | trapezoid, "T0"},
+      {"speed.hold_until", at<speed, &R::hold_until>, positive, D::time, required | trapezoid, "T1, after T0"},
+      {"speed.fall_until", at<speed, &R::fall_until>, positive, D::time, required | trapezoid, "T2, after T1"},
+      {"speed.half_time", at<speed, &R::half_time>, positive, D::time, required | hill,
+       "t_half, when half of `final` is reached"},
+      {"speed.exponent", at<speed, &R::exponent>, {1.0, 50.0}, bare, required | hill, "n"},
+      {"speed.until", at<speed, &R::until>, positive, D::time, hill,
+       "at least `half_time`; then along the tangent to `final`; by default when 99.9 % of `final` is reached"},
+      {"speed.times", at<speed, &R::times>, not_negative, D::time, required | points, "increasing, the first 0"},
+      {"speed.speeds", at<speed, &R::speeds>, any, D::speed, required | points, "one a time"},
+      {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
+      {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
+      {"speed.load", nowhere, any, bare, driven, "a table: what the machine takes of the motor's torque"},
+      {"speed.gear_ratio", nowhere, si_size, bare, driven | physical,
+       "motor speed over rotor speed; `torque` is then at the motor's shaft"},
+      {"speed.motor_inertia", nowhere, not_negative, D::inertia, driven | physical,
+       "of the motor's rotor, at its own shaft; added to `rotor.inertia`"},
+      {"speed.run_up", nowhere, positive, D::time, physical,
+       "instead of a profile: a linear ramp to `final` that takes this long"},
+      {"speed.torque.stall", at<speed, torque, &T::stall>, any, D::torque, required | stall, "torque at rest"},
+      {"speed.torque.no_load_speed", at<speed, torque, &T::no_load_speed>, positive, D::speed, required | stall,
+       "where it has fallen to 0"},
+      {"speed.torque.times", at<speed, torque, &T::times>, not_negative, D::time, required | curve, "increasing"},
+      {"speed.torque.speeds", at<speed, torque, &T::speeds>, any, D::speed, required | characteristic,
+       "increasing: points of the motor's curve"},
+      {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve | characteristic,
+       "one a time, or one a speed"},
+      {"speed.torque.power", nowhere, positive, D::power, nameplate,
+       "rated power of an induction motor, by its nameplate"},
+      {"speed.torque.rated_torque", nowhere, positive, D::torque, nameplate, "or this, with `power` or instead of it"},
+      {"speed.torque.rated_speed", nowhere, positive, D::speed, nameplate, "at the rated power"},
+      {"speed.torque.breakdown_ratio",
+       nowhere,
+       {1.0, 10.0, true},
+       bare,
+       nameplate,
+       "breakdown torque over rated torque"},
+      {"speed.torque.locked_rotor_ratio",
+       nowhere,
+       {0.0, 10.0, true},
+       bare,
+       nameplate,
+       "torque at rest over rated torque; by default what Kloss's formula gives"},
+      {"speed.torque.synchronous_speed", nowhere, positive, D::speed, nameplate,
+       "by default the next one of a motor at 50 or 60 Hz"},
+      {"speed.torque.gain", at<speed, torque, &T::gain>, not_negative, D::gain, required | control,
+       "torque for a speed error of 1"},
+      {"speed.torque.integral", at<speed, torque, &T::integral>, not_negative, D::torque, control,
+       "torque a unit of time for a speed error of 1"},
+      {"speed.torque.limit", at<speed, torque, &T::limit>, positive, D::torque, control, "of the torque, either way"},
+      {"speed.torque.target", nowhere, any, bare, control, "a table as `[speed]`: a ramp function"},
+      {"speed.torque.constant", at<speed, torque, &T::constant>, any, D::torque, required | linear, "torque at rest"},
+      {"speed.torque.slope", at<speed, torque, &T::slope>, any, D::gain, linear, "torque for a speed, added"},
+      {"speed.torque.until", at<speed, torque, &T::until>, not_negative, D::time, linear, "no torque from then on"},
+      {"speed.load.constant", at<speed, load, &Q::constant>, not_negative, D::torque, none,
+       "torque taken at every speed"},
+      {"speed.load.linear", at<speed, load, &Q::linear>, not_negative, D::torque, none,
+       "torque that grows with the speed, as it is at speed `at`"},
+      {"speed.load.quadratic", at<speed, load, &Q::quadratic>, not_negative, D::torque, none,
+       "torque that grows with the square of the speed, as a fan's, as it is at speed `at`"},
+      {"speed.load.at", at<speed, load, &Q::at>, positive, D::speed, none,
+       "where `linear` and `quadratic` are so large"},
+      {"release.speed", at<release, &W::speed>, any, D::speed, none, "when it is first reached", "at speed"},
+      {"release.time", at<release, &W::time>, not_negative, D::time, none, "at this time", "at time"},
+      {"initial.psi", at<start, &I::psi>, any, D::angle, none, "of the rotor", "rotor angle"},
+      {"initial.x", at<start, &I::x>, any, D::length, none, "of the rotor, in the rotating frame"},
+      {"initial.y", at<start, &I::y>, any, D::length, none, "likewise"},
+      {"initial.x_dot", at<start, &I::x_dot>, any, D::velocity, none, "rate of `x`"},
+      {"initial.y_dot", at<start, &I::y_dot>, any, D::velocity, none, "rate of `y`"},
+      {"initial.tilt_x", at<start, &I::tilt_x>, any, D::angle, none,
+       "slope of the shaft along the rotating x axis; with `rotor.tilt`", nullptr, tilts},
+      {"initial.tilt_y", at<start, &I::tilt_y>, any, D::angle, none, "likewise", nullptr, tilts},
+      {"initial.tilt_x_dot", at<start, &I::tilt_x_dot>, any, D::speed, none, "rate of `tilt_x`", nullptr, tilts},
+      {"initial.tilt_y_dot", at<start, &I::tilt_y_dot>, any, D::speed, none, "rate of `tilt_y`", nullptr, tilts},
+      {"initial.phi", at<start, &I::phi>, any, D::angle, none, "by default spread evenly, the first at 0",
+       "ball angles", states_angles},
+      {"initial.phi_dot", at<start, &I::phi_dot>, any, D::speed, none, "0 where balls are clamped at first",
+       "ball rates"},
+      {"sampling.box", nowhere, any, bare, none, "a table: what is drawn beside ball angles"},
+      {"sampling.method", at<draws, &A::method>, any, bare, none, "how starts are drawn"},
+      {"sampling.starts", at<draws, &A::starts>, {1.0, 1e12}, bare, none, "how many; of a grid 2 or more"},
+      {"sampling.seed", at<draws, &A::seed>, {0.0, 0x1p63}, bare, none, "of the random numbers"},
+      {"sampling.box.x", at<draws, box, &B::x>, any, D::length, none, "as in `[initial]`"},
+      {"sampling.box.y", at<draws, box, &B::y>, any, D::length, none, "as in `[initial]`"},
+      {"sampling.box.x_dot", at<draws, box, &B::x_dot>, any, D::velocity, none, "as in `[initial]`"},
+      {"sampling.box.y_dot", at<draws, box, &B::y_dot>, any, D::velocity, none, "as in `[initial]`"},
+      {"sampling.box.phi_dot", at<draws, box, &B::phi_dot>, any, D::speed, none, "of every ball", "ball rates"},
+      {"numerics.tolerance", at<num, &N::tolerance>, tolerances, bare, none,
+       "error allowed a step; by default 1e-6 for `basin`, 1e-12 for `simulate`"},
+      {"numerics.horizon", at<num, &N::horizon>, horizons, D::time, none,
+       "time after the last branch begins (and release) until a start counts as undecided; by default chosen"},
+      {"numerics.decide", at<num, &N::decide>, any, bare, none, "grounds on which a fate is known early"},
+      {"limits.displacement", at<lim, &L::displacement>, positive, D::length, none,
+       "radial, of the rotor from where it rests under its weight, in R"},
+      {"limits.force", at<lim, &L::force>, positive, D::force, none,
+       "on the supports, or of a rotor that tilts on each bearing that is known, weight included, in M R omega_c^2"},
+      {"limits.velocity", at<lim, &L::velocity>, positive, D::velocity, none,
+       "root mean square of both directions together, of the centre of the race, in R omega_c"},
+      {"limits.velocity_one_direction", at<lim, &L::velocity_one_direction>, positive, D::velocity, none,
+       "the same in X or in Y, whichever has more, as standards of severity have it, in R omega_c"},
+      {"limits.dynamic_force", at<lim, &L::dynamic_force>, positive, D::force, none,
+       "as `force`, without what carries the weight at rest, in M R omega_c^2"},
+      {"limits.settling_time", at<lim, &L::settling_time>, positive, D::time, none,
+       "from release until the displacement stays below `settled`, which it needs, in 1/omega_c"},
+      {"limits.hand_arm", at<lim, &L::hand_arm>, positive, D::acceleration, none,
+       "root mean square acceleration in the end, weighted for hands by ISO 5349-1, of both directions together; only "
+       "in a study in physical units or with `[units]`"},
+      {"limits.share",
+       at<lim, &L::share>,
+       {0.0, 1.0, true, true},
+       bare,
+       none,
+       "of starts that have to keep all of these limits, for the verdict; by default 0.95"},
+      {"limits.settled", at<lim, &L::settled>, positive, D::length, none,
+       "displacement below which the rotor counts as settled, in R"},
+      {"limits.residual", at<lim, &L::residual>, positive, D::unbalance, none,
+       "unbalance left in the end, U/M in R; in a physical study also a grade, `\"G 6.3\"`, which sets `grade`"},
+      {"limits.grade", at<lim, &L::grade>, positive, D::velocity, none,
+       "e omega in the end: unbalance left over the rotor's mass times the speed, in R omega_c"},
+      {"limits.clearance", at<lim, &L::clearance>, positive, D::length, none,
+       "radial, between rotor and housing, all around where the rotor rests, in R"},
+      {"standards.severity_class", at<norms, &Standards::severity_class>, any, bare, none,
+       "of ISO 10816-1:1995, for zones of severity (by default none are told): I small machines, up to 15 kW; II up to "
+       "75 kW; III large ones, "
+       "rigid; "
+       "IV large ones, on soft supports",
+       nullptr, has_class},
+      {"standards.hand_held", at<norms, &Standards::hand_held>, any, bare, none,
+       "`true`: hands hold what the rotor shakes; daily exposure by ISO 5349-1 and Directive 2002/44/EC", nullptr,
+       is_hand_held},
+      {"standards.standing_mass", at<norms, &Standards::standing_mass>, positive, D::mass, none,
+       "of all that stands on its feet; tells whether the machine may slide"},
+      {"standards.friction",
+       at<norms, &Standards::friction>,
+       {0.0, 10.0, true},
+       bare,
+       none,
+       "coefficient between feet and floor"},
+      {"sweep.over", at<&Study::sweep, &SweepSetting::over>, any, bare, none,
+       "as of `--over`: `[\"speed.final=1.5:6:0.1\", \"balancer.drag=0.01,0.05\"]`"},
+      {"sweep.zip", at<&Study::sweep, &SweepSetting::zip>, any, bare, none,
+       "they vary together, not in all combinations"},
+      {"design", nowhere, any, bare, none, "analyses/design/problem.cpp reads this table"},
+      {"units.mass", scale_at<&model::Scales::mass>, si_size, bare, required, "M, kg"},
+      {"units.length", scale_at<&model::Scales::length>, si_size, bare, required, "R, m"},
+      {"units.frequency", scale_at<&model::Scales::frequency>, si_size, bare, required, "omega_c, rad/s"},
+  };
+}
+
+std::vector<KeyTable> make_tables() {
+  std::vector<KeyTable> tables;
+  const auto table = [&](std::string_view name) -> KeyTable& {
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const KeyTable& t) { return t.name == name; });
+    return found == tables.end() ? tables.emplace_back(KeyTable{std::string(name), {}}) : *found;
+  };
+  for (Key key : all_keys()) {
+    const std::string_view dotted = key.name;
+    const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
+    KeyTable& home = table(dotted.substr(0, dot));
+    if (dot == dotted.size()) continue;
+    key.name += dot + 1;
+    home.keys.push_back(key);
+  }
+  // A motor's target is a ramp function, as in [speed].
+  std::vector<Key> target = table("speed").keys;
+  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law"; });
+  for (Key& key : target) {
+    key.label = nullptr;
+    if (key.variants() == driven) key.dimension = {};  // no target has them
+  }
+  const auto after = std::find_if(tables.begin(), tables.end(), [](const KeyTable& t) { return t.name == "release"; });
+  tables.insert(after, {"speed.torque.target", std::move(target)});
+  return tables;
+}
+
+}  // namespace
+
+const std::vector<KeyTable>& key_tables() {
+  static const std::vector<KeyTable> tables = make_tables();
+  return tables;
+}
+
+}  // namespace equipoise::study

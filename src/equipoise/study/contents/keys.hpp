@@ -1,0 +1,117 @@
+// Every key of a study, described once. The reader, its messages and suggestions, the echo, units, forms and the
+// guide's reference all follow from it. To add a key, add a line in keys.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
+#include "equipoise/study/units/units.hpp"
+
+namespace equipoise::study {
+
+/// Where a study keeps a value. The type says how it is read and written: one number, one per direction, two for both
+/// directions or for each, one per ball.
+/// Empty for tables, and for keys that only studies in physical units have (physical.cpp reads those).
+using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
+                            std::array<std::array<double, 2>, 2>*, std::array<double, model::max_balls>*,
+                            std::vector<double>*, std::vector<std::string>*, std::optional<SamplingBox::Side>*, bool*,
+                            int*, std::uint64_t*, Profile*, model::SpeedLaw*, std::optional<SamplingMethod>*,
+                            std::optional<SeverityClassName>*, ClassificationMode*>;
+
+inline std::span<const char* const> names_of(Profile) { return profile_names; }
+inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }
+inline std::span<const char* const> names_of(SamplingMethod) { return sampling_method_names; }
+inline std::span<const char* const> names_of(SeverityClassName) { return severity_class_names; }
+inline std::span<const char* const> names_of(ClassificationMode) { return classification_mode_names; }
+
+struct Key {
+  /// From the ninth bit on: the variants of the table that have the key; no bit set means all. The variants of [speed]
+  /// and of a motor's target are profiles, those of speed.torque laws.
+  enum Trait : unsigned {
+    none = 0,
+    required = 1,
+    pair = 2,      ///< [x, y], never one number for both
+    plain = 4,     ///< only in dimensionless studies
+    physical = 8,  ///< only in studies in physical units
+    constant = 1 << 8,
+    ramp = 1 << 9,
+    trapezoid = 1 << 10,
+    points = 1 << 11,
+    hill = 1 << 12,
+    driven = 1 << 13,
+    stall = 1 << 8,
+    curve = 1 << 9,
+    control = 1 << 10,
+    linear = 1 << 11,
+    characteristic = 1 << 12,
+  };
+
+  const char* name;
+  Member (*member)(Study&);
+  Range range;                         ///< of the dimensionless value; in SI units for purely physical keys
+  std::optional<Dimension> dimension;  ///< of a key that is a quantity in a physical study
+  unsigned traits;
+  const char* sentence;                    ///< for the guide
+  const char* label = nullptr;             ///< in a form, below its table's name; null: the key in words
+  bool (*echoed)(const Study&) = nullptr;  ///< null: always, if set
+
+  bool has(Trait trait) const { return traits & trait; }
+  unsigned variants() const { return traits & ~0xffu; }
+  bool in_form(bool physical_study) const { return !has(physical_study ? plain : physical); }
+};
+
+struct KeyTable {
+  std::string name;  ///< dotted
+  std::vector<Key> keys;
+
+  bool drawn() const;  ///< whether its numbers may be distributions
+  const Key* find(std::string_view key, bool physical) const;
+  /// In the order of reading and naming: keys of every variant, then variant by variant.
+  std::vector<Key> of(unsigned variants, bool physical) const;
+  bool is_inner() const { return name.find('.') != std::string::npos; }
+};
+inline constexpr unsigned all_variants = ~0xffu;
+
+/// In the order of the echo.
+const std::vector<KeyTable>& key_tables();
+/// Null if no table of a study has this dotted name. Of an array of tables each entry is one: "place.2".
+const KeyTable* find_keys(std::string_view table);
+inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
+
+/// The key in this table that is a quantity in physical studies but a plain number here, or null.
+const Key* find_quantity(std::string_view table, std::string_view key);
+/// The range of a quantity before conversion: only its sign.
+Range quantity_range(const Key& key);
+/// Whether physical.cpp, not replace_quantities(), reads the table's quantities.
+inline bool is_machine(std::string_view table) {
+  return table.starts_with("rotor") || table.starts_with("balancer") || table == "place";
+}
+
+unsigned variant_of(Profile profile);
+unsigned variants_of(const TorqueSetting& torque);
+
+/// Reads the key from the table into its member, which otherwise keeps its value.
+void read_key(TableReader& reader, const Key& key, Study& study);
+/// Reads the keys that a table has in these variants.
+void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
+/// The member as written in a study; empty if it is not set.
+std::optional<StudyValue> value_of(const Key& key, const Study& study);
+
+/// Where a study has tables of this dotted name: there, or at each entry of an array of tables, "place.1", "place.2".
+std::vector<std::string> paths_of(const StudyValue& root, const std::string& name);
+
+/// The table with this dotted name, or null.
+inline StudyValue* find_table(StudyValue& root, const std::string& name) {
+  StudyValue* table = root.find_path(name);
+  return table && table->table() ? table : nullptr;
+}
+
+}  // namespace equipoise::study

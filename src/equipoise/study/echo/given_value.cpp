@@ -1,0 +1,52 @@
+// Units of values given beside a study.
+#include "equipoise/study/echo/given_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <vector>
+
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/words/units.hpp"
+
+namespace equipoise::study {
+
+std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
+  if (!study.scales) return std::nullopt;
+  return ValueUnit{dimension, scale_of(dimension, *study.scales)};
+}
+
+std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
+  const std::size_t dot = std::min(key.rfind('.'), key.size());
+  const Key* quantity = find_quantity(key.substr(0, dot), key.substr(std::min(dot + 1, key.size())));
+  if (!quantity) return std::nullopt;
+  auto unit = unit_of(study, *quantity->dimension);
+  if (key != "balancer.drag" || !unit) return unit;
+  const model::Parameters& p = study.parameters;
+  if (!std::equal(p.mass.begin() + 1, p.mass.begin() + p.balls, p.mass.begin())) return std::nullopt;
+  unit->scale *= p.mass.front();  // D = beta m R^2 omega_c
+  unit->other = Dimension::damping;
+  unit->other_scale = scale_of(Dimension::damping, *study.scales) * p.mass.front();
+  return unit;
+}
+
+GivenValue read_given(const std::string& text, const std::optional<ValueUnit>& unit) {
+  GivenValue given;
+  const char* end = text.data() + text.size();
+  const auto [after, error] = read_number(text.data(), end, given.value);
+  if (error == std::errc() && after == end && std::isfinite(given.value)) return given;
+  if (!unit) {
+    given.problem = words::units::no_plain_number;
+    return given;
+  }
+  std::vector<Dimension> wanted{unit->dimension};
+  if (unit->other) wanted.push_back(*unit->other);
+  const Measured measured = measure(text, wanted);
+  const bool other = unit->other && measured.dimension == *unit->other;
+  given.value = measured.value / (other ? unit->other_scale : unit->scale);
+  given.problem = measured.problem;
+  return given;
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,123 @@
+// The resolved study as a tree and as TOML, as results keep it.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/toml/toml_tree.hpp"
+
+namespace equipoise {
+
+namespace {
+using namespace study;
+
+StudyValue table_of(std::string_view name, const Study& study, unsigned variants = all_variants) {
+  StudyValue table;
+  for (const Key& key : key_table(name).keys)
+    if (key.in_form(false) && (!key.variants() || key.variants() & variants) && (!key.echoed || key.echoed(study)))
+      if (auto value = value_of(key, study)) table.set(key.name, *std::move(value));
+  return table;
+}
+
+void move_to_end(StudyValue& table, const char* key) {
+  const StudyValue value = *table.find(key);
+  table.erase(key);
+  table.set(key, value);
+}
+
+StudyValue torque_table(const TorqueSetting& t, const Study& study) {
+  StudyValue torque = table_of("speed.torque", study, variants_of(t));
+  if (t.kind != model::MotorLaw::Kind::control) return torque;
+  Study target;
+  static_cast<RampSetting&>(target.speed) = t.target;
+  torque.set("target", table_of("speed.torque.target", target, variant_of(t.target.profile)));
+  return torque;
+}
+
+StudyValue tree_with_medians(const Study& study) {
+  StudyValue tree;
+  for (const KeyTable& keys : key_tables()) {
+    const std::string& name = keys.name;
+    if (keys.is_inner() || name == "sweep" || (name == "units" && !study.scales)) continue;
+    StudyValue table = table_of(name, study, name == "speed" ? variant_of(study.speed.profile) : all_variants);
+    if (name == "speed") {
+      move_to_end(table, "law");
+      if (study.speed.driven()) table.set("torque", torque_table(study.speed.torque, study));
+      if (study.speed.driven() && (!study.speed.load.is_none() || study.speed.load.at))
+        table.set("load", table_of("speed.load", study));
+    } else if (name == "rotor" && study.parameters.tilts()) {
+      table.set("tilt", table_of("rotor.tilt", study));
+    } else if (name == "sampling") {
+      move_to_end(table, "method");
+      if (!study.sampling.box.empty()) table.set("box", table_of("sampling.box", study));
+    }
+    if (!table.table()->empty()) tree.set(name, std::move(table));
+  }
+  return tree;
+}
+
+// Updates what may have changed since the study was read: sampling and numerical settings.
+void update_written(const Study& study, StudyValue& tree) {
+  for (const char* table : {"sampling", "numerics"})
+    if (!tree.find(table)) tree.set(table, {});
+  StudyValue &sampling = *tree.find("sampling"), &numerics = *tree.find("numerics");
+  const StudyValue now = table_of("sampling", study), followed = table_of("numerics", study);
+  for (const char* key : {"starts", "seed", "method"}) sampling.set(key, *now.find(key));
+  for (const char* key : {"tolerance", "decide"})
+    if (const StudyValue* value = followed.find(key)) numerics.set(key, *value);
+  const std::optional<double> horizon = study.numerics.horizon;
+  if (horizon && horizon != study.uncertain.horizon)
+    numerics.set("horizon", quantity_text(*horizon * study.scales->time(), Dimension::time));
+}
+
+// Keys in a reader's order, so that the text does not depend on their order in the source.
+StudyValue sorted(const StudyValue& value) {
+  if (const StudyValue::Array* array = value.array()) {
+    StudyValue::Array entries;
+    for (const StudyValue& entry : *array) entries.push_back(sorted(entry));
+    return entries;
+  }
+  const StudyValue::Table* members = value.table();
+  if (!members) return value;
+  std::vector<const StudyValue::Member*> order;
+  for (const StudyValue::Member& member : *members) order.push_back(&member);
+  std::sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->key < b->key; });
+  StudyValue result;
+  for (const StudyValue::Member* member : order) result.set(member->key, sorted(member->value));
+  return result;
+}
+
+void put_distributions(const Study& study, StudyValue& tree) {
+  for (const UncertainValue& value : study.uncertain.values) {
+    const std::size_t dot = value.key.rfind('.');
+    if (StudyValue* table = tree.find_path(std::string_view(value.key).substr(0, dot)))
+      table->set(value.key.substr(dot + 1), value.written());
+    // Stiction that is not stated follows the draw.
+    if (value.key == "balancer.rolling" && study.parameters.stiction == study.parameters.rolling)
+      tree.find("balancer")->erase("stiction");
+  }
+  if (study.uncertain.rests)
+    for (const char* key : {"x", "y", "x_dot", "y_dot"}) tree.find("initial")->erase(key);
+}
+
+}  // namespace
+
+StudyValue to_tree(const Study& study) {
+  if (!study.uncertain.physical) {
+    StudyValue tree = tree_with_medians(study);
+    put_distributions(study, tree);
+    return tree;
+  }
+  StudyValue tree = *study.uncertain.physical;
+  update_written(study, tree);
+  return sorted(tree);
+}
+
+std::string to_toml(const Study& study) { return to_toml(to_tree(study)); }
+
+std::string to_toml(const StudyValue& tree) { return study::toml_text(tree); }
+
+}  // namespace equipoise

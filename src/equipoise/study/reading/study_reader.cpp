@@ -1,0 +1,343 @@
+// From TOML to a checked study: rules that keys.cpp cannot express, and the order of reading.
+#include "equipoise/machine/drives/never_reached.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/machine/mechanics/frames.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/machine/model/system.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/contents/known_keys.hpp"
+#include "equipoise/study/contents/physical.hpp"
+#include "equipoise/study/reading/drive_sheet.hpp"
+#include "equipoise/study/reading/speed_reader.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
+#include "equipoise/study/reading/tilt_reader.hpp"
+#include "equipoise/study/reading/uncertain_reader.hpp"
+#include "equipoise/study/toml/toml_tree.hpp"
+#include "equipoise/study/words/machine.hpp"
+#include "equipoise/study/words/study.hpp"
+
+namespace equipoise {
+
+namespace {
+using namespace study;
+
+void read_table(const Document& document, const char* table, Study& study) {
+  TableReader reader(document, table);
+  read_keys(reader, table, all_variants, study);
+  reader.finish();
+}
+
+void read_balancer(const Document& document, Study& study) {
+  TableReader reader(document, "balancer");
+  model::Parameters& p = study.parameters;
+  for (Key key : key_table("balancer").of(all_variants, false)) {
+    const std::string_view name = key.name;
+    if (name == "stiction") p.stiction = p.rolling;
+    if (name == "contact_angle") key.range.high /= p.balls;
+    if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
+      reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
+    read_key(reader, key, study);
+    for (int i = 0; name == "stiction" && i < p.balls; ++i)
+      if (p.stiction[i] < p.rolling[i])
+        reader.fail("stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
+  }
+  reader.finish();
+  check_tilting_balls(document, p);
+}
+
+void read_release(const Document& document, Study& study) {
+  read_table(document, "release", study);
+  TableReader reader(document, "release");
+  if (study.release.speed && study.release.time) reader.fail("time", words::study::speed_or_time_of_release);
+  const model::SpeedProfile profile = study.speed_profile();
+  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
+    reader.fail("speed", model::never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
+}
+
+void read_initial(const Document& document, Study& study) {
+  TableReader reader(document, "initial");
+  study.initial.phi = even_angles(study.parameters.balls);
+  study.angles_stated = reader.has("phi");
+  read_keys(reader, "initial", all_variants, study);
+  for (const char* key : {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
+    if (reader.has(key) && !study.parameters.tilts()) reader.fail(key, words::study::only_of_tilt);
+  if (study.release_time() > 0.0)
+    for (double rate : study.initial.phi_dot)
+      if (rate != 0.0) reader.fail("phi_dot", words::study::clamped_balls_have_no_rate);
+  reader.finish();
+}
+
+void read_box(const Document& document, Study& study) {
+  TableReader reader(document, "sampling.box");
+  const double release = study.release_time();
+  for (const Key& key : key_table("sampling.box").keys) {
+    read_key(reader, key, study);
+    if (release > 0.0 && reader.has(key.name))
+      reader.fail(key.name, fmt::format(words::study::box_needs_free_balls, reader.time_text(release)));
+  }
+  reader.finish();
+}
+
+void read_sampling(const Document& document, Study& study) {
+  TableReader reader(document, "sampling");
+  if (reader.has("box")) read_box(document, study);
+  for (const Key& key : key_table("sampling").keys) {
+    read_key(reader, key, study);
+    if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
+        study.sampling.starts < 2)
+      reader.fail("starts", words::study::grid_of_one);
+  }
+  reader.finish();
+}
+
+// Optional units of a dimensionless study, so that results can be shown in physical ones.
+void read_units(const Document& document, Study& study) {
+  study.scales = document.scales;
+  if (document.scales || !document.root.find("units")) return;
+  study.scales.emplace();
+  read_table(document, "units", study);
+}
+
+void read_standards(const Document& document, Study& study) {
+  read_table(document, "standards", study);
+  TableReader reader(document, "standards");
+  const Standards& s = study.standards;
+  const auto needs = [&](const char* key, bool met, const char* what) {
+    if (!met) reader.fail(key, std::string("needs ") + what);
+  };
+  if (s.any() && !study.scales)
+    for (const Key& key : key_table("standards").keys)
+      if (reader.has(key.name)) needs(key.name, false, words::study::standards_need_units);
+  if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
+  if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
+}
+
+// Whether the study does not say where the rotor starts.
+bool states_no_place(const Document& document, const SamplingBox& box) {
+  TableReader initial(document, "initial");
+  const auto states = [&](const char* key) { return initial.has(key); };
+  constexpr std::array places{"x", "y", "x_dot", "y_dot", "tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"};
+  const bool stated = std::any_of(places.begin(), places.end(), states);
+  return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
+}
+
+// Such a rotor starts at rest under its weight, not on unloaded springs.
+void rest_under_gravity(const Document& document, Study& study) {
+  if (study.parameters.gravity == 0.0 || !states_no_place(document, study.sampling.box)) return;
+  const model::Drive drive = study.drive();
+  const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
+  InitialState& s = study.initial;
+  if (!any_number.contains(rest[0]) || !any_number.contains(rest[1])) {
+    TableReader rotor(document, "rotor");
+    rotor.fail("gravity", fmt::format(words::machine::pulled_too_far, unbounded));
+  }
+  s.x = 0.0 + rest[0];  // not -0
+  s.y = rest[1];
+  const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes
+  const std::array<double, 2> velocity = model::rotating_velocity(drive.speed, still);
+  s.x_dot = velocity[0];
+  s.y_dot = velocity[1];
+  if (!study.parameters.tilts()) return;
+  const double slope = model::static_slope(study.parameters);
+  const double leaning[] = {0.0 + slope * std::sin(drive.psi), slope * std::cos(drive.psi), 0.0, 0.0};
+  s.tilt_x = leaning[0];
+  s.tilt_y = leaning[1];
+  const std::array<double, 2> rate = model::rotating_velocity(drive.speed, leaning);
+  s.tilt_x_dot = rate[0];
+  s.tilt_y_dot = rate[1];
+}
+
+enum class Source { asked, kept };  // kept: a study stored in a result
+
+Study read(Document document, Source source = Source::asked);
+
+// Checks each value alone at either end: if both ends make a valid study, so does everything between.
+void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
+  for (const UncertainValue& value : values)
+    for (const double end : value.ends()) {
+      StudyValue tree = medians;
+      put_value(tree, value, end);
+      try {
+        read(document_of(std::move(tree), document.name, {}));
+      } catch (const InputError& e) {
+        fail_at_end(document, value, end, e);
+      }
+    }
+}
+
+// A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
+// A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
+void free_balls_of_machine(Document& document) {
+  if (!is_physical(document)) return;
+  const StudyValue* profile = document.root.find_path("speed.profile");
+  if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
+    return;
+  StudyValue* release = document.root.find("release");
+  if (!release) release = &document.root.set("release", StudyValue());
+  if (release->table() && release->table()->empty()) release->set("time", "0 s");
+}
+
+// A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
+void read_grade(Document& document) {
+  const StudyValue* value = document.root.find_path("limits.residual");
+  const std::string* text = value ? value->string() : nullptr;
+  if (!text || text->empty() || text->front() != 'G') return;
+  TableReader reader(document, "limits");
+  if (!is_physical(document)) reader.fail("residual", words::study::grade_needs_units);
+  if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
+  const std::size_t begin = std::min(text->find_first_not_of(' ', 1), text->size());
+  const auto grade = number_of_all(std::string_view(*text).substr(begin));
+  if (!grade || !positive.contains(*grade)) reader.fail("residual", words::study::grade_of_residual);
+  StudyValue& limits = *document.root.find("limits");
+  limits.set("grade", fmt::format("{} mm/s", *grade));
+  limits.erase("residual");
+}
+
+// A rotor without balls is read as one with a ball, whose keys do not count, and then loses it.
+bool take_no_balls(Document& document) {
+  StudyValue* balancer = find_table(document.root, "balancer");
+  const StudyValue* balls = balancer ? balancer->find("balls") : nullptr;
+  if (!balls || !balls->integer() || *balls->integer() != 0) return false;
+  const bool physical = is_physical(document);
+  StudyValue none;
+  none.set("balls", 1);
+  for (const char* key : {"race_radius", "race_diameter", "race_offset"})
+    if (const StudyValue* value = balancer->find(key)) none.set(key, *value);
+  if (document.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
+  none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
+  none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
+  *balancer = std::move(none);
+  for (const char* key : {"phi", "phi_dot"})
+    if (StudyValue* initial = find_table(document.root, "initial")) initial->erase(key);
+  StudyValue released;
+  released.set("time", physical ? StudyValue("0 s") : StudyValue(0.0));
+  document.root.set("release", std::move(released));
+  return true;
+}
+
+void take_ball(Study& study) {
+  study.parameters.balls = 0;
+  study.parameters.mass = study.parameters.drag = {};
+  study.initial.phi = study.initial.phi_dot = {};
+  study.angles_stated = false;
+}
+
+void check_needs_of_limits(const Document& document, const Study& study) {
+  TableReader limits(document, "limits");
+  if (study.limits.settling_time && !study.limits.settled) limits.fail("settling_time", words::study::needs_settled);
+  if (study.limits.hand_arm && !study.scales) limits.fail("hand_arm", words::study::weighted_by_hertz);
+}
+
+Study read(Document document, Source source) {
+  check_tables(document);
+  read_grade(document);
+  check_keys(document, is_physical(document));
+  if (is_physical(document)) infer_profile(document);
+  if (source == Source::asked) free_balls_of_machine(document);
+  Uncertainty uncertain;
+  if (is_physical(document)) uncertain.physical = document.root;
+  uncertain.values = take_uncertain(document);
+  const StudyValue medians = uncertain.empty() ? StudyValue() : document.root;
+  const bool bare = take_no_balls(document);
+  make_dimensionless(document);
+  Study result;
+  result.name = document.name;
+  read_table(document, "rotor", result);
+  read_tilt(document, result);
+  read_balancer(document, result);
+  read_speed(document, result);
+  read_release(document, result);
+  read_initial(document, result);
+  read_sampling(document, result);
+  if (bare) take_ball(result);
+  rest_under_gravity(document, result);
+  for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
+  read_units(document, result);
+  read_standards(document, result);
+  check_needs_of_limits(document, result);
+  check_force_limit(document, result);
+  check_unbalance_limits(document, result);
+  if (uncertain.empty()) return result;
+  check_ends(document, medians, uncertain.values);
+  if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
+  const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
+                                  [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
+  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
+  result.uncertain = std::move(uncertain);
+  return result;
+}
+
+}  // namespace
+
+Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(parse_document(toml_text, name, overrides));
+}
+
+Study parse_kept_study(const std::string& toml_text, const std::string& name) {
+  return read(parse_document(toml_text, name, {}), Source::kept);
+}
+
+Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
+  return read(document_of(tree, name, overrides));
+}
+
+namespace {
+BallDetails ball_details_of(Document document) {
+  check_keys(document, is_physical(document));  // misspellings are reported first, whichever function is called first
+  take_uncertain(document);
+  return take_no_balls(document) ? BallDetails{} : ball_details(document);
+}
+}  // namespace
+
+BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
+                               const std::vector<std::string>& overrides) {
+  return ball_details_of(parse_document(toml_text, name, overrides));
+}
+
+BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
+                              const std::vector<std::string>& overrides) {
+  return ball_details_of(document_of(tree, name, overrides));
+}
+
+Study with_medians(Study study) {
+  study.uncertain = {};
+  return study;
+}
+
+Study drawn_study(const Study& study, std::span<const double> values) {
+  StudyValue tree = to_tree(study);
+  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k) put_value(tree, study.uncertain.values[k], values[k]);
+  return study_from(tree, study.name);
+}
+
+namespace {
+// What a physical study with uncertain values states, as written, in dimensionless terms.
+std::string text_of_written(const Study& study) {
+  StudyValue tree = to_tree(with_medians(study));
+  for (const char* table : {"sampling", "numerics"}) tree.erase(table);
+  return toml_text(tree);
+}
+}  // namespace
+
+// The same rules for studies from files, trees and code.
+void check(const Study& study) {
+  const std::string name = study.name.empty() ? "study" : study.name;
+  const Study again = read(document_of(to_tree(study), name, {}));
+  if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
+    throw InputError(name, "", "", words::study::draws_of_changed_study);
+}
+
+}  // namespace equipoise

@@ -1,0 +1,392 @@
+// The study reader's machinery: overrides, ranges, unknown keys.
+#include "equipoise/study/reading/table_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/nearest_name.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/contents/known_keys.hpp"
+#include "equipoise/study/reading/quantity_reader.hpp"
+#include "equipoise/study/reading/uncertain_reader.hpp"
+#include "equipoise/study/toml/overrides.hpp"
+#include "equipoise/study/toml/printable.hpp"
+#include "equipoise/study/toml/text_guard.hpp"
+#include "equipoise/study/toml/toml_tree.hpp"
+#include "equipoise/study/units/units.hpp"
+#include "equipoise/study/words/study.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+// The line number of a table made by an override.
+constexpr int line_of_override = -1;
+
+// A value much as it was written, on one line; at most its last part exceeds `longest_shown`.
+void append_shown(std::string& text, const StudyValue& value) {
+  if (text.size() > longest_shown) return;
+  const char* separator = "";
+  if (const auto* array = value.array()) {
+    text += '[';
+    for (const StudyValue& entry : *array) {
+      if (text.size() > longest_shown) break;
+      text += std::exchange(separator, ", ");
+      append_shown(text, entry);
+    }
+    text += ']';
+  } else if (const auto* table = value.table()) {
+    text += "{ ";
+    for (const auto& [key, entry] : *table) {
+      if (text.size() > longest_shown) break;
+      text += fmt::format("{}{} = ", std::exchange(separator, ", "), key);
+      append_shown(text, entry);
+    }
+    text += " }";
+  } else if (const auto* string = value.string()) {
+    text += fmt::format("\"{}\"", *string);
+  } else if (const auto* number = value.real()) {
+    text += number_text(*number);
+  } else if (const auto* whole = value.integer()) {
+    text += fmt::format("{}", *whole);
+  } else if (const auto* truth = value.boolean()) {
+    text += *truth ? "true" : "false";
+  } else {
+    text += value.other()->text;
+  }
+}
+
+std::string shown(const StudyValue& value) {
+  std::string text;
+  append_shown(text, value);
+  return printable(text);
+}
+
+// "12 kg", where a plain number was wanted.
+bool looks_physical(const StudyValue& value) {
+  const auto* text = value.string();
+  return text && !text->empty() && std::string_view("+-.0123456789").find(text->front()) != std::string::npos;
+}
+
+std::string trimmed(const std::string& text) {
+  constexpr std::string_view blank = " \t";
+  const std::size_t first = text.find_first_not_of(blank);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+// A number as people also type it: ".05", "5.", which TOML has not.
+std::optional<double> number_beside_point(const std::string& text) {
+  return text.find('.') == std::string::npos ? std::nullopt : number_of_all(text);
+}
+
+// The value of an override: TOML, a number, or a bare word or quantity ("published", "12 kg") as a string.
+StudyValue parse_value(const std::string& key, const std::string& value) {
+  try {
+    const StudyValue parsed = parse_toml("value = " + value);
+    if (parsed.table()->size() == 1) return *parsed.find("value");
+  } catch (const TextFault& fault) {
+    if (const auto number = number_beside_point(value)) return *number;
+    if (std::string_view("[{\"'").find(value.front()) == std::string_view::npos) return value;
+    throw InputError(overrides_name, printable(key), printable(value), fault.problem);
+  }
+  throw InputError(overrides_name, printable(key), printable(value), words::study::one_toml_value);
+}
+
+// speed.final names the final speed whatever the profile.
+std::string key_here(const StudyValue& root, const std::string& key) {
+  const StudyValue* profile = key == "speed.final" ? root.find_path("speed.profile") : nullptr;
+  return profile && profile->string() && *profile->string() == "constant" ? "speed.speed" : key;
+}
+
+bool holds_tables(const StudyValue& value) {
+  return value.array() && !value.array()->empty() && value.array()->front().table();
+}
+
+void apply_override(Document& document, const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
+  const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
+  const bool has_empty_part =
+      key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
+  if (has_empty_part || value.empty())
+    throw InputError(std::string(overrides_name) + " " + printable(text), "", "", words::study::key_equals_value);
+  if (std::count(key.begin(), key.end(), '.') >= most_key_parts)
+    throw InputError(overrides_name, printable(key), printable(value), words::study::more_parts_than_any_key);
+
+  StudyValue parsed = parse_value(key, value);
+  StudyValue* table = &document.root;
+  std::size_t begin = 0;
+  const auto entry_of_array = [&](const std::string& part) {
+    const std::string name = printable(key.substr(0, begin - 1));
+    StudyValue* entry = table->find(part);
+    if (!entry)
+      throw InputError(overrides_name, printable(key), printable(value),
+                       fmt::format(words::study::entries_of_array, name, name, name, table->array()->size()));
+    return entry;
+  };
+  for (std::size_t dot; (dot = key.find('.', begin)) != std::string::npos; begin = dot + 1) {
+    const std::string part = key.substr(begin, dot - begin);
+    StudyValue* inner = table->array() ? entry_of_array(part) : table->find(part);
+    if (!inner) {
+      inner = &table->set(part, {});
+      inner->set_line(line_of_override);
+    }
+    table = inner;
+    if (!table->table() && !holds_tables(*table))
+      throw InputError(overrides_name, printable(key), printable(value),
+                       fmt::format("\"{}\" is not a table", printable(key.substr(0, dot))));
+  }
+  if (table->array())
+    *entry_of_array(key.substr(begin)) = std::move(parsed);
+  else
+    table->set(key.substr(begin), std::move(parsed));
+  document.overridden.insert(key);
+}
+
+}  // namespace
+
+bool Range::contains(double v) const {
+  return std::isfinite(v) && (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high);
+}
+
+std::string Range::text() const {
+  const bool has_low = low > -unbounded, has_high = high < unbounded;
+  const std::string below = high_open ? fmt::format("less than {}", high) : fmt::format("at most {}", high);
+  const std::string above = low_open ? fmt::format("greater than {}", low) : fmt::format("at least {}", low);
+  if (has_low && has_high) return fmt::format("a number {} and {}", above, below);
+  if (has_low) return "a finite number " + above;
+  if (has_high) return "a finite number " + below;
+  return "a finite number";
+}
+
+std::string Document::value_text(const std::string& dotted_key, const StudyValue& value) const {
+  const auto found = written.find(dotted_key);
+  return found == written.end() ? shown(value) : found->second.value;
+}
+
+Place Document::where(const std::string& dotted_key, const StudyValue* value) const {
+  if (const auto found = written.find(dotted_key); found != written.end()) return found->second.where;
+  for (std::size_t dot = 0; dot != std::string::npos;) {
+    dot = dotted_key.find('.', dot + 1);
+    if (overridden.count(dotted_key.substr(0, dot))) return overrides_name;
+  }
+  if (!value) return name;
+  if (value->line() == line_of_override) return overrides_name;
+  return {name, value->line()};
+}
+
+Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+  try {
+    return document_of(parse_toml(text), name, overrides);
+  } catch (const TextFault& fault) {
+    throw InputError({name, static_cast<int>(fault.line), static_cast<int>(fault.column)}, "", "", fault.problem);
+  }
+}
+
+Document document_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides) {
+  Document document;
+  document.name = name;
+  document.root = std::move(tree);
+  if (!document.root.table()) throw InputError(name, "", shown(document.root), words::study::table_of_tables);
+  for (const std::string& item : overrides) apply_override(document, item);
+  return document;
+}
+
+TableReader::TableReader(const Document& document, std::string prefix)
+    : prefix_(std::move(prefix)), document_(document) {
+  const StudyValue* value = document.root.find_path(prefix_);
+  if (!value) return;
+  table_ = value->table() ? value : nullptr;
+  if (!table_)
+    throw InputError(document.where(prefix_, value), prefix_, shown(*value),
+                     fmt::format("must be a table, [{}]", prefix_));
+}
+
+std::string TableReader::dotted(const std::string& key) const { return prefix_ + "." + key; }
+
+bool TableReader::has_asked(const std::string& key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
+}
+
+const StudyValue* TableReader::find(const std::string& key) {
+  if (!has_asked(key)) known_.push_back(key);
+  return table_ ? table_->find(key) : nullptr;
+}
+
+std::optional<TableReader> TableReader::inner(const std::string& key) {
+  const StudyValue* value = find(key);
+  if (!value || !value->table()) return std::nullopt;
+  return TableReader(document_, dotted(key));
+}
+
+bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
+
+// What the key holds in a study in physical units; empty if it is no quantity there.
+std::string TableReader::quantity_wanted(const std::string& key) const {
+  if (document_.scales && !is_machine(prefix_))
+    if (const Key* quantity = find_quantity(prefix_, key))
+      return wanted_quantity({*quantity->dimension}, quantity_range(*quantity));
+  return "";
+}
+
+const StudyValue& TableReader::require(const std::string& key, const std::string& number) {
+  if (const StudyValue* value = find(key)) return *value;
+  const std::string quantity = quantity_wanted(key);
+  const std::string wanted = quantity.empty()                           ? number
+                             : number == words::study::array_of_numbers ? fmt::format(words::study::array_of, quantity)
+                                                                        : quantity;
+  std::string hint;
+  if (table_)
+    for (const auto& [other, value] : *table_->table())
+      if (nearly_same(key, other)) hint = fmt::format(words::study::meant_for_it, printable(other));
+  throw InputError(document_.where(dotted(key), nullptr), dotted(key), "",
+                   fmt::format(words::study::missing, hint, wanted));
+}
+
+void TableReader::fail(const std::string& key, const std::string& problem) const {
+  const StudyValue* value = table_ ? table_->find(key) : nullptr;
+  throw InputError(document_.where(dotted(key), value), dotted(key),
+                   value ? document_.value_text(dotted(key), *value) : "", problem);
+}
+
+std::string TableReader::time_text(double time) const {
+  return document_.scales ? fmt::format("{:.6g} s", time * document_.scales->time()) : fmt::format("{}", time);
+}
+
+std::string TableReader::speed_text(double speed) const {
+  constexpr double rpm = pi / 30.0;
+  return document_.scales ? fmt::format("{:.6g} rpm", speed * document_.scales->frequency / rpm)
+                          : fmt::format("{}", speed);
+}
+
+std::string TableReader::kind(const StudyValue& value) {
+  if (value.string()) return "a string";
+  if (value.table()) return "a table";
+  if (value.array()) return "an array";
+  if (value.boolean()) return "a boolean";
+  return value.other() ? value.other()->kind : "a number";
+}
+
+bool TableReader::states_units() const { return document_.scales || document_.root.find_path("rotor.mass"); }
+
+double TableReader::as_number(const std::string& key, const StudyValue& value, const Range& range,
+                              std::optional<std::size_t> entry) const {
+  const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
+  const auto reject = [&](const std::string& problem) {
+    throw InputError(document_.where(dotted(key), &value), dotted(key), document_.value_text(dotted(key), value),
+                     which + problem);
+  };
+  const std::optional<double> percent = value.string() ? percentage(*value.string()) : std::nullopt;
+  if (!value.is_number() && !percent)
+    reject(fmt::format("is {}; must be {}{}", kind(value), range.text(),
+                       looks_physical(value) && !states_units() ? words::study::mass_states_physical
+                       : value.table() && takes_distributions(prefix_)
+                           ? fmt::format(words::study::or_a_distribution, words::study::distribution_forms)
+                           : ""));
+  const double number = percent.value_or(value.number());
+  if (!range.contains(number)) {
+    const bool too_large = std::isfinite(number) && std::abs(number) > unbounded;
+    reject("must be " + range.text() + (too_large ? fmt::format(words::study::at_most_in_size, unbounded) : ""));
+  }
+  return number;
+}
+
+double TableReader::number(const std::string& key, const Range& range) {
+  return as_number(key, require(key, range.text()), range);
+}
+
+std::optional<double> TableReader::optional_number(const std::string& key, const Range& range) {
+  const StudyValue* value = find(key);
+  if (!value) return std::nullopt;
+  return as_number(key, *value, range);
+}
+
+std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high) {
+  const std::string wanted = fmt::format(words::study::whole_number, low, high);
+  const StudyValue& value = require(key, wanted);
+  if (value.real()) fail(key, fmt::format(words::study::no_point_or_exponent, wanted));
+  if (!value.integer()) fail(key, fmt::format(words::study::kind_of_value, kind(value), wanted));
+  const std::int64_t number = *value.integer();
+  if (number < low || number > high) fail(key, "must be " + wanted);
+  return number;
+}
+
+std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback) {
+  return has(key) ? integer(key, low, high) : fallback;
+}
+
+std::size_t TableReader::place_among(const std::string& key, std::span<const char* const> names) {
+  const std::string wanted = fmt::format("one of: {}", fmt::join(names, ", "));
+  const std::string* value = require(key, wanted).string();
+  const auto at = value ? std::find(names.begin(), names.end(), *value) : names.end();
+  if (at == names.end()) fail_among(key, {names.begin(), names.end()});
+  return static_cast<std::size_t>(at - names.begin());
+}
+
+void TableReader::fail_among(const std::string& key, const std::vector<std::string>& names, const std::string& wrong) {
+  const StudyValue* value = find(key);
+  const std::string* given = value ? value->string() : nullptr;
+  fail(key,
+       fmt::format("{}{}must be one of: {}", wrong, given ? did_you_mean(*given, names) : "", fmt::join(names, ", ")));
+}
+
+std::optional<std::string> TableReader::text(const std::string& key) {
+  const StudyValue* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->string()) fail(key, fmt::format(words::study::must_be_text, kind(*value)));
+  return *value->string();
+}
+
+bool TableReader::flag(const std::string& key, bool fallback) {
+  const StudyValue* value = find(key);
+  if (!value) return fallback;
+  if (!value->boolean()) fail(key, fmt::format(words::study::must_be_flag, kind(*value)));
+  return *value->boolean();
+}
+
+std::vector<double> TableReader::numbers(const std::string& key, const Range& range) {
+  const StudyValue::Array* array = require(key, words::study::array_of_numbers).array();
+  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, range.text()));
+  std::vector<double> result;
+  for (const StudyValue& entry : *array) result.push_back(as_number(key, entry, range, result.size()));
+  return result;
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key) {
+  std::vector<std::string> result;
+  const StudyValue* value = find(key);
+  if (!value) return result;
+  if (!value->array()) fail(key, fmt::format(words::study::must_be_texts, kind(*value)));
+  for (const StudyValue& entry : *value->array()) {
+    if (!entry.string()) fail(key, fmt::format(words::study::entry_must_be_text, kind(entry)));
+    result.push_back(*entry.string());
+  }
+  return result;
+}
+
+std::vector<double> TableReader::one_or_each(const std::string& key, const Range& range, int count,
+                                             const std::string& each) {
+  const StudyValue& value = require(key, fmt::format(words::study::one_or_each, range.text(), count, each));
+  if (!value.array()) return std::vector<double>(count, as_number(key, value, range));
+  std::vector<double> result = numbers(key, range);
+  if (static_cast<int>(result.size()) != count)
+    fail(key, fmt::format(words::study::entries_for_each, result.size(), range.text(), count, each));
+  return result;
+}
+
+void TableReader::finish() const {
+  if (!table_) return;
+  for (const auto& [name, value] : *table_->table())
+    if (!has_asked(name))
+      throw InputError(document_.where(dotted(name), &value), dotted(printable(name)),
+                       document_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,185 @@
+// Which tables are distributions, and what is wrong with them.
+#include "equipoise/study/reading/uncertain_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/toml/printable.hpp"
+#include "equipoise/study/units/units.hpp"
+#include "equipoise/study/words/study.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+bool names_distribution(const StudyValue& table) {
+  return std::any_of(distribution_names.begin(), distribution_names.end(),
+                     [&](const char* name) { return table.find(name); });
+}
+
+// Reads one distribution, entry by entry.
+class DistributionReader {
+ public:
+  DistributionReader(const Document& document, std::string key, const StudyValue& table)
+      : document_(document), table_(table) {
+    value_.key = std::move(key);
+  }
+
+  UncertainValue read() {
+    find_kind();
+    value_.numbers = entries(distribution_names[static_cast<std::size_t>(value_.kind)]);
+    check_numbers();
+    read_between();
+    return std::move(value_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(document_.where(value_.key, &table_), printable(value_.key),
+                     document_.value_text(value_.key, table_), problem);
+  }
+
+  void find_kind() {
+    bool found = false;
+    for (std::size_t k = 0; k < distribution_names.size(); ++k) {
+      if (!table_.find(distribution_names[k])) continue;
+      if (std::exchange(found, true))
+        fail(fmt::format(words::study::two_distributions, words::study::distribution_forms));
+      value_.kind = static_cast<DistributionKind>(k);
+    }
+    for (const auto& [name, entry] : *table_.table())
+      if (name != distribution_names[static_cast<std::size_t>(value_.kind)] && name != "between")
+        fail(fmt::format(words::study::unknown_entry_of_distribution, printable(name),
+                         words::study::distribution_forms));
+  }
+
+  std::vector<double> entries(const std::string& name) {
+    const StudyValue::Array* array = table_.find(name)->array();
+    if (!array || array->empty()) fail(fmt::format(words::study::distribution_of_numbers, name));
+    std::vector<double> numbers;
+    for (const StudyValue& entry : *array) numbers.push_back(number(name, entry, numbers.size() + 1));
+    return numbers;
+  }
+
+  // A plain number, or the number of a quantity; all entries share one unit.
+  double number(const std::string& name, const StudyValue& entry, std::size_t place) {
+    double result = entry.number();
+    std::string unit;
+    if (const std::string* text = entry.string()) {
+      const NumberAndUnit parts = split_quantity(*text);
+      if (parts.error != std::errc()) fail(fmt::format(words::study::entry_without_number, name, place));
+      result = parts.number;
+      unit = parts.unit;
+      if (unit.empty()) fail(fmt::format(words::study::entry_without_unit, name, place));
+    } else if (!entry.is_number()) {
+      fail(fmt::format(words::study::entry_no_number, name, place));
+    }
+    if (!any_number.contains(result)) fail(fmt::format("{} entry {} must be {}", name, place, any_number.text()));
+    if (!std::exchange(has_unit_, true))
+      value_.unit = unit;
+    else if (value_.unit != unit)
+      fail(fmt::format(words::study::entry_of_other_unit, name, place));
+    return result;
+  }
+
+  void check_numbers() const {
+    const std::vector<double>& n = value_.numbers;
+    const char* name = distribution_names[static_cast<std::size_t>(value_.kind)];
+    if (value_.kind == DistributionKind::values) return;
+    const bool normal = value_.kind == DistributionKind::normal;
+    if (n.size() != 2)
+      fail(fmt::format(words::study::two_entries, name, n.size(),
+                       normal ? "[mean, standard deviation]" : "[low, high]"));
+    if (normal && n[1] < 0.0) fail(words::study::negative_deviation);
+    if (!normal && n[0] > n[1]) fail(fmt::format(words::study::distribution_out_of_order, name));
+    if (value_.kind == DistributionKind::loguniform && !(n[0] > 0.0)) fail(words::study::loguniform_above_0);
+  }
+
+  void read_between() {
+    if (!table_.find("between")) return;
+    if (value_.kind != DistributionKind::normal) fail(words::study::between_of_normal);
+    const std::vector<double> bounds = entries("between");
+    if (bounds.size() != 2 || !(bounds[0] < bounds[1])) fail(words::study::between_two_numbers);
+    const double mean = value_.numbers[0], reach = farthest * value_.numbers[1];
+    if (!(bounds[1] > mean - reach) || !(bounds[0] < mean + reach))
+      fail(fmt::format(words::study::between_far_from_mean, farthest));
+    value_.between = {bounds[0], bounds[1]};
+  }
+
+  // Beyond this, a normal distribution has a negligible probability of 10^-89.
+  static constexpr double farthest = 20.0;
+
+  const Document& document_;
+  const StudyValue& table_;
+  UncertainValue value_;
+  bool has_unit_ = false;
+};
+
+}  // namespace
+
+bool takes_distributions(const std::string& dotted) {
+  return std::any_of(key_tables().begin(), key_tables().end(),
+                     [&](const KeyTable& table) { return table.drawn() && table.name == dotted; });
+}
+
+namespace {
+void take_from(const Document& document, const KeyTable& keys, const std::string& path,
+               std::vector<UncertainValue>& values) {
+  const StudyValue* table = document.root.find_path(path);
+  if (!table || !table->table()) return;
+  for (const auto& [key, value] : *table->table()) {
+    const std::string dotted = path + "." + key;
+    // A key in quotes may contain dots; the reader knows no such key.
+    if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
+      continue;
+    UncertainValue& read = values.emplace_back(DistributionReader(document, dotted, value).read());
+    const Key* line = keys.find(key, true);
+    if (!line || line->dimension != Dimension::angle) continue;
+    const Measured unit = measure("1 " + read.unit, {Dimension::angle});
+    read.turn = read.unit.empty() ? two_pi : unit.problem.empty() ? two_pi / unit.value : 0.0;
+  }
+}
+}  // namespace
+
+std::vector<UncertainValue> take_uncertain(Document& document) {
+  std::vector<UncertainValue> values;
+  for (const KeyTable& keys : key_tables())
+    if (keys.drawn())
+      for (const std::string& path : paths_of(document.root, keys.name)) take_from(document, keys, path, values);
+  for (const UncertainValue& value : values) {
+    const StudyValue& there = *document.root.find_path(value.key);
+    document.written.insert_or_assign(
+        value.key, Document::Written{document.value_text(value.key, there), document.where(value.key, &there)});
+    put_value(document.root, value, value.taken());
+  }
+  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  return values;
+}
+
+void put_value(StudyValue& root, const UncertainValue& value, double number) {
+  const std::size_t dot = value.key.rfind('.');
+  StudyValue* table = find_table(root, value.key.substr(0, dot));
+  const std::string key = value.key.substr(dot + 1);
+  const StudyValue* there = table->find(key);
+  StudyValue written = value.written(number);
+  if (there) written.set_line(there->line());
+  table->set(key, std::move(written));
+}
+
+void fail_at_end(const Document& document, const UncertainValue& value, double number, const InputError& refusal) {
+  const StudyValue* there = document.root.find_path(value.key);
+  const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
+  throw InputError(document.where(value.key, there), value.key, there ? document.value_text(value.key, *there) : "",
+                   fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
+}
+
+}  // namespace equipoise::study

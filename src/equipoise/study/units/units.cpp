@@ -1,0 +1,286 @@
+// The dimension of each quantity, and conversion of its numbers.
+#include "equipoise/study/units/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/nearest_name.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/study/units/unit_table.hpp"
+#include "equipoise/study/units/unit_text.hpp"
+#include "equipoise/study/words/units.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+constexpr std::array<DimensionWords, 22> all_words{{
+    {"a mass", "kg", "12 kg", "kg"},
+    {"a length", "m", "0.2 mm", "mm", "R"},
+    {"a time", "s", "10 s", "s", "1/omega_c"},
+    {"a speed of rotation", "rad/s", "3000 rpm", "rpm", "omega_c"},
+    {"a velocity", "m/s", "4.5 mm/s", "mm/s", "R omega_c"},
+    {"an acceleration", "m/s2", "9.81 m/s2", "m/s2"},
+    {"a force", "N", "500 N", "N", "M R omega_c^2"},
+    {"a stiffness", "N/m", "48 kN/m", "N/m"},
+    {"a damping coefficient", "N s/m", "200 N s/m", "N s/m"},
+    {"a torque", "N m", "0.5 N m", "N m"},
+    {words::units::torque_for_a_speed, "N m s", "0.01 N m s", "N m s"},
+    {"a moment of inertia", "kg m2", "0.02 kg m2", "kg m2"},
+    {"an energy", "J", "20 J", "J", "M R^2 omega_c^2"},
+    {"a power", "W", "1.5 kW", "W", "M R^2 omega_c^3"},
+    {"an unbalance", "kg m", "300 g mm", "g mm", "M R"},
+    {"a density", "kg/m3", "7800 kg/m3", "kg/m3"},
+    {"a viscosity", "Pa s", "100 mPa s", "mPa s"},
+    {"a kinematic viscosity", "m2/s", "100 cSt", "cSt"},
+    {"an angle", "rad", "30 degree", "rad", "rad"},
+    {"a temperature", "K", "40 degC", "K"},
+    {words::units::weight_inertia, "N m2", "0.3 kgf m2", "N m2"},
+    {words::units::force_for_a_speed, "N s", "2 N s", "N s"},
+}};
+
+bool names_hertz(std::string_view unit) {
+  return unit.find("Hz") != std::string_view::npos || unit.find("hertz") != std::string_view::npos;
+}
+
+// What everybody reads as turns a minute. A bare 1/s may be turns or radians.
+bool names_turns_a_minute(std::string_view unit) {
+  constexpr std::array<std::string_view, 3> spellings{"min-1", "min^-1", "1/min"};
+  return std::find(spellings.begin(), spellings.end(), unit) != spellings.end();
+}
+
+// Scales with a zero of their own: no product of units.
+struct TemperatureScale {
+  std::string_view name;
+  double kelvin, zero;  // of one degree; of 0 degrees
+};
+constexpr std::array<TemperatureScale, 10> temperature_scales{{{"degC", 1.0, 273.15},
+                                                               {"C", 1.0, 273.15},
+                                                               {"celsius", 1.0, 273.15},
+                                                               {"\u00B0C", 1.0, 273.15},
+                                                               {"\u2103", 1.0, 273.15},
+                                                               {"degF", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"fahrenheit", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"\u00B0F", 5.0 / 9.0, 459.67 * 5.0 / 9.0},
+                                                               {"K", 1.0, 0.0}}};
+
+// One `unit` in the dimension's SI unit; 0 if it measures something else. The table treats angles as pure numbers, so a
+// frequency would otherwise pass for a speed.
+double factor(const TableUnit& unit, std::string_view unit_text, Dimension wanted) {
+  const double one = unit.worth_in(*table_unit(words(wanted).si));
+  if (one == 0.0) return 0.0;
+  if (wanted == Dimension::angle && !unit.counts_radians()) return 0.0;
+  if (wanted == Dimension::speed && !unit.counts_radians())
+    return names_hertz(unit_text) || names_turns_a_minute(unit_text) ? 2.0 * pi * one : 0.0;
+  if (wanted != Dimension::speed && names_hertz(unit_text)) return 0.0;  // turns or radians?
+  return one;
+}
+
+std::string wanted_text(const std::vector<Dimension>& wanted) {
+  std::string text;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    text += fmt::format("{}{}, such as \"{}\"", i ? ", or " : "", words(wanted[i]).name, words(wanted[i]).example);
+  return text;
+}
+
+bool measures(const std::string& unit, Dimension wanted) {
+  if (const auto known = table_unit(unit)) return factor(*known, unit, wanted) != 0.0;
+  return wanted == Dimension::temperature;  // the usual ones beside the table
+}
+
+// " (did you mean "rpm"?)" of names that differ in small and capital letters, or in one letter of three or more. Where
+// the name is all of the unit, of those that measure what is wanted.
+std::string unit_hint(const std::string& name, bool alone, const std::vector<Dimension>& wanted) {
+  static const std::vector<std::string> usual{"kg",  "mm",  "um",  "rpm", "rad",    "Hz",    "min",    "kN",
+                                              "MN",  "Pa",  "mPa", "cSt", "degree", "degC",  "inch",   "gram",
+                                              "lbf", "kgf", "ozf", "psi", "metre",  "meter", "newton", "second"};
+  std::vector<std::string> fitting;
+  for (const std::string& unit : usual)
+    if (!alone || std::any_of(wanted.begin(), wanted.end(), [&](Dimension d) { return measures(unit, d); }))
+      fitting.push_back(unit);
+  const std::string near = nearest_name(name, fitting);
+  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+// A whole number of up to four digits at the front; removes it. 0 if there is none.
+int take_whole(std::string_view& text) {
+  int number = 0;
+  std::size_t digits = 0;
+  for (; digits < text.size() && digits < 4 && text[digits] >= '0' && text[digits] <= '9'; ++digits)
+    number = 10 * number + (text[digits] - '0');
+  text.remove_prefix(digits);
+  return number;
+}
+
+// "/4 in" after 3, " 1/2 in" after 1: the value, and what is left of the text. A blank has to follow: "2 1/m" is none.
+bool take_fraction(double& value, std::string_view& text) {
+  std::string_view rest = text;
+  const bool whole_first = !rest.empty() && rest.front() == ' ';
+  rest = trimmed(rest);
+  const int over = whole_first ? take_whole(rest) : 1;
+  if (over == 0 || rest.empty() || rest.front() != '/') return false;
+  rest.remove_prefix(1);
+  const int under = take_whole(rest);
+  if (under == 0 || rest.empty() || rest.front() != ' ' || value != std::floor(value)) return false;
+  if (whole_first && value < 0.0)
+    value -= static_cast<double>(over) / under;
+  else
+    value = whole_first ? value + static_cast<double>(over) / under : value / under;
+  text = rest;
+  return true;
+}
+
+}  // namespace
+
+const DimensionWords& words(Dimension dimension) { return all_words.at(static_cast<std::size_t>(dimension)); }
+
+ShownUnit shown_unit(Dimension d, const std::optional<model::Scales>& scales) {
+  if (!scales) return {words(d).dimensionless, 1.0};
+  const double si = scale_of(d, *scales);
+  return {words(d).shown, d == Dimension::length || d == Dimension::velocity ? 1000.0 * si
+                          : d == Dimension::speed                            ? 30.0 / pi * si
+                          : d == Dimension::unbalance                        ? 1e6 * si
+                                                                             : si};
+}
+
+double scale_of(Dimension dimension, const model::Scales& s) {
+  switch (dimension) {
+    case Dimension::mass:
+      return s.mass;
+    case Dimension::length:
+      return s.length;
+    case Dimension::time:
+      return s.time();
+    case Dimension::speed:
+      return s.frequency;
+    case Dimension::velocity:
+      return s.velocity();
+    case Dimension::acceleration:
+      return s.acceleration();
+    case Dimension::force:
+      return s.force();
+    case Dimension::stiffness:
+      return s.stiffness();
+    case Dimension::damping:
+      return s.damping();
+    case Dimension::torque:
+      return s.torque();
+    case Dimension::gain:
+      return s.gain();
+    case Dimension::inertia:
+      return s.inertia();
+    case Dimension::energy:
+      return s.torque();
+    case Dimension::power:
+      return s.torque() * s.frequency;
+    case Dimension::unbalance:
+      return s.unbalance();
+    case Dimension::angle:
+      return 1.0;
+    case Dimension::tilt_damping:
+      return s.damping() * s.length;
+    case Dimension::density:
+    case Dimension::viscosity:
+    case Dimension::kinematic_viscosity:
+    case Dimension::temperature:
+    case Dimension::weight_inertia:
+      break;
+  }
+  throw std::logic_error(words::units::dimension_without_numbers);
+}
+
+NumberAndUnit split_quantity(std::string_view text) {
+  NumberAndUnit result;
+  const std::string_view quantity = trimmed(text);
+  const std::size_t sign = !quantity.empty() && quantity.front() == '+' ? 1 : 0;  // read_number() accepts none
+  const char* end = quantity.data() + quantity.size();
+  const auto [after, error] = read_number(quantity.data() + sign, end, result.number);
+  result.error = error;
+  if (error == std::errc::invalid_argument) return result;
+  std::string_view rest(after, static_cast<std::size_t>(end - after));
+  take_fraction(result.number, rest);
+  result.unit = trimmed(rest);
+  return result;
+}
+
+std::optional<double> percentage(std::string_view text) {
+  const NumberAndUnit parts = split_quantity(text);
+  if (parts.error != std::errc() || parts.unit != "%") return std::nullopt;
+  return parts.number / 100.0;
+}
+
+Measured measure(const std::string& text, const std::vector<Dimension>& wanted) {
+  const std::string must_be = "must be " + wanted_text(wanted);
+  Measured result;
+  const auto [number, unit_text, error] = split_quantity(text);
+  result.value = number;
+  if (error == std::errc::invalid_argument) {
+    result.problem = fmt::format(words::units::no_number, must_be);
+    return result;
+  }
+  if (error != std::errc() || !std::isfinite(result.value)) {
+    result.problem = fmt::format(words::units::number_out_of_range, must_be);
+    return result;
+  }
+  if (unit_text.empty()) {
+    result.problem = fmt::format(words::units::no_unit, must_be);
+    return result;
+  }
+  for (const TemperatureScale& scale : temperature_scales) {
+    if (unit_text != scale.name) continue;
+    if (std::find(wanted.begin(), wanted.end(), Dimension::temperature) == wanted.end()) {
+      result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
+      return result;
+    }
+    result.value = result.value * scale.kelvin + scale.zero;
+    result.dimension = Dimension::temperature;
+    return result;
+  }
+  const UnitText checked(unit_text);
+  if (!checked.is_product) {
+    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
+    return result;
+  }
+  for (const std::string& name : checked.names) {
+    if (table_unit(name)) continue;
+    result.problem = fmt::format("\"{}\" is no known unit{}; {}", display_text(name),
+                                 unit_hint(name, checked.names.size() == 1, wanted), must_be);
+    return result;
+  }
+  const std::optional<TableUnit> unit = table_unit(checked.text);
+  if (!unit) {
+    result.problem = fmt::format(words::units::no_number_with_unit, must_be);
+    return result;
+  }
+  for (const Dimension dimension : wanted) {
+    const double one = factor(*unit, checked.text, dimension);
+    if (one == 0.0) continue;
+    result.value *= one;
+    result.dimension = dimension;
+    return result;
+  }
+  result.problem = fmt::format(words::units::measures_something_else, unit_text, must_be);
+  if (wanted.front() == Dimension::speed) result.problem += words::units::speed_units;
+  return result;
+}
+
+std::string quantity_text(double si, Dimension dimension) {
+  const TableUnit shown = *table_unit(words(dimension).shown);
+  return fmt::format("{} {}", si / factor(shown, words(dimension).shown, dimension), words(dimension).shown);
+}
+
+}  // namespace equipoise::study
