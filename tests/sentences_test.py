@@ -33,7 +33,6 @@ TABLES = {
     "apps/equipoise/help.hpp": "the help of commands and options, by their names",
     "src/equipoise/study/contents/keys.cpp": "a row a key",
     "src/equipoise/machine/standards/severity.hpp": "a row a class of machines, in the standard's words",
-    "src/equipoise/extras/charts/chart_julia.cpp": "a Julia script",
     "src/equipoise/extras/planes/chart_file.cpp": "a row a column",
 }
 

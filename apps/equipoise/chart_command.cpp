@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/extras/charts/chart_julia.hpp"
 #include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
@@ -18,7 +17,6 @@ namespace equipoise::app {
 namespace {
 
 struct ChartArguments : PlaneArguments {
-  std::string julia;
   std::optional<std::string> boxes;
   double undecided = 1.0;
   bool cycles = false;
@@ -27,22 +25,17 @@ struct ChartArguments : PlaneArguments {
 int run_chart(const ChartArguments& a) {
   return run_plane(
       a, ChartSettings(),
-      [&](const Study& study, ChartSettings& settings) {
+      [&](const Study&, ChartSettings& settings) {
         if (!(a.undecided > 0.0 && a.undecided < 100.0))
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;
         constexpr std::uint64_t most_boxes = 1'000'000'000;
         if (a.boxes)
           settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
-        require_ending("--julia", a.julia, ".jl");
-        require_writable("--julia", a.julia);
-        if (!a.julia.empty() && !study.system().prescribed())
-          throw InputError("--julia", "", a.julia, equipoise::words::chart::julia_prescribed);
         settings.cycles = a.cycles;
       },
       [](const Study& study, const ChartSettings& settings) { return bifurcation_chart(study, settings); },
-      [&](const BifurcationChart& chart) {
-        if (!a.julia.empty()) write_file(a.julia, chart_julia(chart));
+      [](const BifurcationChart& chart) {
         return FormMakers{[&chart] { return chart_text(chart, text_style()); },
                           [&chart] { return chart_json(chart); },
                           [&chart] { return chart_csv(chart); },
@@ -61,7 +54,6 @@ Command add_chart(CLI::App& app) {
   app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
   app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
   app.add_flag("--cycles", a->cycles, help::chart::cycles);
-  app.add_option("--julia", a->julia, help::chart::julia)->type_name("FILE.jl");
   add_plane_forms(app, *a, {help::chart::output, help::chart::csv, help::chart::plot});
   return [a] { return run_chart(*a); };
 }

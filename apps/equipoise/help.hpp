@@ -194,7 +194,6 @@ inline constexpr char size[] = "points of the grid from which curves begin (defa
 inline constexpr char boxes[] = "most boxes that proofs may try (default 200000); 0: prove nothing";
 inline constexpr char undecided[] = "proofs end when no more of the plane than this is undecided (default 1)";
 inline constexpr char cycles[] = "curves on which the cycles born on Hopf curves change, too; takes up to minutes";
-inline constexpr char julia[] = "points with states and eigenvalues as a script for BifurcationKit.jl (.jl)";
 inline constexpr char output[] = "curves, points and boxes as NetCDF (.nc)";
 inline constexpr char csv[] = "one line per point of a curve (.csv)";
 inline constexpr char plot[] = "a picture of curves, points and boxes";

@@ -6,7 +6,7 @@
 import json
 import math
 
-from program import MACHINE, ROW, Case, answer, content, main, picture_of, rows_of, run, with_xarray
+from program import MACHINE, ROW, Case, answer, main, picture_of, rows_of, run, with_xarray
 
 AXES = ["--x", "speed.final=0:6", "--y", "balancer.drag=0.001:1"]
 
@@ -77,12 +77,6 @@ class Results(Case):
         swings = [float(row["swing"]) for row in rows_of(csv) if row["kind"] == "cycle-fold"]
         self.assertGreater(len(swings), 3)
         self.assertTrue(all(0.0 < swing < 0.1 for swing in swings), swings)
-        script = self.path("out.jl")
-        self.assertEqual(run("chart", ROW, *near, "--julia", script).returncode, 0)
-        text = content(script).decode()
-        self.assertIn('keys_of_study = ("speed.speed", "balancer.drag")', text)
-        self.assertEqual(text.count('"hopf",'), len(rows_of(csv)) - len(swings))
-        self.refused("chart", ROW, *near, "--julia", self.path("out.txt"), words=("--julia", ".jl"))
         self.assertNotIn("cycles", run("chart", ROW, *near).stdout)
 
     def test_bad_axes_are_refused_in_one_line(self):

@@ -6,8 +6,6 @@ namespace equipoise::words::chart {
 // Input.
 inline constexpr char undecided_range[] = "must be a part of the plane in percent, more than 0 and less than 100";
 
-inline constexpr char julia_prescribed[] = "is for rotors at a prescribed speed";
-
 // Files.
 inline constexpr char file[] = "must be a new file, or one that \"chart -o\" wrote";
 inline constexpr char no_such_file[] = "holds no chart; {}";
