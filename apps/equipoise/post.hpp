@@ -1,4 +1,4 @@
-// Questions between the processes of a job: any thread asks, the other process's main thread answers.
+// Questions to the first process of a job: any thread of another asks, the first one's main thread answers.
 #pragma once
 
 #define OMPI_SKIP_MPICXX
@@ -22,9 +22,8 @@ class Post {
  public:
   using Answer = std::function<Bytes(int from, const Bytes& question)>;
 
-  /// The answer of process `whom`, perhaps this one; empty once the post is closed. Not for the thread that calls
-  /// step().
-  Bytes ask(int whom, Bytes question);
+  /// The answer of process 0; empty once the post is closed. Not for the thread that calls step().
+  Bytes ask(Bytes question);
   /// Receives a message, and answers it if it is a question. False if none has come. Call from one thread only.
   bool step(const Answer& answer);
   /// Nobody here waits for answers any more.

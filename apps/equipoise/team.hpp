@@ -52,14 +52,11 @@ class Team {
     return made;
   }
   /// Of the first: what `compute` makes with these options of a survey. Gives blocks to the others and takes their
-  /// cells until none of them has any left; whom no block is left for decides starts of others' cells, this process
-  /// too. If the work cannot go on the others are sent home.
+  /// cells until nobody works. If the work cannot go on the others are sent home.
   template <class Options, class Compute>
   auto lead(Options& options, const Compute& compute) {
     if (!alone())
-      options.helpers = [this, threads = options.threads, stop = options.stop](const Survey& survey, SurveyWork& work) {
-        lead(survey, work, threads, stop);
-      };
+      options.helpers = [this, stop = options.stop](SurveyWork& work) { lead(work, stop); };
     return or_end(compute);
   }
   /// Of the others: works until the first has nothing more. Returns the exit code.
@@ -79,7 +76,7 @@ class Team {
     }
   }
   bool agree(bool good);  // what the first found, known to all
-  void lead(const Survey& survey, SurveyWork& work, int threads, const StopFlag* stop);
+  void lead(SurveyWork& work, const StopFlag* stop);
   void dismiss();
   [[noreturn]] void abort(int code);
 

@@ -1,4 +1,4 @@
-// Chunks of an ensemble arrive in order, with each start once, whichever process decides them.
+// Chunks of an ensemble arrive in order, with each start once, whichever thread decides them.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/analyses/ensembles/chunks.hpp"
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
+#include "equipoise/analyses/sweeps/open_ensembles.hpp"
 
 namespace equipoise {
 namespace chunks_test {
@@ -23,18 +23,16 @@ void number(Chunk& chunk) {
 
 bool number_slowly(Chunk& chunk) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  if (!chunk.from_elsewhere) number(chunk);
+  number(chunk);
   return true;
 }
 
 // Receives numbers, and finds the first that is out of order.
 struct Row {
   std::vector<double> numbers;
-  std::size_t from_elsewhere = 0;
 
   void take(const Chunk& chunk) {
     for (const Fate& fate : chunk.fates) numbers.push_back(fate.time);
-    from_elsewhere += chunk.from_elsewhere;
   }
   std::optional<std::size_t> first_wrong(std::uint64_t end) const {
     for (std::size_t k = 0; k < end - first; ++k)
@@ -68,56 +66,47 @@ TEST(Chunks, ComeInOrderFromAllThreads) {
 }
 
 TEST(Chunks, AreSharedWithIdleThreads) {
-  CellDesk desk;
-  EXPECT_FALSE(desk.help());  // nothing is at work
+  OpenEnsembles ensembles;
+  EXPECT_FALSE(ensembles.help());  // nothing is at work
   std::atomic<bool> over{false};
   std::atomic<int> helped{0};
   std::thread helper([&] {
-    while (!over) helped += desk.help();
+    while (!over) helped += ensembles.help();
   });
-  CellDesk::Place place(desk, {});
-  const Outcome outcome = compute({number_slowly, 1, nullptr, &place});
+  std::vector<Outcome> outcomes(2);  // of two ensembles at once
+  std::thread other([&] { outcomes[1] = compute({number_slowly, 1, nullptr, &ensembles}); });
+  outcomes[0] = compute({number_slowly, 1, nullptr, &ensembles});
+  other.join();
   over = true;
   helper.join();
   EXPECT_GT(helped, 0);
-  EXPECT_FALSE(outcome.lost);
-  EXPECT_EQ(outcome.row.first_wrong(limit), std::nullopt);
-  EXPECT_FALSE(desk.help());
+  for (const Outcome& outcome : outcomes) {
+    EXPECT_FALSE(outcome.lost);
+    EXPECT_EQ(outcome.row.first_wrong(limit), std::nullopt);
+  }
+  EXPECT_FALSE(ensembles.help());
 }
 
-// Some are lent and come back decided, some come back undecided, one comes back when all is over.
-TEST(Chunks, AreLentAndTakenBack) {
-  CellDesk desk;
-  const CellAtWork cell{.cell = 3,
-                        .start = {.warm_start_states = {{1.0}}, .warm_start = true, .warm_start_levels = {}},
-                        .method = SamplingMethod::random};
+TEST(Chunks, HelpersThatThrowLeave) {
+  OpenEnsembles ensembles;
   std::atomic<bool> over{false};
-  std::thread other([&] {
-    for (std::size_t k = 0; !over; ++k) {
-      const auto task = desk.newest();
-      const auto loan = task ? desk.lend(task->number) : std::nullopt;
-      if (!loan) {
-        std::this_thread::yield();
-        continue;
+  std::atomic<int> thrown{0};
+  std::thread helper([&] {
+    while (!over) try {
+        ensembles.help();
+      } catch (const std::runtime_error&) {
+        ++thrown;
       }
-      EXPECT_EQ(task->at, cell);
-      Chunk made;
-      made.first = loan->first;
-      made.count = loan->count;
-      if (k % 3 != 0) number(made);
-      desk.give_back(loan->number, std::move(made));
-    }
   });
-  auto place = std::make_unique<CellDesk::Place>(desk, cell);
-  const Outcome outcome = compute({number_slowly, 2, nullptr, place.get()});
+  const auto of_helper = [owner = std::this_thread::get_id(), &thrown](Chunk& chunk) {
+    while (thrown == 0 && chunk.first == first) std::this_thread::yield();  // the owner waits for the helper
+    if (chunk.first > first) throw std::runtime_error("no");
+    return number_slowly(chunk);
+  };
+  EXPECT_TRUE(compute({of_helper, 1, nullptr, &ensembles}).lost);
   over = true;
-  other.join();
-  EXPECT_GT(outcome.row.from_elsewhere, 0u);
-  EXPECT_FALSE(outcome.lost);
-  EXPECT_EQ(outcome.row.first_wrong(limit), std::nullopt);
-  desk.give_back(1, {});  // too late: nothing happens
-  place.reset();
-  EXPECT_FALSE(desk.newest());
+  helper.join();
+  EXPECT_EQ(thrown, 1);
 }
 
 TEST(Chunks, EndWhereTheyAreToldTo) {

@@ -7,7 +7,6 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
@@ -137,13 +136,12 @@ WantedSample wanted_from(const CellRecord& record) {
 }
 
 Survey candidate_survey(const std::shared_ptr<CandidateRunner>& runner) {
-  return {[runner](std::size_t number, const BlockWorkers& workers) {
-            const CellRecord asked = workers.known(number);
-            const auto made = asked.empty() ? std::nullopt : runner->run(wanted_from(asked), workers.threads);
-            if (made) workers.deliver(number, io::bytes_of(KeptSample{"", *made}));
-            return made.has_value();
-          },
-          {}};
+  return [runner](std::size_t number, const BlockWorkers& workers) {
+    const CellRecord asked = workers.known(number);
+    const auto made = asked.empty() ? std::nullopt : runner->run(wanted_from(asked), workers.threads);
+    if (made) workers.deliver(number, io::bytes_of(KeptSample{"", *made}));
+    return made.has_value();
+  };
 }
 
 }  // namespace equipoise

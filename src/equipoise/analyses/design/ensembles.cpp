@@ -47,7 +47,7 @@ DesignEnsembles::DesignEnsembles(const DesignProblem& problem, const RunOptions&
   if (helpers)
     helpers_ = std::async(std::launch::async, [this, helpers] {
       try {
-        helpers(survey_, *this);
+        helpers(*this);
       } catch (...) {
         fail(std::current_exception());
       }
@@ -122,7 +122,7 @@ void DesignEnsembles::work_off(std::size_t missing) {
   in_parallel(at_once, static_cast<std::size_t>(at_once), [&](std::size_t) {
     try {
       while (const auto number = next_block())
-        if (!survey_.run_block(*number, workers)) return;
+        if (!survey_(*number, workers)) return;
     } catch (...) {
       fail(std::current_exception());  // other processes get no further block
       throw;

@@ -18,7 +18,6 @@
 
 #include "equipoise/analyses/design/candidate_runner.hpp"
 #include "equipoise/analyses/design/problem.hpp"
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/cell_files/design_file.hpp"
@@ -57,7 +56,6 @@ class DesignEnsembles final : public SurveyWork {
   CellRecord known(std::size_t number) const override;
   void deliver(std::size_t number, const CellRecord& made) override;
   bool idle() const override { return over_; }
-  CellDesk& desk() override { return desk_; }
 
  private:
   void watch_time();
@@ -77,7 +75,6 @@ class DesignEnsembles final : public SurveyWork {
   std::thread clock_;
   int threads_;
   Survey survey_;
-  CellDesk desk_;  // nothing lies there: candidates are shared out, not their starts
   std::map<std::string, DesignSample> known_;
   std::uint64_t trajectories_ = 0, resumed_ = 0;
 

@@ -109,7 +109,7 @@ class BasinRun {
 
   // Thread-safe.
   bool decide(Chunk& c) const {
-    if (!result_.own_starts) return classify_chunk(*runner_, c);
+    if (!result_.own_starts) return runner_->run(c.first, c.count, c);
     const std::span<const InitialState> given(&options_.initial[c.first], c.count);
     c.phi.clear();
     for (const InitialState& s : given)
@@ -323,12 +323,10 @@ class BasinRun {
   }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
-    // Starts with rotors of their own have fates too large to send; so have the caller's own starts.
-    const bool helped = options_.help && !file_ && result_.study.uncertain.empty() && !result_.own_starts;
     const ChunkWork work{.decide = [&](Chunk& c) { return decide(c); },
                          .threads = threads_,
                          .stop = options_.stop,
-                         .help = helped ? options_.help(sampler_->method()) : nullptr};
+                         .help = options_.help};
     compute_chunks(work, first, limit, finished_, lost_, sink);
   }
 

@@ -55,8 +55,7 @@ struct BasinOptions : RunOptions {
   bool brief_search = false;  ///< for a first look: a smaller pilot where its starts are dear (AttractorSearchSettings)
   bool few_starts = false;    ///< the search costs less than a hundred starts (AttractorSearchSettings)
   int search_threads = 0;     ///< for the attractor search; 0: as `threads`
-  /// The helpers for starts sampled by this method (analyses/ensembles/chunks.hpp), or null. Asked before each sample.
-  std::function<ChunkHelp*(SamplingMethod)> help;
+  ChunkHelp* help = nullptr;   ///< threads that help to decide starts (analyses/ensembles/chunks.hpp), or null
   SearchLog* notes = nullptr;  ///< the search log, or null; a run with `output` keeps it in that file instead
   AttractorSearchCache* searches = nullptr;  ///< shared by consecutive runs with the same final speed; results do
                                              ///< not depend on it

@@ -32,22 +32,17 @@ ChunkQueue::ChunkQueue(const ChunkWork& work, std::uint64_t first, std::uint64_t
       passed_(first) {}
 
 // With the lock held: the next chunk, if one can be had now.
-std::shared_ptr<Chunk> ChunkQueue::there(Taker taker) {
-  std::shared_ptr<Chunk> chunk;
-  if (!back_.empty() && !(taker == Taker::lending && back_.back()->from_elsewhere)) {
-    chunk = back_.back();
-    back_.pop_back();
-  } else if (next_ < limit_ && decided_.size() + out_ < most_open_) {
-    chunk = std::make_shared<Chunk>();
-    chunk->first = next_;
-    chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size_.next(), limit_ - next_));
-    next_ += chunk->count;
-    ++out_;
-  }
+std::shared_ptr<Chunk> ChunkQueue::there() {
+  if (next_ >= limit_ || decided_.size() + out_ >= most_open_) return nullptr;
+  auto chunk = std::make_shared<Chunk>();
+  chunk->first = next_;
+  chunk->count = static_cast<std::size_t>(std::min<std::uint64_t>(size_.next(), limit_ - next_));
+  next_ += chunk->count;
+  ++out_;
   return chunk;
 }
 
-std::shared_ptr<Chunk> ChunkQueue::take(Taker taker) {
+std::shared_ptr<Chunk> ChunkQueue::take(bool wait) {
   constexpr std::chrono::milliseconds until_a_look{20};  // between checks for a stop, which wakes no thread
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -56,28 +51,19 @@ std::shared_ptr<Chunk> ChunkQueue::take(Taker taker) {
       lost_ = passed_ < limit_;
       return nullptr;
     }
-    if (auto chunk = there(taker)) return chunk;
-    if (taker != Taker::waiting || (next_ >= limit_ && out_ == 0)) return nullptr;
+    if (auto chunk = there()) return chunk;
+    if (!wait || (next_ >= limit_ && out_ == 0)) return nullptr;
     changed_.wait_for(lock, until_a_look);
   }
 }
 
-std::shared_ptr<Chunk> ChunkQueue::lend() { return take(Taker::lending); }
-
-void ChunkQueue::give_back(const std::shared_ptr<Chunk>& chunk) {
-  const std::lock_guard guard(mutex_);
-  back_.push_back(chunk);
-  changed_.notify_all();
-}
-
 bool ChunkQueue::work_off(bool wait) {
-  const auto chunk = take(wait ? Taker::waiting : Taker::passing_by);
+  const auto chunk = take(wait);
   if (!chunk) return false;
   try {
     const auto begin = std::chrono::steady_clock::now();
     chunk->complete = !finished_ && work_.decide(*chunk);
-    if (!chunk->from_elsewhere)
-      size_.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    size_.took(chunk->count, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     hand_in(chunk);
   } catch (...) {
     lost_ = true;
@@ -113,17 +99,18 @@ namespace {
 // Makes helpers leave before the queue is destroyed.
 class Opened {
  public:
-  Opened(ChunkHelp* help, ChunkQueue& queue) : help_(help) {
-    if (help_) help_->open(queue);
+  Opened(ChunkHelp* help, ChunkQueue& queue) : help_(help), queue_(queue) {
+    if (help_) help_->open(queue_);
   }
   ~Opened() {
-    if (help_) help_->close();
+    if (help_) help_->close(queue_);
   }
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
 
  private:
   ChunkHelp* help_;
+  ChunkQueue& queue_;
 };
 
 }  // namespace

@@ -21,21 +21,19 @@ struct Chunk : Decided {
   std::uint64_t first = 0;
   std::size_t count = 0;
   bool complete = false;
-  /// Decided by another process: unlisted starts have only a place and a state, and there are no angles.
-  bool from_elsewhere = false;
 
   const TransientRow* row(std::size_t place) const { return transients.empty() ? nullptr : &transients[place]; }
 };
 
 class ChunkQueue;
 
-/// Helpers that decide chunks of a running ensemble.
+/// Threads of other work that decide chunks of running ensembles. Thread-safe.
 class ChunkHelp {
  public:
   virtual ~ChunkHelp() = default;
-  /// The helper may ask the queue for chunks until close() returns, which waits for those being decided.
+  /// They may work off the queue's chunks until close() returns, which waits for those being decided.
   virtual void open(ChunkQueue& queue) = 0;
-  virtual void close() = 0;
+  virtual void close(ChunkQueue& queue) = 0;
 };
 
 struct ChunkWork {
@@ -58,17 +56,11 @@ class ChunkQueue {
   /// An exception from deciding ends the work of all threads.
   bool work_off(bool wait);
 
-  /// Lends a chunk that nobody has to another process; null if there is none.
-  std::shared_ptr<Chunk> lend();
-  /// Returns a lent chunk: decided, or without fates for another thread to decide.
-  void give_back(const std::shared_ptr<Chunk>& chunk);
-
   bool passed_all() const { return passed_ >= limit_; }
 
  private:
-  enum class Taker { waiting, passing_by, lending };
-  std::shared_ptr<Chunk> take(Taker taker);
-  std::shared_ptr<Chunk> there(Taker taker);
+  std::shared_ptr<Chunk> take(bool wait);
+  std::shared_ptr<Chunk> there();
   void hand_in(const std::shared_ptr<Chunk>& chunk);
   void pass_on(std::unique_lock<std::mutex>& lock);
 
@@ -84,7 +76,6 @@ class ChunkQueue {
   std::condition_variable changed_;
   std::uint64_t next_, passed_;                              // index of the next start to hand out; starts passed on
   std::size_t out_ = 0;                                      // chunks handed out
-  std::vector<std::shared_ptr<Chunk>> back_;                 // given back undecided
   std::map<std::uint64_t, std::shared_ptr<Chunk>> decided_;  // waiting for earlier chunks
   bool passing_ = false;
 };

@@ -70,20 +70,4 @@ std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions
       study, AttractorSearchSettings{.threads = threads, .cache = &found, .few_starts = few_starts}, transients);
 }
 
-bool classify_chunk(const StartRunner& runner, Chunk& chunk) {
-  if (!chunk.from_elsewhere) return runner.run(chunk.first, chunk.count, chunk);
-  for (UnlistedStart& start : chunk.unlisted) {
-    std::optional<UnlistedStart> followed = runner.follow(start.state);
-    if (!followed) return false;
-    followed->place = start.place;
-    start = *std::move(followed);
-  }
-  return true;
-}
-
-EnsembleHelper::EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method) {
-  AttractorSearchCache searches;
-  runner_ = ensemble_runner(as_sampled(std::move(study), method), options, searches);
-}
-
 }  // namespace equipoise

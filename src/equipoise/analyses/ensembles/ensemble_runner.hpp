@@ -1,10 +1,9 @@
-// What decides the starts of basin(): its own process, or another that helps it.
+// What decides the starts of basin().
 #pragma once
 
 #include <memory>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/chunks.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -29,21 +28,5 @@ std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOpti
 /// stopped.
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
                                             AttractorSearchCache& found, bool few_starts = false);
-
-/// Decides a chunk, or completes one from another process. Thread-safe; false if stopped early.
-bool classify_chunk(const StartRunner& runner, Chunk& chunk);
-
-/// Decides chunks of basin(study, options) bit for bit as basin() does.
-class EnsembleHelper {
- public:
-  /// `method`: the one that basin() chose. Check stopped() afterwards.
-  EnsembleHelper(Study study, const BasinOptions& options, SamplingMethod method);
-  bool stopped() const { return runner_->stopped(); }
-  /// Thread-safe; false if stopped early.
-  bool decide(Chunk& chunk) const { return classify_chunk(*runner_, chunk); }
-
- private:
-  std::unique_ptr<StartRunner> runner_;
-};
 
 }  // namespace equipoise

@@ -16,7 +16,6 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
 #include "equipoise/analyses/sweeps/survey_run.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
 #include "equipoise/analyses/sweeps/sweep_cell.hpp"
@@ -126,8 +125,7 @@ class Boundary {
 
   std::optional<CapacityTrial> run(double value) const {
     if (!workers_ || is_set(workers_->stop)) return std::nullopt;
-    CellAtWork at{cell_, settings(plan_, options_, value)};
-    const Study study = plan_.study_of(cell_, at.more);
+    const Study study = plan_.study_of(cell_, settings(plan_, options_, value));
     CapacityTrial made;
     made.value = value;
     // Where no balanced state attracts no start has to be followed; of drawn rotors each has its own.
@@ -136,10 +134,11 @@ class Boundary {
       made.unstable = true;
       return is_set(workers_->stop) ? std::nullopt : std::optional(made);
     }
-    if (const auto* near = nearest(value)) at.start.warm_start_states = near->states;
-    at.start.warm_start = !at.start.warm_start_states.empty();
+    CellStart start;
+    if (const auto* near = nearest(value)) start.warm_start_states = near->states;
+    start.warm_start = !start.warm_start_states.empty();
     Catalogue catalogue;
-    const BasinResult result = cell_ensemble(plan_, at, study, *workers_, nullptr, catalogue, nullptr);
+    const BasinResult result = cell_ensemble(plan_, start, study, *workers_, nullptr, catalogue, nullptr);
     if (result.partial) return std::nullopt;
     made.balanced = asked_share(result, options_.by);
     made.undecided = result.undecided;
@@ -355,12 +354,11 @@ Study capacity_study(const SweepPlan& plan, const CapacityOptions& options, std:
 }
 
 Survey capacity_survey(const SweepPlan& plan, const CapacityOptions& options) {
-  return {[&](std::size_t cell, const BlockWorkers& workers) {
-            std::vector<CapacityTrial> known;
-            if (const CellRecord kept = workers.known(cell); !kept.empty()) known = io::trials_from(kept);
-            return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
-          },
-          sweep_survey(plan).helper_for};
+  return [&](std::size_t cell, const BlockWorkers& workers) {
+    std::vector<CapacityTrial> known;
+    if (const CellRecord kept = workers.known(cell); !kept.empty()) known = io::trials_from(kept);
+    return Boundary(plan, options, cell, std::move(known), &workers).find().has_value();
+  };
 }
 
 CapacityResult capacity(const SweepPlan& plan, const CapacityOptions& options) {

@@ -1,4 +1,4 @@
-// Surveys: ensembles in many cells, computed block by block by threads and processes that share them.
+// Surveys: ensembles in many cells, computed block by block by threads and processes that share the blocks.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,8 @@
 
 namespace equipoise {
 
-class CellDesk;
-class EnsembleHelper;
+class ChunkHelp;
 class SearchLog;
-struct CellAtWork;
 
 /// What is kept of a cell and sent between processes (results/cell_files/sweep_cells.hpp). Empty: nothing.
 using CellRecord = std::vector<std::uint8_t>;
@@ -23,21 +21,16 @@ using CellRecord = std::vector<std::uint8_t>;
 struct BlockWorkers {
   int threads = 1;
   std::function<int()> idle{};  ///< threads that have nothing else to do when a cell's search begins; empty: none
-  CellDesk* desk = nullptr;     ///< where others decide starts of its cells; null: nobody does
+  ChunkHelp* help = nullptr;    ///< idle threads, which decide starts of its cells; or null
   const StopFlag* stop = nullptr;
   SearchLog* notes = nullptr;                                          ///< of searches, or null
   std::function<CellRecord(std::size_t cell)> known{};                 ///< what was made of a cell earlier
   std::function<void(std::size_t cell, const CellRecord&)> deliver{};  ///< takes what is new
 };
 
-/// What any process of a job can compute of it. Refers to what it was made from.
-struct Survey {
-  /// Computes what is not known of a block's cells. False if stopped.
-  std::function<bool(std::size_t block, const BlockWorkers& workers)> run_block;
-  /// Decides starts of a cell that another process has at its desk: it searches as that one does, from where that
-  /// began, and so finds the same. Ask stopped() of it. Empty where no cell lies at a desk.
-  std::function<EnsembleHelper(const CellAtWork& at, int threads, const StopFlag* stop)> helper_for;
-};
+/// What any process of a job can compute of it: what is not known of a block's cells. False if stopped. Refers to what
+/// it was made from.
+using Survey = std::function<bool(std::size_t block, const BlockWorkers& workers)>;
 
 /// Work to share: gives out blocks and takes what is made of their cells. Callable from any thread.
 class SurveyWork {
@@ -50,11 +43,9 @@ class SurveyWork {
   virtual void deliver(std::size_t cell, const CellRecord& made) = 0;
   /// Nothing more is to come from this process' own threads.
   virtual bool idle() const = 0;
-  /// Where the cells lie that they work on.
-  virtual CellDesk& desk() = 0;
 };
 
-/// Runs beside the own threads until all is done: hands work to other processes. Empty: there are none.
-using SurveyHelpers = std::function<void(const Survey&, SurveyWork&)>;
+/// Runs next to the own threads until all is done: hands blocks to other processes. Empty: there are none.
+using SurveyHelpers = std::function<void(SurveyWork&)>;
 
 }  // namespace equipoise

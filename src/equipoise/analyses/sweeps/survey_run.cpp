@@ -32,7 +32,7 @@ std::exception_ptr SurveyRun::work(const Survey& survey, std::vector<std::size_t
   idle_ = threads_ - each * working_;
   const BlockWorkers workers{.threads = each,
                              .idle = [this] { return idle_ / std::max(1, working_.load()); },
-                             .desk = &desk_,
+                             .help = &ensembles_,
                              .stop = stop_,
                              .notes = notes,
                              .known = [this](std::size_t cell) { return known(cell); },
@@ -41,7 +41,7 @@ std::exception_ptr SurveyRun::work(const Survey& survey, std::vector<std::size_t
   for (int k = 0; k < idle_; ++k) crew.emplace_back([this] { help(); });
   for (std::size_t k = 0; k < at_once; ++k) crew.emplace_back([&] { work_along(survey, workers); });
   guarded([&] {
-    if (helpers) helpers(survey, *this);
+    if (helpers) helpers(*this);
   });
   for (std::thread& worker : crew) worker.join();
   return failure_;
@@ -50,7 +50,7 @@ std::exception_ptr SurveyRun::work(const Survey& survey, std::vector<std::size_t
 void SurveyRun::work_along(const Survey& survey, const BlockWorkers& workers) {
   guarded([&] {
     while (const auto block = next_block())
-      if (!survey.run_block(*block, workers)) break;
+      if (!survey(*block, workers)) break;
   });
   idle_ += workers.threads;
   --working_;
@@ -65,7 +65,7 @@ void SurveyRun::help() {
   constexpr std::chrono::milliseconds until_a_look{5};
   guarded([&] {
     while (!idle() && !stopped())
-      if (!desk_.help()) std::this_thread::sleep_for(until_a_look);
+      if (!ensembles_.help()) std::this_thread::sleep_for(until_a_look);
   });
 }
 

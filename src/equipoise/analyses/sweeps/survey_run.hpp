@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
+#include "equipoise/analyses/sweeps/open_ensembles.hpp"
 #include "equipoise/analyses/sweeps/survey.hpp"
 #include "equipoise/core/running/run_options.hpp"
 
@@ -21,13 +21,12 @@ class SurveyRun : public SurveyWork {
  public:
   std::optional<std::size_t> next_block() override;
   bool idle() const override { return working_ == 0; }
-  CellDesk& desk() override { return desk_; }
 
  protected:
   explicit SurveyRun(const RunOptions& options);
 
   /// As many blocks at a time as there are threads; where there are fewer, each has several threads. Threads for which
-  /// no block is left help with the cells of the others. Returns what ended the work early, if anything was thrown.
+  /// no block is left decide starts of the others' cells. Returns what ended the work early, if anything was thrown.
   std::exception_ptr work(const Survey& survey, std::vector<std::size_t> blocks, SearchLog* notes,
                           const SurveyHelpers& helpers);
   /// Blocks that somebody took.
@@ -45,7 +44,7 @@ class SurveyRun : public SurveyWork {
   std::vector<std::size_t> blocks_;
   std::atomic<std::size_t> next_{0};
   std::atomic<int> working_{0}, idle_{0};  // those at blocks; threads without one
-  CellDesk desk_;
+  OpenEnsembles ensembles_;
   std::atomic<bool> failed_{false};
   std::mutex failing_;
   std::exception_ptr failure_;

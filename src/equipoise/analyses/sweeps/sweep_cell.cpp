@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/analyses/ensembles/ensemble_runner.hpp"
-#include "equipoise/analyses/sweeps/cell_desk.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
@@ -17,19 +15,6 @@
 namespace equipoise {
 
 namespace {
-
-// Options of a cell's ensemble, the same for everybody who works on it. They refer to `start`.
-BasinOptions cell_options(const SweepPlan& plan, const CellStart& start) {
-  BasinOptions options;
-  options.half_width = plan.request().half_width;
-  options.limit_given = plan.request().limit_given;
-  options.transients = plan.transients();
-  options.without_balls = false;
-  options.warm_start_states = start.warm_start_states;
-  options.warm_start = start.warm_start;
-  options.warm_start_levels = &start.warm_start_levels;
-  return options;
-}
 
 SweepOutcome outcome_of(const OutcomeShare& a, const Catalogue& catalogue, int balls) {
   SweepOutcome outcome{a, a.id};
@@ -84,25 +69,23 @@ class Chain {
 
 }  // namespace
 
-BasinResult cell_ensemble(const SweepPlan& plan, const CellAtWork& at, const Study& study, const BlockWorkers& workers,
-                          AttractorSearchCache* searches, Catalogue& catalogue, WarmStartLevels* found) {
-  BasinOptions options = cell_options(plan, at.start);
+BasinResult cell_ensemble(const SweepPlan& plan, const CellStart& start, const Study& study,
+                          const BlockWorkers& workers, AttractorSearchCache* searches, Catalogue& catalogue,
+                          WarmStartLevels* found) {
+  BasinOptions options;
+  options.half_width = plan.request().half_width;
+  options.limit_given = plan.request().limit_given;
+  options.transients = plan.transients();
+  options.without_balls = false;
+  options.warm_start_states = start.warm_start_states;
+  options.warm_start = start.warm_start;
+  options.warm_start_levels = &start.warm_start_levels;
   options.threads = workers.threads;
   if (workers.idle) options.search_threads = workers.threads + workers.idle();
+  options.help = workers.help;
   options.stop = workers.stop;
   options.searches = searches;
   options.notes = workers.notes;
-  std::vector<std::unique_ptr<CellDesk::Place>> places;  // one a way of sampling
-  const auto place_for = [&](SamplingMethod method) {
-    for (const auto& place : places)
-      if (place->at().method == method) return place.get();
-    CellAtWork here = at;
-    here.method = method;
-    return places.emplace_back(std::make_unique<CellDesk::Place>(*workers.desk, std::move(here))).get();
-  };
-  if (workers.desk) options.help = place_for;
-  // While the search goes on, which others then make too.
-  if (workers.desk && options.half_width == 0.0) place_for(study.sampling.method.value_or(SamplingMethod::random));
   return basin(study, options, &catalogue, found);
 }
 
@@ -121,8 +104,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& wor
     }
     Catalogue catalogue;
     WarmStartLevels found;
-    const BasinResult result =
-        cell_ensemble(plan, {index, {}, chain.start()}, study, workers, &searches, catalogue, &found);
+    const BasinResult result = cell_ensemble(plan, chain.start(), study, workers, &searches, catalogue, &found);
     if (result.partial) return false;
     before = cell_of(result, catalogue);
     before->warm_start_levels = std::move(found);
@@ -134,13 +116,7 @@ bool run_block(const SweepPlan& plan, std::size_t block, const BlockWorkers& wor
 }  // namespace
 
 Survey sweep_survey(const SweepPlan& plan) {
-  return {[&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); },
-          [&plan](const CellAtWork& at, int threads, const StopFlag* stop) {
-            BasinOptions options = cell_options(plan, at.start);
-            options.threads = threads;
-            options.stop = stop;
-            return EnsembleHelper(plan.study_of(at.cell, at.more), options, at.method);
-          }};
+  return [&plan](std::size_t block, const BlockWorkers& workers) { return run_block(plan, block, workers); };
 }
 
 }  // namespace equipoise
