@@ -136,13 +136,9 @@ inline constexpr char x[] =
 inline constexpr char y[] = "the same from bottom to top (default initial.phi_2)";
 inline constexpr char size[] = "pixels (default 512x512)";
 inline constexpr char tie[] = "a ball angle that follows another, e.g. phi_2=phi_1+pi; may be repeated";
-inline constexpr char refine[] =
-    "compute the edges of blocks of N pixels first, fill in what lies within edges of one outcome, and divide the "
-    "others (a power of two from 2 to 64; default: compute every pixel)";
 inline constexpr char output[] =
     "every pixel's outcome and time as NetCDF (.nc), kept as they come; the same command resumes, and reads what is "
     "there";
-inline constexpr char from[] = "take pixels with the same centres from another map's file";
 inline constexpr char plot[] = "a picture, darker where decided later";
 }  // namespace map
 

@@ -1,11 +1,8 @@
 // equipoise map: the outcome of a start at every pixel of a plane.
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "commands.hpp"
 #include "equipoise/report/plots/map_drawing.hpp"
@@ -28,17 +25,9 @@ namespace equipoise::app {
 namespace {
 
 struct MapArguments : ResultForms, ComputingArguments, PlaneAxes {
-  std::string study, from;
+  std::string study;
   std::vector<std::string> overrides, ties;
-  std::optional<std::string> refine;
 };
-
-int block_option(const std::string& text) {
-  const int block = option_number<int>("--refine", text, 2, largest_map_block, words::block_range);
-  if ((block & (block - 1)) != 0)
-    throw InputError("--refine", "", text, fmt::format(words::must_be, words::block_range));
-  return block;
-}
 
 void put_map(const ResultForms& a, const BasinSlice& map, const std::function<GivenMachine()>& machine) {
   put_forms(a, {[&] { return map_text(map, text_style()); },
@@ -58,11 +47,8 @@ int run_map(const MapArguments& a) {
   settings.x = axes.x;
   settings.y = axes.y;
   for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
-  if (a.refine) settings.block = block_option(*a.refine);
-  require_ending("--from", a.from, ".nc");
   check_forms(a);
   settings.output = a.output;
-  settings.from = a.from;
   settings.threads = threads_option(a.threads);
   settings.stop = &stop_flag();
   ProgressLine progress(a.quiet);
@@ -82,9 +68,7 @@ Command add_map(CLI::App& app) {
   app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
   add_plane_axes(app, *a, help::map::x, help::map::y, help::map::size);
   app.add_option("--tie", a->ties, help::map::tie)->type_name("PHI_I=PHI_J+ANGLE")->take_all();
-  app.add_option("--refine", a->refine, help::map::refine)->type_name("N");
   app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
-  app.add_option("--from", a->from, help::map::from)->type_name("FILE");
   add_forms(app, *a, {nullptr, help::map::plot});
   add_wide(app);
   add_overrides(app, a->overrides);

@@ -42,7 +42,6 @@ inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:
 // Option, key, a range.
 inline constexpr char axis_without_range[] = "has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}";
 inline constexpr char range_given_twice[] = "{} has a range, too; give one";
-inline constexpr char block_range[] = "a power of two from 2 to 64";
 inline constexpr char box_range[] = "a whole number from 0 to 1000000000";
 inline constexpr char pixel_range[] = "a whole number from 2 to 4096";
 inline constexpr char paper_start_range[] = "a whole number from 1 to 1000000000";

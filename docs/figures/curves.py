@@ -2,18 +2,17 @@
 
     python3 docs/figures/curves.py [PROGRAM [NAME ...]]
 
-Without a NAME it draws all. Trajectories and the map are computed here, shares come from the CSV files in this folder, which
-the .sh files there write.
+Without a NAME it draws all. Trajectories are computed here, shares come from the CSV files in this folder, which the .sh files
+there write.
 """
 
 import csv
-import json
 import sys
 
 import numpy as np
 from matplotlib import pyplot as plt
 
-from drawn_page import HERE, STUDY, program, simulate
+from drawn_page import HERE, simulate
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#666666"
 
@@ -132,18 +131,6 @@ def best_spin_ups():
     return figure
 
 
-def map_refine():
-    """What `map --refine 32` computes of the basins at Omega = 2.4."""
-    found = json.loads(program("map", STUDY, "--size", "256x256", "--refine", "32", "--json", "--quiet"))
-    figure, (outcomes, computed) = plt.subplots(1, 2, figsize=(9.0, 4.7), layout="constrained")
-    names = plt.matplotlib.colors.ListedColormap(["#000000", "#9ecae1", "#fdae6b", "#31a354"])
-    outcomes.imshow(found["outcome"], origin="lower", cmap=names, vmin=0, vmax=3)
-    computed.imshow([[time is not None for time in row] for row in found["time"]], origin="lower", cmap="Greys", vmin=-0.1, vmax=1.2)
-    for one, title in ((outcomes, "outcomes"), (computed, "pixels computed (dark), filled in (light)")):
-        one.set(title=title, xticks=[], yticks=[])
-    return figure
-
-
 def optical_drive():
     """RMS velocity of the optical drive at full speed by the rolling resistance of its balls."""
     rows = table("optical-drive.csv")
@@ -196,7 +183,7 @@ def paper_rotor_with_motor():
     return figure
 
 
-DRAWN = (angle_grinder, best_spin_ups, laboratory_centrifuge, map_refine, optical_drive, paper_rotor_with_motor, sommerfeld, transients,
+DRAWN = (angle_grinder, best_spin_ups, laboratory_centrifuge, optical_drive, paper_rotor_with_motor, sommerfeld, transients,
          washing_machine)
 
 if __name__ == "__main__":

@@ -60,17 +60,15 @@ auto over_axes(const Settings& how, const char* made, const Compute& compute) {
   }
 }
 
-Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties, int block,
-             const std::string& output, const std::string& from, const py::dict& settings) {
+Map draw_map(const PyStudy& s, const py::tuple& x, const py::tuple& y, const std::vector<std::string>& ties,
+             const std::string& output, const py::dict& settings) {
   const Study study = with_medians(s.study);
   Call call(settings);
   BasinSliceSettings how;
   call.set(how);
   set_axes(study, x, y, how);
   for (const std::string& tie : ties) how.links.push_back(angle_link(tie, "tie"));
-  how.block = block;
   how.output = output;
-  how.from = from;
   BasinSlice map = over_axes(how, "map", [&] { return basin_slice(study, how); });
   return {std::move(map), call.interrupted(), s.source};
 }
@@ -98,10 +96,6 @@ py::dict arrays_of(const Map& kept) {
   arrays["outcome"] = array_of(std::vector<short>(map.code), shape);
   arrays["time"] = array_of(std::vector<float>(map.time), shape);
   arrays["r_max"] = array_of(std::vector<float>(map.r_max), shape);
-  if (!map.computed.empty()) {
-    std::vector<unsigned char> computed(map.computed.begin(), map.computed.end());
-    arrays["computed"] = py::array(array_of(std::move(computed), shape)).attr("astype")("bool");
-  }
   return arrays;
 }
 
@@ -264,8 +258,8 @@ void bind_planes(py::module_& module) {
       .def("summary", &summary_of)
       .def("page", [](const Map& m) { return map_html(m.result, machine_of(m)); })
       .def("save", [](const Map& m, const std::string& path) { write_map_file(path, m.result); });
-  module.def("map", &draw_map, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("ties"), py::arg("block"),
-             py::arg("output"), py::arg("from_file"), py::arg("settings"));
+  module.def("map", &draw_map, py::arg("study"), py::arg("x"), py::arg("y"), py::arg("ties"), py::arg("output"),
+             py::arg("settings"));
   module.def("point_numbers", [] {
     py::dict columns;
     for (const PointNumber& n : point_numbers) columns[n.name] = attributes_of(n);

@@ -207,9 +207,7 @@ def map(
     x: tuple[str, str, int],
     y: tuple[str, str, int],
     ties: list[str],
-    block: int,
     output: str,
-    from_file: str,
     settings: dict[str, Any],
 ) -> Map: ...
 balance_kinds: list[str]

@@ -55,7 +55,7 @@ class MapResult(Result, WithPage):
     outcome : ndarray (ny, nx), int16
         Attractor's identifier; 0 undecided, -1 diverged, -2 failed, -3 stalled; rows follow y, upwards.
     time : ndarray (ny, nx), float32
-        Study time at which the outcome was known; nan where it was filled in.
+        Study time at which the outcome was known.
     r_max : ndarray (ny, nx), float32
         Of the final motion, in R; where rotors differ from pixel to pixel, measured on the pixel's own trajectory to 5 %,
         nan if that did not become steady.
@@ -86,7 +86,6 @@ class MapResult(Result, WithPage):
         self.outcome: npt.NDArray[np.int16] = arrays["outcome"]
         self.time: npt.NDArray[np.float32] = arrays["time"]
         self.r_max: npt.NDArray[np.float32] = arrays["r_max"]
-        self.computed: Optional[npt.NDArray[np.bool_]] = arrays.get("computed")
         self.x: Array = arrays["x"]
         self.y: Array = arrays["y"]
         self.x_key: str = summary["x_key"]
@@ -171,9 +170,7 @@ def map(  # noqa: A001 (the command line's name)
     x_range: Range = None,
     y_range: Range = None,
     tie: str | Sequence[str] = (),
-    refine: int = 0,
     output: Optional[str | os.PathLike[str]] = None,
-    from_file: Optional[str | os.PathLike[str]] = None,
     threads: int = 0,
     progress: ProgressArgument = False,
     cpu: Optional[str] = None,
@@ -197,24 +194,17 @@ def map(  # noqa: A001 (the command line's name)
         Numbers, or quantities with units; default of ball angles: a whole turn.
     tie : str or list of str
         Ball angles that follow others: "phi_2=phi_1+pi".
-    refine : int
-        0, or a power of two from 2 to 64: edges of blocks of so many pixels first, filled in where they agree.
     output : path, optional
         NetCDF file that is written as pixels are done; the same call resumes it.
-    from_file : path, optional
-        Another map of the same study, whose pixels with the same centres are taken over.
     threads, progress, cpu, within
         As for :func:`basin`.
     """
     across, up = _axis(checked_study(study), "x", x), _axis(study, "y", y)
     width, height = _size(size)
     ties = [tie] if isinstance(tie, str) else list(tie or ())
-    block = whole("refine", refine, 0, 64, ", a power of two")
-    if block == 1 or block & (block - 1):
-        refuse("refine", refine, "0, or a power of two from 2 to 64")
     with settings(threads, progress, cpu, within) as how:
         core = _core.map(
             study._core, (across, range_text("x_range", x_range), width), (up, range_text("y_range", y_range), height), ties,
-            block, path_text(output), path_text(from_file), how,
+            path_text(output), how,
         )
     return unless_interrupted(MapResult(core, study), core.interrupted)

@@ -118,7 +118,7 @@ def test_maps(program, tmp_path):
         described_alike(made.to_xarray(), stored)
     diagonal = eq.map(study, "initial.phi_1", "speed.final", 3, y_range=(2.0, 3.0), tie="phi_2=phi_1+pi")
     assert diagonal.outcome.shape == (3, 3)
-    for wrong in (dict(x="initial.phi_9"), dict(refine=3), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
+    for wrong in (dict(x="initial.phi_9"), dict(size=(0, 5)), dict(x_range=(1.0, 1.0))):
         with pytest.raises(eq.StudyError):
             eq.map(study, **{"size": 4, **wrong})
 

@@ -105,7 +105,6 @@ def test_whole_numbers_are_taken_of_every_type_and_nothing_else(easy):
         ("size", lambda s: eq.map(s, size=(4, 3, 2))),
         ("size", lambda s: eq.map(s, size=10**6)),
         ("x_range", lambda s: eq.map(s, size=3, x_range=(0, 1, 2))),
-        ("refine", lambda s: eq.map(s, size=4, refine="2")),
         ("x", lambda s: eq.map(s, 3, size=3)),
         ("over", lambda s: eq.sweep(s, [("speed.final", [2.4])])),
         ("of", lambda s: eq.capacity(s, 3)),

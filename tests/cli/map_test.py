@@ -137,26 +137,6 @@ class Results(unittest.TestCase):
             self.assertEqual(found[key], self.answer[key], key)
         self.assertEqual(found["pixels_kept"], 96 * 64)
 
-    def test_blocks_are_filled_in_and_that_is_said(self):
-        file = os.path.join(self.folder.name, "blocks.nc")
-        done = run("map", ROW, "--size", "96x64", "--refine", "8", "--json", "--quiet", "-o", file)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        found = json.loads(done.stdout)
-        self.assertEqual(found["refine"], 8)
-        self.assertLess(found["pixels_computed"], 96 * 64)
-        followed = sum(t is not None for row in found["time"] for t in row)
-        self.assertEqual(followed, found["pixels_computed"])
-        wrong = sum(a != b for mine, whole in zip(found["outcome"], self.answer["outcome"]) for a, b in zip(mine, whole))
-        self.assertLess(wrong, 96 * 64 // 200)  # islands within blocks; 0.05 % where pixels are smaller
-        text = run("map", ROW, "--size", "96x64", "--refine", "8", "--quiet", "-o", file).stdout
-        self.assertIn("the rest filled in: blocks of 8 first", text)
-        self.assertIn(f"{found['pixels_computed']} pixels", text)
-
-    def test_a_finer_map_takes_pixels_over(self):
-        found = answer("map", ROW, "--size", "288x192", "--from", self.file)
-        self.assertEqual(found["pixels_reused"], 96 * 64)
-        self.assertEqual([row[1::3] for row in found["outcome"][1::3]], self.answer["outcome"])
-
 
 if __name__ == "__main__":
     main()

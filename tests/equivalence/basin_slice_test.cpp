@@ -491,16 +491,6 @@ TEST(BasinSlice, RefusesGroundsOfDecisionThatItHasNot) {
   EXPECT_NO_THROW(basin_slice(study, both_angles(2, 2)));
 }
 
-TEST(BasinSlice, RefusesWhatDrawnStartsMakeMeaningless) {
-  const Study study = parse_study(constant_speed, "rotor");
-  BasinSliceSettings blocks = one_rotor(8, 8), reuse = blocks;
-  blocks.block = 4;
-  EXPECT_THROW(basin_slice(study, blocks), InputError);
-  EXPECT_NO_THROW(basin_slice(rotor(), blocks));
-  reuse.from = "coarse.nc";
-  EXPECT_EQ(refused_key([&] { basin_slice(study, reuse); }), "from");
-}
-
 TEST(BasinSlice, StopsWhenAsked) {
   StopFlag stop{true};
   BasinSliceSettings settings = mass_plane(4, 4);
@@ -536,9 +526,7 @@ TEST(BasinSlice, ErrorsNameTheKey) {
 
 // Ctrl-C after a few pixels, again and again: the kept parts lead to the same file as an undisturbed run.
 TEST(BasinSlice, StoppedAndResumedItLeavesTheSameFile) {
-  BasinSliceSettings blocks = both_angles(60, 50);
-  blocks.block = 8;
-  for (BasinSliceSettings settings : {both_angles(40, 35), two_rotors(), captured_lines(), blocks}) {
+  for (BasinSliceSettings settings : {both_angles(40, 35), two_rotors(), captured_lines()}) {
     settings.output = scratch_file("undisturbed.nc");
     const BasinSlice whole = basin_slice(rotor(), settings);
     EXPECT_TRUE(whole.complete);
@@ -566,12 +554,10 @@ TEST(BasinSlice, StoppedAndResumedItLeavesTheSameFile) {
 
 TEST(BasinSlice, AFinishedOneIsReadAndAnotherIsRefused) {
   BasinSliceSettings settings = both_angles(30, 20);
-  settings.block = 4;
   settings.output = scratch_file("finished.nc");
   const BasinSlice map = basin_slice(rotor(), settings), again = basin_slice(rotor(), settings);
   EXPECT_TRUE(again.read_whole);
   EXPECT_EQ(again.code, map.code);
-  EXPECT_EQ(again.computed, map.computed);
   EXPECT_TRUE(same_bits(again.time, map.time));
   EXPECT_TRUE(same_bits(again.r_max, map.r_max));
   EXPECT_EQ(again.pixels_computed, map.pixels_computed);
@@ -583,60 +569,13 @@ TEST(BasinSlice, AFinishedOneIsReadAndAnotherIsRefused) {
   BasinSliceSettings other = settings;
   other.x.pixels = 31;
   EXPECT_NE(refusal(rotor(), other).find("x_range is 0 to"), std::string::npos) << refusal(rotor(), other);
-  other = settings;
-  other.block = 0;
-  EXPECT_NE(refusal(rotor(), other).find("refine is blocks of 4 there and no here"), std::string::npos);
   EXPECT_NE(refusal(study_with(rotor(), "balancer.drag", 0.06), settings).find("drag"), std::string::npos);
   EXPECT_EQ(content(settings.output), before);
   std::ofstream(settings.output, std::ios::binary) << before.substr(0, before.size() - 5);
   EXPECT_NE(refusal(rotor(), settings).find("finished.nc"), std::string::npos);
 }
 
-// Filled-in pixels lie within edges of one outcome, and computed ones are the same as without blocks.
-TEST(BasinSlice, BlocksLeaveOutWhatIsWithinOneBasin) {
-  for (BasinSliceSettings settings : {both_angles(96, 80), mass_plane(12, 12)}) {
-    const BasinSlice whole = basin_slice(rotor(), settings);
-    settings.block = 8;
-    const BasinSlice map = basin_slice(rotor(), settings);
-    EXPECT_TRUE(map.complete);
-    EXPECT_LT(map.pixels_computed, map.pixels);
-    EXPECT_EQ(static_cast<std::uint64_t>(std::count(map.computed.begin(), map.computed.end(), true)),
-              map.pixels_computed);
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k < map.code.size(); ++k) {
-      wrong += map.code[k] != whole.code[k];
-      // Pixels of a line that share motions recognise orbits sooner: some pixels are decided only just before the
-      // horizon.
-      if (map.computed[k] && map.code[k] != undecided_code && whole.code[k] != undecided_code) {
-        EXPECT_EQ(map.code[k], whole.code[k]);
-      }
-    }
-    EXPECT_LE(wrong, 1 + map.code.size() / 200);  // islands within a block: 0.05 to 0.1 % at these sizes
-  }
-}
-
-// Thirds of a pixel: every ninth pixel is known already.
-TEST(BasinSlice, AFinerOneTakesPixelsOver) {
-  BasinSliceSettings settings = both_angles(12, 10);
-  settings.output = scratch_file("coarse.nc");
-  basin_slice(rotor(), settings);
-  BasinSliceSettings finer = both_angles(36, 30);
-  const BasinSlice fresh_map = basin_slice(rotor(), finer);
-  finer.from = settings.output;
-  const BasinSlice map = basin_slice(rotor(), finer);
-  EXPECT_EQ(map.pixels_reused, 120u);
-  EXPECT_EQ(map.code, fresh_map.code);
-  finer.links = {{2, 1, pi}};
-  EXPECT_THROW(basin_slice(rotor(), finer), InputError);
-}
-
-TEST(BasinSlice, LargeOnesNeedAFile) {
-  BasinSliceSettings settings = both_angles(8192, 8192);
-  EXPECT_THROW(basin_slice(rotor(), settings), InputError);
-  settings = both_angles(8, 8);
-  settings.block = 6;
-  EXPECT_THROW(basin_slice(rotor(), settings), InputError);
-}
+TEST(BasinSlice, LargeOnesNeedAFile) { EXPECT_THROW(basin_slice(rotor(), both_angles(8192, 8192)), InputError); }
 
 }  // namespace basin_slice_test
 }  // namespace equipoise

@@ -103,25 +103,24 @@ def on_full_disk(bench, reference, path, options, room):
 
 
 def kills_of_maps(bench):
-    """kill -9 and Ctrl-C of maps, of starts and with blocks first; damage to what they left: the same bytes in the end."""
+    """kill -9 and Ctrl-C of maps; damage to what they left: the same bytes in the end."""
     rounds = 2 if bench.quick else 25
     size = "128x96" if bench.quick else "640x480"
-    for options in (("--refine", "16"),) if bench.quick else ((), ("--refine", "16")):
-        reference = Reference(bench, arguments=("map", bench.study, "--quiet", "--threads", "2", "--size", size, *options))
-        whole = content(bench.path("reference.nc"))
-        path = bench.path(f"map{len(options)}.nc")
-        for k in range(rounds):
-            process = bench.start(*reference.arguments, "-o", path)
-            wait_until(lambda: catches_signals(process), process)
-            time.sleep(bench.random.uniform(0.0, 1.1 * reference.seconds))
-            process.send_signal(signal.SIGKILL if k % 3 else signal.SIGINT)
-            ended(process)
-            if bench.random.random() < 0.2 and os.path.exists(path + ".part"):  # its end was not yet on disk
-                os.truncate(path + ".part", max(0, os.path.getsize(path + ".part") - bench.random.randrange(2000)))
-        finish(bench, reference, path, f"map {options}")
-        expect(content(path) == whole, f"map {options}: not the same bytes")
-        os.remove(bench.path("reference.nc"))
-    return f"{rounds if bench.quick else 2 * rounds} kills"
+    reference = Reference(bench, arguments=("map", bench.study, "--quiet", "--threads", "2", "--size", size))
+    whole = content(bench.path("reference.nc"))
+    path = bench.path("map.nc")
+    for k in range(rounds):
+        process = bench.start(*reference.arguments, "-o", path)
+        wait_until(lambda: catches_signals(process), process)
+        time.sleep(bench.random.uniform(0.0, 1.1 * reference.seconds))
+        process.send_signal(signal.SIGKILL if k % 3 else signal.SIGINT)
+        ended(process)
+        if bench.random.random() < 0.2 and os.path.exists(path + ".part"):  # its end was not yet on disk
+            os.truncate(path + ".part", max(0, os.path.getsize(path + ".part") - bench.random.randrange(2000)))
+    finish(bench, reference, path, "map")
+    expect(content(path) == whole, "map: not the same bytes")
+    os.remove(bench.path("reference.nc"))
+    return f"{rounds} kills"
 
 
 def full_disks_of_maps(bench):

@@ -27,7 +27,7 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     result : MapResult
         Of `equipoise.map`.
     shade : bool
-        Whether decision times darken the colours. Of a map with ``refine`` most pixels have none: it is never shaded.
+        Whether decision times darken the colours.
     ax : matplotlib.axes.Axes, optional
         To draw into; a new figure if left out.
 
@@ -46,12 +46,11 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
     if ax is None:
         ax = parts.new_axes((8.2, 5.2))
-    filled = (outcome > 0) & ~np.isfinite(time)
     extent = (*result.x_edges, *result.y_edges)
     angles = parts.is_angle(result.x_key) and parts.is_angle(result.y_key)
     ax.imshow(
-        coloured(outcome, time if shade and not filled.any() else None), origin="lower", extent=extent,
-        interpolation="nearest", aspect="equal" if angles else "auto",
+        coloured(outcome, time if shade else None), origin="lower", extent=extent, interpolation="nearest",
+        aspect="equal" if angles else "auto",
     )
     ax.set_anchor("W")  # beside its legend
     for key, axis, low, high in (

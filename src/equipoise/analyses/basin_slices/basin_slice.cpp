@@ -2,18 +2,18 @@
 #include "equipoise/analyses/basin_slices/basin_slice.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/analyses/basin_slices/pixel_plan.hpp"
-#include "equipoise/analyses/basin_slices/reused_pixels.hpp"
 #include "equipoise/analyses/basin_slices/slice_assembly.hpp"
 #include "equipoise/analyses/basin_slices/slice_names.hpp"
 #include "equipoise/analyses/basin_slices/slice_store.hpp"
@@ -66,11 +66,6 @@ void check(const BasinSlice& map) {
     for (std::size_t other = 0; other < k; ++other)
       if (map.links[other].ball == link.ball) moved(words::sweeps::another_tie);
   }
-  if (map.block != 0 && (map.block < 2 || map.block > largest_map_block || !std::has_single_bit(unsigned(map.block))))
-    throw InputError("map", "block", fmt::format("{}", map.block),
-                     fmt::format(words::sweeps::block_size, largest_map_block));
-  if (map.block != 0 && draws_starts(map))
-    throw InputError("map", "block", fmt::format("{}", map.block), words::sweeps::block_needs_phi);
   for (const int column : {0, map.x.pixels - 1})
     for (const int row : {0, map.y.pixels - 1}) check_offers(study_at(map, column, row), model::ResultKind::maps);
   const auto with_x = [&](int column) {
@@ -88,11 +83,6 @@ void check_decides(const Study& study) {
                      words::sweeps::line_needs_validated);
 }
 
-// A slice of another size numbers its pixels differently, and so draws other starts.
-void check_reuse(const BasinSlice& map, const std::string& from) {
-  if (!from.empty() && draws_starts(map)) throw InputError("map", "from", from, words::sweeps::reuse_needs_phi);
-}
-
 void check_memory(const BasinSlice& map, const std::string& output) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (output.empty() && pixels > most_pixels_in_memory)
@@ -100,14 +90,13 @@ void check_memory(const BasinSlice& map, const std::string& output) {
                      fmt::format(words::sweeps::too_many_in_memory, 1e-6 * static_cast<double>(most_pixels_in_memory)));
 }
 
-class Mapper {
+class MapRun {
  public:
-  Mapper(const Study& study, const BasinSliceSettings& settings) : settings_(settings) {
+  MapRun(const Study& study, const BasinSliceSettings& settings) : settings_(settings) {
     map_.study = with_medians(study);
     map_.x = settings.x;
     map_.y = settings.y;
     map_.links = settings.links;
-    map_.block = settings.block;
   }
 
   BasinSlice run() {
@@ -115,7 +104,6 @@ class Mapper {
     const double cpu_begin = cpu_seconds();
     check(map_);
     check_memory(map_, settings_.output);
-    check_reuse(map_, settings_.from);
     prepare();
     open();
     if (file_ && file_->complete()) {
@@ -143,7 +131,7 @@ class Mapper {
       if (!map_.study.numerics.horizon) map_.study.numerics.horizon = default_horizon;
     }
     const BasinFileHeader of_starts = basin_file_header(map_.study, true, false);
-    header_ = {to_toml(map_.study), map_.x, map_.y, map_.links, map_.block, of_starts.arithmetic, starts_};
+    header_ = {to_toml(map_.study), map_.x, map_.y, map_.links, of_starts.arithmetic, starts_};
     header_.components = of_starts.variables.size();
     if (!starts_) return;
     header_.rotor.balance_margin = map_.balance_margin.front();
@@ -165,33 +153,38 @@ class Mapper {
   void read_whole() {
     std::map<short, OutcomeShare> codes;
     for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
-    SliceAssembly(map_, *store_, nullptr, codes).run({});
+    SliceAssembly(map_, *store_, codes).run({});
     map_.pixels_kept = map_.pixels_computed;
     map_.read_whole = true;
   }
 
   void compute() {
-    plan_.emplace(map_.x.pixels, map_.y.pixels, map_.block);
+    known_.assign(static_cast<std::size_t>(map_.x.pixels) * static_cast<std::size_t>(map_.y.pixels), false);
     if (file_)
       file_->for_each_known([&](std::uint32_t position, short code) {
         if (code > 0 && !names_.listed(code)) return names_.avoid(code);  // computed again
-        plan_->know(position, code);
-        names_.see(code, position);
+        know(position, code);
       });
-    map_.pixels_kept = plan_->known_count();
-    if (!settings_.from.empty()) reuse();
+    map_.pixels_kept = known_count_;
     for (;;) {
-      const auto positions = plan_->next(most_starts_asked);
+      const auto positions = next_open();
       if (positions.empty() || !compute(positions)) break;
     }
-    complete_ = plan_->settled() == plan_->size();
-    plan_->close();
+    complete_ = known_count_ == known_.size();
+    known_ = {};
   }
 
-  void reuse() {
-    const std::uint64_t before = plan_->known_count();
-    reused_pixels(settings_.from, header_, *plan_, [&](const DonePixels& done) { take(done); });
-    map_.pixels_reused = plan_->known_count() - before;
+  void know(std::uint32_t position, short code) {
+    known_count_ += !known_[position];
+    known_[position] = true;
+    names_.see(code, position);
+  }
+
+  std::vector<std::uint32_t> next_open() {
+    std::vector<std::uint32_t> positions;
+    for (; next_ < known_.size() && positions.size() < most_starts_asked; ++next_)
+      if (!known_[next_]) positions.push_back(static_cast<std::uint32_t>(next_));
+    return positions;
   }
 
   bool compute(const std::vector<std::uint32_t>& positions) {
@@ -217,11 +210,8 @@ class Mapper {
       if (motion) pixels[k].code = code;
     }
     store_->append(done.positions, pixels);
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-      plan_->know(done.positions[k], pixels[k].code);
-      names_.see(pixels[k].code, done.positions[k]);
-    }
-    if (settings_.progress) settings_.progress({plan_->settled(), plan_->size(), "pixels", {}});
+    for (std::size_t k = 0; k < pixels.size(); ++k) know(done.positions[k], pixels[k].code);
+    if (settings_.progress) settings_.progress({known_count_, known_.size(), "pixels", {}});
   }
 
   // A name is in the file before its first pixel.
@@ -234,7 +224,7 @@ class Mapper {
 
   void put_together() {
     const auto seen = names_.seen(complete_);  // a run that continues must find the codes that this one gave
-    SliceAssembly assembly(map_, *store_, &*plan_, seen);
+    SliceAssembly assembly(map_, *store_, seen);
     if (!file_ || !file_->unfinished()) return assembly.run({});
     file_->finish(
         [&](const std::string& path) {
@@ -252,7 +242,9 @@ class Mapper {
   std::unique_ptr<PixelStore> store_;
   SliceStore* file_ = nullptr;  // the store, if it is a file
   SliceNames names_;
-  std::optional<PixelPlan> plan_;
+  std::vector<bool> known_;  // pixels, row by row
+  std::uint64_t known_count_ = 0;
+  std::size_t next_ = 0;  // all before it are known or were asked for
   std::optional<StartPixels> start_pixels_;
 };
 
@@ -261,7 +253,7 @@ class Mapper {
 BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings) {
   check_has_balls(study);
   const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, [&](const BasinSliceSettings& s) { return Mapper(study, s).run(); });
+  return reported(settings, [&](const BasinSliceSettings& s) { return MapRun(study, s).run(); });
 }
 
 }  // namespace equipoise

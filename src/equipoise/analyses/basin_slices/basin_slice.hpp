@@ -14,30 +14,22 @@ namespace equipoise {
 
 inline constexpr std::uint64_t most_pixels_in_memory = std::uint64_t{1} << 24;  ///< for a slice without a file
 inline constexpr int most_held_side = 2048;  ///< pixels along a side of what basin_slice() returns of larger slices
-inline constexpr int largest_map_block = 64;
 
 /// Progress is in pixels.
 struct BasinSliceSettings : RunOptions {
   SliceAxis x, y;
   std::vector<AngleLink> links;  ///< applied in order, after the axes
-  /// If not 0: edges of blocks with this many pixels per side (a power of two from 2) are computed first, and the
-  /// inside of edges with one outcome is filled in. Other blocks are divided down to single pixels
-  /// (analyses/basin_slices/pixel_plan.hpp).
-  int block = 0;
   /// Pixels are kept in this file as they become known. Another call of the same slice continues from it, or reads a
   /// complete slice from it. Empty: none.
   std::string output;
-  /// A finished slice of the same study over the same keys. Its computed pixels with the same centres, up to rounding,
-  /// are reused. Empty: none.
-  std::string from;
 };
 
 /// Follows the start [initial] of `study` with the pixel's two values; with draws_starts() each pixel follows its own
 /// start. Over two initial values pixels are decided as basin() decides its starts, else as it decides those of a study
 /// with uncertain values, within numerics.horizon (unset: 3000) after the last piece begins. Codes are the identifiers
 /// of the catalogue. Motions without a fixed identifier get the next codes, one per name: names usual in slices always
-/// the same ones, others in the order of pixels. The slice depends only on the study, the axes and the blocks. Memory
-/// is bounded: of a slice with more than most_pixels_in_memory pixels the output has all, and the result some
+/// the same ones, others in the order of pixels. The slice depends only on the study, the axes and the links. Memory is
+/// bounded: of a slice with more than most_pixels_in_memory pixels the output has all, and the result some
 /// (BasinSlice::every). Throws InputError for keys, links and values that make no valid study, studies that cannot be
 /// decided, and files with other content.
 BasinSlice basin_slice(const Study& study, const BasinSliceSettings& settings);

@@ -43,7 +43,7 @@ class PixelMemory : public PixelStore {
   void read_rows(int first, int rows, SlicePixel* pixels) const override {
     std::size_t at = static_cast<std::size_t>(first) * columns_;
     for (std::size_t k = 0; k < static_cast<std::size_t>(rows) * columns_; ++k, ++at) {
-      pixels[k] = {code_[at], code_[at] != not_computed_code};
+      pixels[k] = {code_[at]};
       visit_pixel_numbers(one_rotor_,
                           [&](std::size_t n, float SlicePixel::*value) { pixels[k].*value = numbers_[n][at]; });
     }

@@ -16,8 +16,8 @@ namespace equipoise {
 
 namespace {
 
-// Least number of rows read at once.
-constexpr int fewest_band_rows = 64;
+// Rows read at once.
+constexpr int band_rows = 64;
 
 }  // namespace
 
@@ -33,17 +33,9 @@ std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, c
   return codes;
 }
 
-SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const PixelPlan* plan,
-                             const std::map<short, OutcomeShare>& seen)
-    : map_(map),
-      store_(store),
-      plan_(plan),
-      seen_(seen),
-      figures_(map),
-      invariant_(map),
-      one_rotor_(!map.balance_margin.empty()) {
+SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const std::map<short, OutcomeShare>& seen)
+    : map_(map), store_(store), seen_(seen), figures_(map), invariant_(map), one_rotor_(!map.balance_margin.empty()) {
   map_.codes = map_codes(seen, map.study);
-  map_.complete = true;
   map_.pixels = static_cast<std::uint64_t>(map.x.pixels) * static_cast<std::uint64_t>(map.y.pixels);
   if (map_.pixels > most_pixels_in_memory)
     every_ = (std::max(map.x.pixels, map.y.pixels) + most_held_side - 1) / most_held_side;
@@ -53,7 +45,6 @@ SliceAssembly::SliceAssembly(BasinSlice& map, const PixelStore& store, const Pix
   map.code.reserve(held);
   map.time.reserve(held);
   map.r_max.reserve(held);
-  if (map.block > 0) map.computed.reserve(held);
 }
 
 // Codes may come from a file, and be anything.
@@ -63,21 +54,13 @@ short SliceAssembly::id_of(short code) const {
   return static_cast<short>(found->second.id);
 }
 
-// A multiple of the block size.
-int SliceAssembly::band_rows() const {
-  const int block = std::max(1, map_.block);
-  return (fewest_band_rows + block - 1) / block * block;
-}
-
 void SliceAssembly::run(const Write& write) {
   const std::size_t columns = static_cast<std::size_t>(map_.x.pixels);
-  const int rows = map_.y.pixels, band = band_rows();
   std::vector<SlicePixel> pixels;
-  for (int first = 0; first < rows; first += band) {
-    const int there = std::min(band, rows - first), with_edge = std::min(there + 1, rows - first);
-    pixels.resize(columns * static_cast<std::size_t>(with_edge));
-    store_.read_rows(first, with_edge, pixels.data());
-    if (plan_) plan_->fill(first, with_edge, pixels.data());
+  for (int first = 0; first < map_.y.pixels; first += band_rows) {
+    const int there = std::min(band_rows, map_.y.pixels - first);
+    pixels.resize(columns * static_cast<std::size_t>(there));
+    store_.read_rows(first, there, pixels.data());
     give_codes(pixels);
     for (int row = 0; row < there; ++row) add_row(first + row, pixels.data() + columns * static_cast<std::size_t>(row));
     if (write) write(first, there, pixels.data());
@@ -97,8 +80,7 @@ void SliceAssembly::add_row(int row, const SlicePixel* pixels) {
   std::vector<short> codes(columns);
   for (std::size_t k = 0; k < columns; ++k) {
     codes[k] = invariant_.holds(static_cast<int>(k), row) ? left_out_code : pixels[k].code;
-    map_.pixels_computed += pixels[k].computed;
-    map_.complete = map_.complete && pixels[k].code != not_computed_code;
+    map_.pixels_computed += pixels[k].code != not_computed_code;
   }
   for (std::size_t begin = 0, end = 0; begin < columns; begin = end) {  // rows are long runs of one code
     while (end < columns && codes[end] == codes[begin]) ++end;
@@ -112,7 +94,6 @@ void SliceAssembly::hold(const SlicePixel* pixels) {
   for (int column = first_of(every_); column < map_.x.pixels; column += every_) {
     const SlicePixel& pixel = pixels[column];
     map_.code.push_back(pixel.code);
-    if (map_.block > 0) map_.computed.push_back(pixel.computed);
     map_.time.push_back(pixel.time);
     map_.r_max.push_back(pixel.r_max);
     if (one_rotor_) continue;
@@ -123,6 +104,7 @@ void SliceAssembly::hold(const SlicePixel* pixels) {
 
 void SliceAssembly::finish() {
   const std::uint64_t missing = counts_[not_computed_code];
+  map_.complete = map_.pixels_computed == map_.pixels;
   map_.pixels_left_out = invariant_.count();
   for (OutcomeShare& code : map_.codes)
     code.share = wilson_share(counts_[static_cast<short>(code.id)], map_.pixels - map_.pixels_left_out - missing);

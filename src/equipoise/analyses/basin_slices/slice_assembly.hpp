@@ -1,4 +1,4 @@
-// Assembles a slice from its pixels: fills in, counts, and keeps what fits into memory.
+// Assembles a slice from its pixels: counts them, and keeps what fits into memory.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "equipoise/analyses/basin_slices/invariant_pixels.hpp"
-#include "equipoise/analyses/basin_slices/pixel_plan.hpp"
 #include "equipoise/analyses/basin_slices/pixel_store.hpp"
 #include "equipoise/analyses/basin_slices/slice_figures.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
@@ -17,19 +16,16 @@ namespace equipoise {
 /// A slice's codes, without shares yet: the attractors seen, with final codes, then outcomes without attractor.
 std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study);
 
-/// Reads all rows of `store` in order, fills in pixels by `plan` (if any), renames codes by `seen`, and counts. Adds to
-/// `map`, whose axes are those of the whole slice: pixels (of a large slice, only some), shares, figures. `write`, if
-/// any, receives the final rows.
+/// Reads all rows of `store` in order, renames codes by `seen`, and counts. Adds to `map`, whose axes are those of the
+/// whole slice: pixels (of a large slice, only some), shares, figures. `write`, if any, receives the final rows.
 class SliceAssembly {
  public:
   using Write = std::function<void(int first, int rows, const SlicePixel* pixels)>;
 
-  SliceAssembly(BasinSlice& map, const PixelStore& store, const PixelPlan* plan,
-                const std::map<short, OutcomeShare>& seen);
+  SliceAssembly(BasinSlice& map, const PixelStore& store, const std::map<short, OutcomeShare>& seen);
   void run(const Write& write);
 
  private:
-  int band_rows() const;
   short id_of(short code) const;
   void give_codes(std::vector<SlicePixel>& pixels) const;
   void add_row(int row, const SlicePixel* pixels);
@@ -38,7 +34,6 @@ class SliceAssembly {
 
   BasinSlice& map_;
   const PixelStore& store_;
-  const PixelPlan* plan_;
   const std::map<short, OutcomeShare>& seen_;
   SliceFigureCount figures_;
   const InvariantPixels invariant_;

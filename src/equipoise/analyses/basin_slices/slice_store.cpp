@@ -110,7 +110,6 @@ void SliceStore::visit(const Piece& piece, const std::function<void(std::uint32_
   constexpr std::uint64_t block = 65536;
   const std::size_t size = pixel_bytes(header_.one_rotor);
   SlicePixel pixel;
-  pixel.computed = true;
   std::uint32_t position = 0;
   for (std::uint64_t begin = 0; begin < piece.record.count; begin += block) {
     const std::uint64_t count = std::min(block, piece.record.count - begin);
@@ -130,7 +129,7 @@ void SliceStore::for_each_known(const std::function<void(std::uint32_t, short)>&
   for (int y = 0; file_ && y < header_.y.pixels; ++y) {
     file_->read_rows(y, 1, row.data());
     for (std::size_t x = 0; x < columns; ++x)
-      if (row[x].computed)
+      if (row[x].code != not_computed_code)
         visit_known(static_cast<std::uint32_t>(static_cast<std::size_t>(y) * columns + x), row[x].code);
   }
   for (const Piece& piece : pieces_)
@@ -172,11 +171,7 @@ void SliceStore::read_rows(int first, int rows, SlicePixel* pixels) const {
   const std::uint32_t low = static_cast<std::uint32_t>(columns * static_cast<std::uint64_t>(first));
   const std::size_t count = columns * static_cast<std::size_t>(rows);
   std::fill(pixels, pixels + count, SlicePixel{});
-  if (file_) {
-    file_->read_rows(first, rows, pixels);
-    for (std::size_t k = 0; !file_->complete() && k < count; ++k)
-      if (!pixels[k].computed) pixels[k] = SlicePixel{};
-  }
+  if (file_) file_->read_rows(first, rows, pixels);
   const std::uint32_t high = static_cast<std::uint32_t>(low + count - 1);
   for (const Piece& piece : pieces_)
     if (piece.first <= high && piece.last >= low)

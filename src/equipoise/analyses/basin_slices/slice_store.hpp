@@ -44,7 +44,6 @@ class SliceStore : public PixelStore {
   void append_attractor_search(const std::vector<double>& state);
   /// The search log of earlier runs that did not finish. Not for a complete slice.
   SearchLog& notes() { return *notes_; }
-  /// In an incomplete slice, only computed pixels.
   void read_rows(int first, int rows, SlicePixel* pixels) const override;
 
   /// `write` receives a path and writes the results there. Then the unfinished part is removed, except for the search

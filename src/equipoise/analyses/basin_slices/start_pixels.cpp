@@ -204,7 +204,6 @@ void StartPixels::hand_on(const std::vector<std::uint32_t>& positions, Chunk& ch
       if (const auto at = followed.find(i); motion && at != followed.end())
         pixel.r_max = static_cast<float>(at->second);
     }
-    pixel.computed = true;
     if (own) add_balance(own->own.study, pixel);
     done.positions.push_back(position);
     done.pixels.push_back(pixel);

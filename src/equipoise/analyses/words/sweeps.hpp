@@ -86,14 +86,8 @@ inline constexpr char tie_balls[] = "must name two different balls from 1 to {}"
 inline constexpr char tied_already[] = "ball {} has its angle from {}; must be another ball";
 inline constexpr char an_axis[] = "an axis";
 inline constexpr char another_tie[] = "another tie";
-inline constexpr char block_size[] = "must be 2, 4, 8, ... or {} pixels";
-inline constexpr char block_needs_phi[] =
-    "every pixel draws its own ball angles, so edges do not tell what lies between them; must be left out, or "
-    "initial.phi stated";
 inline constexpr char line_needs_validated[] =
     "along a parameter every pixel is followed until it is seen to approach a motion; must be \"validated\"";
-inline constexpr char reuse_needs_phi[] =
-    "every pixel draws its own ball angles by its number; must be left out, or initial.phi stated";
 inline constexpr char too_many_in_memory[] =
     "pixels; more than {:.1f} million in all (4096x4096) must go to an output file";
 inline constexpr char balls_would_overlap[] = "balls would overlap, or failed";
@@ -101,9 +95,6 @@ inline constexpr char balls_would_overlap[] = "balls would overlap, or failed";
 // Files of maps.
 inline constexpr char this_map[] = "this map";
 inline constexpr char same_map[] = "must be a new file, or one of the same map";
-// The difference.
-inline constexpr char other_pixels[] =
-    "holds pixels of something else: {}; must be a map of the same study over the same quantities";
 inline constexpr char pixel_without_name[] = "the map is damaged: a pixel has outcome {}, which it does not name";
 inline constexpr char other_size[] = "is damaged: {} x {} pixels instead of {} x {}";
 inline constexpr char part_of_another[] = "does not belong to {}; must be removed first";

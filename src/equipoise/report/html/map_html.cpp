@@ -77,11 +77,8 @@ class MapDocument {
     add(Heading{2, words::pages::how_computed, ""});
     std::string text =
         fmt::format(words::pages::points_followed, map_.x.pixels * map_.every, map_.y.pixels * map_.every);
-    if (map_.block > 0)
-      text += fmt::format(words::pages::points_filled_in, map_.pixels_computed, map_.pixels, map_.block);
     text += model_words(map_.study, {map_.cpu_target, map_.threads, map_.seconds, map_.cpu_seconds});
     if (map_.pixels_kept > 0) text += fmt::format(words::pages::points_from_file, map_.pixels_kept);
-    if (map_.pixels_reused > 0) text += fmt::format(words::pages::points_from_another_map, map_.pixels_reused);
     add(Paragraph{text + "."});
     add_study(document_, map_.study);
   }

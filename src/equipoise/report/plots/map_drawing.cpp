@@ -41,15 +41,11 @@ std::string words_of(const Study& study, const SliceAxis& axis) {
   return fmt::format(words::plots::axis_from_to, words.label, axis.low * words.factor, axis.high * words.factor);
 }
 
-// Blocks that were filled in have no times.
-bool shows_times(const BasinSlice& map) { return map.block == 0; }
-
 // Darkness of pixels by their time of decision: by rank within one outcome, so that each colour has all its shades, and
 // at least half as bright, so that the legend's colour is recognised.
 class Shade {
  public:
   explicit Shade(const BasinSlice& map) : map_(map) {
-    if (!shows_times(map)) return;
     for (std::size_t k = 0; k < map.code.size(); ++k)
       if (map.code[k] > 0 && std::isfinite(map.time[k])) outcomes_[map.code[k]].times.push_back(map.time[k]);
     for (auto& [code, outcome] : outcomes_) {
@@ -114,13 +110,13 @@ DrawingRow map_drawing(const BasinSlice& whole) {
   row.drawings.push_back({"", map_svg(map), "", ""});
   row.caption = fmt::format(words::pages::start_at_every_point, words_of(map.study, map.x), words_of(map.study, map.y),
                             fixed_angles_text(map));
-  if (shows_times(map)) row.caption += words::pages::darker_is_later;
   if (map.every > 1) row.caption += fmt::format(words::pages::one_of_points, map.every);
   return row;
 }
 
 std::string map_plot(const BasinSlice& map, const std::string& title) {
-  return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), map_making_text(map)}, map_drawing(map));
+  const std::string note = map.complete ? "" : words::plots::stopped_early;
+  return plot_file(title, {parameters_text(map.study, {map.x.key, map.y.key}), note}, map_drawing(map));
 }
 
 }  // namespace equipoise

@@ -1,11 +1,10 @@
-// Angles in parts of a turn; notes on missing and filled-in pixels.
+// Angles in parts of a turn.
 #include "equipoise/report/plots/map_words.hpp"
 
 #include <cmath>
-#include <vector>
+#include <cstdlib>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/report/words/plots.hpp"
@@ -40,15 +39,6 @@ std::string fixed_angles_text(const BasinSlice& map) {
     if (tied || !drawn) text += fmt::format(", φ{} = {}", i, value);
   }
   return text;
-}
-
-std::string map_making_text(const BasinSlice& map) {
-  std::vector<std::string> parts;
-  if (!map.complete) parts.emplace_back(words::plots::stopped_early);
-  if (map.block > 0)
-    parts.push_back(fmt::format(words::plots::others_filled_in,
-                                100.0 * static_cast<double>(map.pixels_computed) / static_cast<double>(map.pixels)));
-  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 }  // namespace equipoise

@@ -10,7 +10,4 @@ namespace equipoise {
 /// ", φ3 = π/2, φ4 = φ1 + π": ball angles that do not vary; empty if all do.
 std::string fixed_angles_text(const BasinSlice& map);
 
-/// What the slice lacks; empty if nothing.
-std::string map_making_text(const BasinSlice& map);
-
 }  // namespace equipoise

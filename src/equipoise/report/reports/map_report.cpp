@@ -115,19 +115,14 @@ std::string part_of_map(const BasinSlice& map, const Share& share) {
   return fmt::format("{:.2f} to {:.2f} %", percents(count), percents(count + static_cast<double>(open_pixels(map))));
 }
 
-// How the slice was made, if not by one run that computed every pixel.
+// What shares leave out, and what an earlier run did.
 std::string making_text(const BasinSlice& map) {
   std::string text;
-  const double all = static_cast<double>(map.pixels);
   if (map.pixels_left_out > 0)
     text += fmt::format(fmt::runtime(map.study.parameters.balls_collide() ? words::reports::overlaps_left_out
                                                                           : words::reports::pixels_left_out),
                         map.pixels_left_out);
-  if (map.block > 0)
-    text += fmt::format(words::reports::pixels_filled_in, map.pixels_computed,
-                        100.0 * static_cast<double>(map.pixels_computed) / all, map.block);
   if (map.pixels_kept > 0) text += fmt::format(words::reports::pixels_from_output, map.pixels_kept);
-  if (map.pixels_reused > 0) text += fmt::format(words::reports::pixels_from_another_map, map.pixels_reused);
   return text;
 }
 
@@ -165,7 +160,7 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   if (!map.complete)
     notes += any ? fmt::format(words::reports::partial_map, open_pixels(map), counted_pixels(map))
                  : fmt::format(words::reports::partial_map_of_nothing, map.pixels);
-  const double now = static_cast<double>(map.pixels_computed - map.pixels_kept - map.pixels_reused);
+  const double now = static_cast<double>(map.pixels_computed - map.pixels_kept);
   notes +=
       fmt::format(words::reports::map_made_with, map.pixels, computed_text(map),
                   now > 0.0 ? fmt::format(", {:.0f} pixels/s", now / std::max(map.seconds, 1e-9)) : "", version_string);
@@ -211,9 +206,7 @@ std::string map_json(const BasinSlice& map) {
   json["pixels_left_out"] = map.pixels_left_out;
   json["pixels_computed"] = map.pixels_computed;
   json["pixels_kept"] = map.pixels_kept;
-  json["pixels_reused"] = map.pixels_reused;
   json["draws_starts"] = draws_starts(map);
-  json["refine"] = map.block > 0 ? MapJson(map.block) : MapJson(nullptr);
   json["every"] = map.every;
   add_computed(json, map);
   const std::string rest = json.dump();

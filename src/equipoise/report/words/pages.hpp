@@ -192,8 +192,7 @@ inline constexpr char stopped_map[] =
     "Stopped before all points were done: white ones are missing, shares are of the others.";
 inline constexpr char plays_no_part[] = "in the study; its values of what varies here are not used";
 // Axes, angles that stay.
-inline constexpr char start_at_every_point[] = "One start at every point: {}; {}{}.";
-inline constexpr char darker_is_later[] = " Darker pixels were decided later.";
+inline constexpr char start_at_every_point[] = "One start at every point: {}; {}{}. Darker pixels were decided later.";
 inline constexpr char one_of_points[] = " One of {0} x {0} points is drawn.";
 inline constexpr char of_the_points[] = "of the points";
 inline constexpr char points_on_grid[] = "Points lie on a grid; the interval is that of as many random ones.";
@@ -203,12 +202,7 @@ inline constexpr char uncertainty_exponent[] = "uncertainty exponent (near 0: ex
 inline constexpr char boundary_entropy[] = "boundary basin entropy (above 0.693: fractal)";
 // Points across, points up.
 inline constexpr char points_followed[] = "{} x {} points, a start each, followed until it is known where it ends.";
-// Points followed, all, edge of a block.
-inline constexpr char points_filled_in[] =
-    " {} of {} points were followed, the rest filled in: blocks of {} first, divided where their edges have more than "
-    "one outcome.";
 inline constexpr char points_from_file[] = "; {} points from an earlier run's file";
-inline constexpr char points_from_another_map[] = "; {} points from another map";
 
 // A sweep.
 inline constexpr char lost_starts[] = "{} starts could not be followed to an end.";

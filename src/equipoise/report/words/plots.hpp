@@ -12,7 +12,6 @@ inline constexpr char design_for[] = "Design for {}{}";
 inline constexpr char partial_cells[] = " (PARTIAL: cells are missing)";
 inline constexpr char angles_drawn[] = ", ball angles drawn at every point";
 inline constexpr char stopped_early[] = "PARTIAL: stopped early";
-inline constexpr char others_filled_in[] = "{:.0f} % of the pixels computed, the others filled in";
 
 // Axes.
 inline constexpr char final_speed[] = "final rotor speed Ω / √(k/M)";

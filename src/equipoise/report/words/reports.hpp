@@ -371,13 +371,8 @@ inline constexpr char pixels_draw_angles[] =
 // Angles, whether they are evenly spread.
 inline constexpr char pixels_start_with[] = "All pixels start with {}{}.\n";
 inline constexpr char evenly_spread[] = ", evenly spread";
-// Pixels, percentage, edge of a block in pixels.
-inline constexpr char pixels_filled_in[] =
-    "{} pixels ({:.1f} %) computed, the rest filled in: blocks of {} first, divided where their edges have more than "
-    "one outcome.\n";
-inline constexpr char pixels_from_output[] = "{} pixels read from the output, where an earlier run left them.\n";
-inline constexpr char pixels_from_another_map[] = "{} pixels taken from another map.\n";
 // Pixels.
+inline constexpr char pixels_from_output[] = "{} pixels read from the output, where an earlier run left them.\n";
 inline constexpr char pixels_left_out[] =
     "{} pixels start alike balls in one place, a set of probability zero; shares and figures leave them out.\n";
 inline constexpr char overlaps_left_out[] =

@@ -29,7 +29,6 @@ BasinSlice thinned(const BasinSlice& map, int most) {
   result.y = thinned(map.y, every);
   result.every = map.every * every;
   result.links = map.links;
-  result.block = map.block;
   const auto thin = [&](const auto& values, auto& kept) {
     if (values.size() != map.code.size()) {  // the same everywhere, or none
       kept = values;
@@ -40,7 +39,6 @@ BasinSlice thinned(const BasinSlice& map, int most) {
         kept.push_back(values[map.at(column, row)]);
   };
   thin(map.code, result.code);
-  thin(map.computed, result.computed);
   thin(map.time, result.time);
   thin(map.r_max, result.r_max);
   thin(map.balance_margin, result.balance_margin);

@@ -42,7 +42,6 @@ inline constexpr short not_computed_code = -32768;
 /// What a pixel's start came to.
 struct SlicePixel {
   short code = not_computed_code;
-  bool computed = false;                                 ///< followed, not filled in between others
   float time = std::numeric_limits<float>::quiet_NaN();  ///< study time at which the outcome was known
   float r_max = time;                                    ///< of the final motion
   float balance_margin = time, balance_growth = time;    ///< as in BasinSlice, where they differ between pixels
@@ -79,11 +78,9 @@ struct BasinSlice {
   SliceAxis x, y;  ///< of the pixels that are here
   int every = 1;   ///< of a large slice in a file, only every so many-th row and column is here
   std::vector<AngleLink> links;
-  int block = 0;  ///< side of the blocks that were computed first and filled in where their edges agree; 0: no blocks
   std::vector<short> code;
-  std::vector<bool> computed;  ///< of a slice with blocks: whether a pixel was computed; else empty
-  std::vector<float> time;     ///< study time at which the outcome was known; NaN where it was filled in
-  std::vector<float> r_max;    ///< of the final motion; likewise
+  std::vector<float> time;   ///< study time at which the outcome was known
+  std::vector<float> r_max;  ///< of the final motion
   /// lambda + sum mu_i - 2 max(lambda, mu_i): a balanced state exists where >= 0. One value if all pixels share a
   /// rotor.
   std::vector<float> balance_margin;
@@ -99,7 +96,6 @@ struct BasinSlice {
   std::uint64_t pixels = 0, pixels_computed = 0;  ///< of the whole map
   std::uint64_t pixels_left_out = 0;              ///< of shares and figures: analyses/basin_slices/invariant_pixels.hpp
   std::uint64_t pixels_kept = 0;                  ///< computed pixels that earlier runs left in the output
-  std::uint64_t pixels_reused = 0;                ///< computed pixels taken from another slice's file
   int threads = 1;
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this call
   std::string cpu_target;                   ///< instruction set used

@@ -82,7 +82,7 @@ void read_results_file(Inspection& i) {
   }
   if (i.kind == "basin") add_outcomes(file, "kind_", i);
   if (i.kind == "map") add_outcomes(file, "", i);
-  for (const char* name : {"parameter", "axes", "links", "refine", "cpu_target", "seconds"})
+  for (const char* name : {"parameter", "axes", "links", "cpu_target", "seconds"})
     if (const std::string value = file.attribute(name); !value.empty()) i.facts.emplace_back(name, value);
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <limits>
 #include <system_error>
-#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,15 +41,12 @@ std::string links_text(const std::vector<AngleLink>& links) {
 
 }  // namespace
 
-std::string subject_of(const SliceFileHeader& h) {
-  return fmt::format("{}\n[file]\nversion = {}\narithmetic = {}\nx = {}\ny = {}\nties = {}\n", h.study, version_string,
-                     h.arithmetic, h.x.key, h.y.key, h.links.empty() ? "none" : links_text(h.links));
-}
-
 std::string identity_of(const SliceFileHeader& h) {
   const auto range = [](const SliceAxis& a) { return fmt::format("{} to {} in {} pixels", a.low, a.high, a.pixels); };
-  return subject_of(h) + fmt::format("x_range = {}\ny_range = {}\nrefine = {}\n", range(h.x), range(h.y),
-                                     h.block == 0 ? "no" : fmt::format("blocks of {}", h.block));
+  return fmt::format(
+      "{}\n[file]\nversion = {}\narithmetic = {}\nx = {}\ny = {}\nties = {}\nx_range = {}\ny_range = {}\n", h.study,
+      version_string, h.arithmetic, h.x.key, h.y.key, h.links.empty() ? "none" : links_text(h.links), range(h.x),
+      range(h.y));
 }
 
 SliceWriter::SliceWriter(const std::string& path, const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
@@ -108,11 +104,6 @@ void SliceWriter::define_pixels(int y, int x, const std::vector<OutcomeShare>& c
   for (const OutcomeShare& c : codes) values.push_back(static_cast<short>(c.id));
   file_.attribute(outcome_, "flag_values", values);
   file_.attribute(outcome_, "flag_meanings", slice_flag_meanings(codes));
-  if (header_.block > 0) {
-    computed_ = file_.variable("computed", NC_BYTE, {y, x}, "1", words::files::computed_or_filled);
-    file_.attribute(computed_, "flag_values", std::vector<signed char>{0, 1});
-    file_.attribute(computed_, "flag_meanings", "filled_in computed");
-  }
   const float none = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t k = 0; k < numbers_.size(); ++k) {
     const PixelNumber& n = pixel_numbers[k];
@@ -133,15 +124,12 @@ void SliceWriter::define_attributes(bool complete) {
   say("title", words::files::over_a_plane);
   say("source", fmt::format("equipoise {}", version_string));
   say("identity", identity_of(header_));
-  say("subject", subject_of(header_));
   say("x_key", header_.x.key);
   say("y_key", header_.y.key);
   say("x_range", range(header_.x));
   say("y_range", range(header_.y));
   say("axes", fmt::format("{}; {}", axis(header_.x), axis(header_.y)));
   say("links", links_text(header_.links));
-  say("refine", header_.block == 0 ? words::files::every_pixel_computed
-                                   : fmt::format(words::files::computed_by_blocks, header_.block));
   say("study", header_.study);
   say("complete", complete ? "yes" : "no");
 }
@@ -152,18 +140,16 @@ void SliceWriter::write_axis(int variable, const SliceAxis& axis) {
   file_.write(variable, {0}, {centres.size()}, centres.data());
 }
 
-// A pixel's `computed` takes a byte.
 template <class T>
 void SliceWriter::write_column(int variable, int first, int rows, const SlicePixel* pixels, T SlicePixel::*value) {
   const std::size_t columns = static_cast<std::size_t>(header_.x.pixels);
-  std::vector<std::conditional_t<std::is_same_v<T, bool>, signed char, T>> column;
+  std::vector<T> column;
   for (std::size_t k = 0; k < columns * static_cast<std::size_t>(rows); ++k) column.push_back(pixels[k].*value);
   file_.write(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
 }
 
 void SliceWriter::write_rows(int first, int rows, const SlicePixel* pixels) {
   write_column(outcome_, first, rows, pixels, &SlicePixel::code);
-  if (computed_ >= 0) write_column(computed_, first, rows, pixels, &SlicePixel::computed);
   visit_pixel_numbers(header_.one_rotor, [&](std::size_t k, float SlicePixel::*value) {
     write_column(numbers_[k], first, rows, pixels, value);
   });
@@ -181,7 +167,6 @@ SliceReader::SliceReader(const std::string& path) try : file_(whole_map_file(pat
   y_ = read_axis("y");
   const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
   outcome_ = file_.variable("outcome", NC_SHORT, plane);
-  if (!file_.attribute("refine").starts_with("no")) computed_ = file_.variable("computed", NC_BYTE, plane);
   one_rotor_ = file_.dimensions("balance_margin") == 0;
   visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*) {
     numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
@@ -229,8 +214,7 @@ std::vector<std::vector<double>> SliceReader::discoveries(std::size_t components
 template <class T>
 void SliceReader::read_column(int variable, int first, int rows, SlicePixel* pixels, T SlicePixel::*value) const {
   const std::size_t columns = static_cast<std::size_t>(x_.pixels);
-  std::vector<std::conditional_t<std::is_same_v<T, bool>, signed char, T>> column(columns *
-                                                                                  static_cast<std::size_t>(rows));
+  std::vector<T> column(columns * static_cast<std::size_t>(rows));
   file_.read(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
   for (std::size_t k = 0; k < column.size(); ++k) pixels[k].*value = column[k];
 }
@@ -238,11 +222,6 @@ void SliceReader::read_column(int variable, int first, int rows, SlicePixel* pix
 void SliceReader::read_rows(int first, int rows, SlicePixel* pixels) const {
   std::fill_n(pixels, static_cast<std::size_t>(x_.pixels) * static_cast<std::size_t>(rows), SlicePixel{});
   read_column(outcome_, first, rows, pixels, &SlicePixel::code);
-  if (computed_ >= 0) {
-    read_column(computed_, first, rows, pixels, &SlicePixel::computed);
-  } else {
-    for (int k = 0; k < x_.pixels * rows; ++k) pixels[k].computed = pixels[k].code != not_computed_code;
-  }
   visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*value) {
     read_column(numbers_[k], first, rows, pixels, value);
   });
@@ -254,7 +233,7 @@ namespace equipoise {
 
 void write_map_file(const std::string& path, const BasinSlice& map) {
   const std::size_t size = map.code.size();
-  io::SliceFileHeader header{to_toml(map.study), map.x, map.y, map.links, map.block, "of " + map.cpu_target};
+  io::SliceFileHeader header{to_toml(map.study), map.x, map.y, map.links, "of " + map.cpu_target};
   header.one_rotor = map.balance_margin.size() != size || size == 1;
   if (header.one_rotor) {
     header.rotor.balance_margin = map.balance_margin.front();
@@ -266,7 +245,7 @@ void write_map_file(const std::string& path, const BasinSlice& map) {
     for (int x = 0; x < map.x.pixels; ++x) {
       const std::size_t at = map.at(x, y);
       SlicePixel& pixel = row[static_cast<std::size_t>(x)];
-      pixel = {map.code[at], map.computed.empty() || map.computed[at], map.time[at], map.r_max[at]};
+      pixel = {map.code[at], map.time[at], map.r_max[at]};
       if (header.one_rotor) continue;
       pixel.balance_margin = map.balance_margin[at];
       pixel.balance_growth = map.balance_growth[at];

@@ -17,15 +17,13 @@ struct SliceFileHeader {
   std::string study;  ///< resolved, as TOML
   SliceAxis x, y;
   std::vector<AngleLink> links;
-  int block = 0;           ///< BasinSlice::block
   std::string arithmetic;  ///< BasinFileHeader::arithmetic
   bool one_rotor = true;
   SlicePixel rotor{};          ///< for one rotor: its numbers
   std::size_t components = 0;  ///< of a state
 };
 
-/// Everything that determines a pixel except its place, and the same with the places; one key per line, as in a study.
-std::string subject_of(const SliceFileHeader& header);
+/// Everything that determines the pixels; one key per line, as in a study.
 std::string identity_of(const SliceFileHeader& header);
 
 /// Writes a new file, which finish() puts in its place.
@@ -54,7 +52,7 @@ class SliceWriter {
   Replacement place_;
   NetcdfFile file_;
   std::vector<std::string> names_, aliases_;
-  int x_ = -1, y_ = -1, outcome_ = -1, computed_ = -1;
+  int x_ = -1, y_ = -1, outcome_ = -1;
   std::array<int, pixel_numbers.size()> numbers_{};
   int code_ = -1, name_ = -1, alias_ = -1, share_ = -1, discovery_ = -1;
 };
@@ -66,7 +64,6 @@ class SliceReader {
   explicit SliceReader(const std::string& path);
 
   std::string identity() const { return file_.attribute("identity"); }
-  std::string subject() const { return file_.attribute("subject"); }
   bool complete() const { return file_.attribute("complete") == "yes"; }
   const SliceAxis& x() const { return x_; }
   const SliceAxis& y() const { return y_; }
@@ -83,7 +80,7 @@ class SliceReader {
 
   NetcdfFile file_;
   SliceAxis x_, y_;
-  int outcome_ = -1, computed_ = -1;
+  int outcome_ = -1;
   std::array<int, pixel_numbers.size()> numbers_{};
   bool one_rotor_ = true;
 };

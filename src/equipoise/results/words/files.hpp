@@ -160,15 +160,8 @@ inline constexpr char share_of_pixels[] = "share of the map's pixels";
 inline constexpr char state_met_at_pixel[] =
     "state on a motion first met at a pixel: x, y, u, v, phi, phi_dot, and of driven rotors what turns them";
 inline constexpr char outcome_of_pixel[] = "what the pixel's start comes to";
-inline constexpr char computed_or_filled[] =
-    "1: followed; 0: filled in, its outcome is that of all edges of its block, it has no decision_time and r_max, and "
-    "what balance is like is interpolated between corners";
 // Key, lowest, highest, pixels.
 inline constexpr char axis_of_map[] = "{} from {} to {} in {} pixels";
-// A reader of the file goes by its first word.
-inline constexpr char every_pixel_computed[] = "no: every pixel was computed";
-inline constexpr char computed_by_blocks[] =
-    "blocks of {} pixels were computed first, and filled in where all of their edges agree";
 
 // Attractors along a parameter.
 inline constexpr char id_along_range[] = "identifier, the same along the whole range";
