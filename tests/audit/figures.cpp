@@ -3,9 +3,12 @@
 #include "equipoise/report/reports/basin_report.hpp"
 #include "figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -97,11 +100,12 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   const std::map<std::string, double> units{
       {"mm", 1e3 * u.length}, {"N", u.force()},  {"mm/s", 1e3 * u.velocity()},    {"s", u.time()},
       {"ms", 1e3 * u.time()}, {"J", u.torque()}, {"rpm", u.frequency * 30.0 / pi}};
-  // Medians: a start or two that a rounding sends elsewhere change a mean by much.
-  const auto median = [](const Json& figure) -> std::optional<double> {
-    for (const Json& q : figure.value("quantiles", Json::array()))
-      if (number(q, "probability") == 0.5) return number(q, "value");
-    return std::nullopt;
+  // Quantiles: a start or two that a rounding sends elsewhere change a mean by much. A wrong unit moves all of them, while
+  // a rounding that changes when outcomes are known moves the energy taken until then for some starts only.
+  const auto quantiles = [](const Json& figure) {
+    std::vector<std::optional<double>> values;
+    for (const Json& q : figure.value("quantiles", Json::array())) values.push_back(number(q, "value"));
+    return values;
   };
   // What remains in a balanced rotor is rounding: 1e-5 of a unit.
   const auto least = [&](const std::string& unit) { return 1e-5 * units.at(unit); };
@@ -110,11 +114,20 @@ std::vector<std::string> wrong_units(const BasinResult& dimensionless, const Bas
   for (const auto& [key, figure] : b["transients"]["groups"][0]["figures"].items()) {
     const std::string unit = figure.value("unit", "");
     const auto at = units.find(unit);
-    const auto x = median(first.value(key, Json::object())), y = median(figure);
-    if (at == units.end())
+    if (at == units.end()) {
       faults.push_back(fmt::format("{} is in \"{}\"", key, unit));
-    else if (x && y && std::fabs(*y - *x * at->second) > apart * std::fabs(*y) + least(unit))
-      faults.push_back(fmt::format("median {} is {:.4g} {}, dimensionless {:.4g}", key, *y, unit, *x));
+      continue;
+    }
+    const auto xs = quantiles(first.value(key, Json::object())), ys = quantiles(figure);
+    std::string differ;
+    bool agree = false;
+    for (std::size_t k = 0; k < std::min(xs.size(), ys.size()); ++k) {
+      if (!xs[k] || !ys[k]) continue;
+      const double x = *xs[k], y = *ys[k];
+      agree = agree || std::fabs(y - x * at->second) <= apart * std::fabs(y) + least(unit);
+      differ += fmt::format("{}{:.4g} {} instead of {:.4g}", differ.empty() ? "" : ", ", y, unit, x * at->second);
+    }
+    if (!differ.empty() && !agree) faults.push_back(fmt::format("quantiles of {} are {}", key, differ));
   }
   return faults;
 }
