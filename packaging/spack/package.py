@@ -28,6 +28,7 @@ class Equipoise(CMakePackage):
     depends_on("highway@1.0.3:")
     depends_on("intel-oneapi-tbb")
     depends_on("netcdf-c")
+    depends_on("libpng@1.6:")
     depends_on("nlohmann-json@3.11:")
     depends_on("random123")
     depends_on("tomlplusplus@3.3:")
