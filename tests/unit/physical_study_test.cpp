@@ -32,16 +32,16 @@ Study parse(const std::string& text, const std::vector<std::string>& overrides =
   return parse_study(text, "m.toml", overrides);
 }
 
-// The dimensionless document, for keys that are not part of a Study here.
-study::Document converted(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  study::Document document = study::parse_document(text, "m.toml", overrides);
-  study::make_dimensionless(document);
-  return document;
+// The dimensionless file, for keys that are not part of a Study here.
+study::StudyFile converted(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  study::StudyFile file = study::parse_study_file(text, "m.toml", overrides);
+  study::make_dimensionless(file);
+  return file;
 }
 
 // A number by its dotted key, or an array's first entry.
-double at(const study::Document& document, const std::string& path) {
-  const StudyValue* value = &document.root;
+double at(const study::StudyFile& file, const std::string& path) {
+  const StudyValue* value = &file.root;
   for (std::size_t begin = 0; value && begin <= path.size();) {
     const std::size_t dot = std::min(path.find('.', begin), path.size());
     value = value->find(path.substr(begin, dot - begin));

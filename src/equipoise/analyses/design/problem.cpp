@@ -27,30 +27,30 @@ namespace equipoise {
 
 namespace {
 
-using study::Document;
+using study::StudyFile;
 using study::TableReader;
 
 constexpr std::int64_t usual_trajectories = 2'000'000, usual_first_look = 1000;
 
-const StudyValue::Table& table_of(const Document& document, const std::string& name) {
+const StudyValue::Table& table_of(const StudyFile& file, const std::string& name) {
   static const StudyValue::Table none;
-  const StudyValue* table = document.root.find_path(name);
+  const StudyValue* table = file.root.find_path(name);
   if (!table) return none;
   if (!table->table())
-    throw InputError(document.where(name, table), name, "", fmt::format(words::design_study::must_be_a_table, name));
+    throw InputError(file.where(name, table), name, "", fmt::format(words::design_study::must_be_a_table, name));
   return *table->table();
 }
 
-FigureSource read_figure(const Document& document, const std::string& where, const StudyValue* value,
+FigureSource read_figure(const StudyFile& file, const std::string& where, const StudyValue* value,
                          const std::string& name, const Study& study, const std::vector<DesignVariable>& variables) {
   std::string problem;
   if (auto source = figure_source(name, study, variables, problem)) {
     if (source->kind == FigureSource::Kind::variable)
-      if (const StudyValue* own = document.root.find_path(source->key))
+      if (const StudyValue* own = file.root.find_path(source->key))
         source->own = number_in_unit(*own, source->figure.unit);
     return *source;
   }
-  throw InputError(document.where("design", value), where, name, problem);
+  throw InputError(file.where("design", value), where, name, problem);
 }
 
 // A plain number in the figure's unit, or a quantity of the same dimension.
@@ -125,37 +125,37 @@ std::size_t coordinates_of(const DesignVariable& v) { return v.spin_up ? coordin
 }  // namespace
 
 DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), study_(source.with()) {
-  if (!study::parse_document(source.toml, source.name, {}).root.find("design")) proposed_ = proposed_design(source);
-  const Document document = study::parse_document(source.toml + proposed_, source.name, source.overrides);
-  for (const auto& [key, value] : table_of(document, "design.vary")) {
-    const DesignEntry entry(document, "design.vary", key, value);
+  if (!study::parse_study_file(source.toml, source.name, {}).root.find("design")) proposed_ = proposed_design(source);
+  const StudyFile file = study::parse_study_file(source.toml + proposed_, source.name, source.overrides);
+  for (const auto& [key, value] : table_of(file, "design.vary")) {
+    const DesignEntry entry(file, "design.vary", key, value);
     for (const DesignVariable& v : variables_)
       if (takes_the_place(v.key, key) || takes_the_place(key, v.key))
         entry.fail(fmt::format(words::design_study::set_by_another, v.key));
     variables_.push_back(read_variable(entry, study_));
   }
   for (const DesignVariable& v : variables_) dimensions_ += coordinates_of(v);
-  TableReader table(document, "design");
+  TableReader table(file, "design");
   table.has("vary");
   table.has("require");
   if (variables_.empty() || dimensions_ > most_design_variables)
     table.fail("vary", fmt::format(words::design_study::too_many_numbers, dimensions_, most_design_variables));
   for (const std::string& name : table.texts("objective")) {
-    figures_.push_back(read_figure(document, "design.objective", document.root.find_path("design.objective"), name,
-                                   study_, variables_));
+    figures_.push_back(
+        read_figure(file, "design.objective", file.root.find_path("design.objective"), name, study_, variables_));
     objectives_.push_back(figures_.size() - 1);
     for (std::size_t k = 0; k + 1 < figures_.size(); ++k)
       if (figures_[k].figure.name == name) table.fail("objective", fmt::format(words::design_study::names_twice, name));
   }
   if (objectives_.empty() || objectives_.size() > most_design_objectives)
     table.fail("objective", fmt::format(words::design_study::must_be_figures, most_design_objectives));
-  for (const auto& [key, value] : table_of(document, "design.require")) {
-    const DesignEntry entry(document, "design.require", key, value);
+  for (const auto& [key, value] : table_of(file, "design.require")) {
+    const DesignEntry entry(file, "design.require", key, value);
     const auto known = std::find_if(figures_.begin(), figures_.end(),
                                     [&wanted = key](const FigureSource& f) { return f.figure.name == wanted; });
     const auto place = static_cast<std::size_t>(known - figures_.begin());
     if (known == figures_.end())
-      figures_.push_back(read_figure(document, "design.require", &value, key, study_, variables_));
+      figures_.push_back(read_figure(file, "design.require", &value, key, study_, variables_));
     limits_.push_back(read_limit(entry, figures_[place], study_));
     limits_.back().figure = place;
   }
@@ -167,7 +167,7 @@ DesignProblem::DesignProblem(const StudySource& source) : name_(source.name), st
   if (trajectories_ < 20 * first_look_)
     table.fail("trajectories", fmt::format(words::design_study::budget_too_small, 20 * first_look_, first_look_));
   table.finish();
-  tree_ = document.root;
+  tree_ = file.root;
   tree_.erase("design");
   tree_.erase("sweep");
   check_candidates();

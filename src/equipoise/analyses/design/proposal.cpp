@@ -34,7 +34,7 @@ constexpr double around_size = 1.6, around_drag = 5.0, around_mass = 3.0, around
 class Proposal {
  public:
   explicit Proposal(const StudySource& source)
-      : tree_(study::parse_document(source.toml, source.name, source.overrides).root),
+      : tree_(study::parse_study_file(source.toml, source.name, source.overrides).root),
         name_(source.name),
         study_(source.with()) {
     tree_.erase("design");

@@ -222,7 +222,7 @@ void read_spin_up(const DesignEntry& entry, const Study& study, DesignVariable& 
 
 void DesignEntry::fail(const std::string& problem) const {
   const std::string dotted = table_ + "." + key_;
-  throw InputError(document_.where(table_, &value_), study::printable(dotted), document_.value_text(dotted, value_),
+  throw InputError(file_.where(table_, &value_), study::printable(dotted), file_.value_text(dotted, value_),
                    problem);
 }
 

@@ -19,8 +19,8 @@ struct WrittenNumber {
 /// One entry of a table of the design, with errors that name it.
 class DesignEntry {
  public:
-  DesignEntry(const study::Document& document, std::string table, std::string key, const StudyValue& value)
-      : document_(document), table_(std::move(table)), key_(std::move(key)), value_(value) {}
+  DesignEntry(const study::StudyFile& file, std::string table, std::string key, const StudyValue& value)
+      : file_(file), table_(std::move(table)), key_(std::move(key)), value_(value) {}
 
   const std::string& key() const { return key_; }
   const StudyValue& value() const { return value_; }
@@ -28,7 +28,7 @@ class DesignEntry {
   /// For a table: fails for a member that is none of these.
   void allow_only(std::initializer_list<std::string_view> members) const;
   /// A value of the study itself; null if it states none.
-  const StudyValue* stated(std::string_view path) const { return document_.root.find_path(path); }
+  const StudyValue* stated(std::string_view path) const { return file_.root.find_path(path); }
   std::optional<WrittenNumber> number(const StudyValue& written) const;
   /// For a table: the member, which must be a number of this kind.
   WrittenNumber need(std::string_view member, const char* wanted) const;
@@ -36,7 +36,7 @@ class DesignEntry {
   std::array<WrittenNumber, 2> range(const StudyValue& written) const;
 
  private:
-  const study::Document& document_;
+  const study::StudyFile& file_;
   std::string table_, key_;
   const StudyValue& value_;
 };

@@ -23,10 +23,10 @@ Study StudySource::with(const std::vector<std::string>& more) const {
 }
 
 bool StudySource::states(const std::string& key) const {
-  return study::parse_document(toml, name, overrides).root.find_path(key) != nullptr;
+  return study::parse_study_file(toml, name, overrides).root.find_path(key) != nullptr;
 }
 
-bool StudySource::physical() const { return study::is_physical(study::parse_document(toml, name, overrides)); }
+bool StudySource::physical() const { return study::is_physical(study::parse_study_file(toml, name, overrides)); }
 
 SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request,
                      const std::string& option)

@@ -47,8 +47,8 @@ double own_unbalance(StudyValue tree, const std::string& name) {
 
 // Of a rotor that tilts: masses at places become unbalances of planes, so that each is one number.
 StudySource with_all_unbalances(const StudySource& source, const std::vector<SweepAxis>& axes,
-                                const study::Document& document) {
-  StudyValue tree = document.root;
+                                const study::StudyFile& file) {
+  StudyValue tree = file.root;
   StudyValue& rotor = *study::find_table(tree, "rotor");
   StudyValue& tilt = *rotor.find("tilt");
   const StudyValue *stated = tilt.find("unbalance"), *places = tree.find("place");
@@ -65,7 +65,7 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
   if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0) refuse(words::sweeps::couple_alone);
   StudyValue::Array planes = stated && stated->array() ? *stated->array() : StudyValue::Array{};
   for (std::size_t i = 1; places && places->array() && i <= places->array()->size(); ++i) {
-    study::QuantityReader place(document, fmt::format("place.{}", i));
+    study::QuantityReader place(file, fmt::format("place.{}", i));
     const double size = place.quantity("mass") * place.quantity("radius");
     planes.push_back({{"at", study::quantity_text(place.quantity("at"), study::Dimension::length)},
                       {"size", study::quantity_text(size, study::Dimension::unbalance)},
@@ -83,11 +83,11 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
 }  // namespace
 
 StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes) {
-  const study::Document document = study::parse_document(source.toml, source.name, source.overrides);
-  StudyValue tree = document.root;
+  const study::StudyFile file = study::parse_study_file(source.toml, source.name, source.overrides);
+  StudyValue tree = file.root;
   StudyValue* rotor = study::find_table(tree, "rotor");
   if (!source.physical() || !rotor) return source;
-  if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, document);
+  if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, file);
   if (rotor->find("unbalance")) return source;
   const Study study = source.with();
   if (varies(study, axes, about_unbalance)) return source;
@@ -103,11 +103,11 @@ bool varies_all_unbalances(const StudySource& source) { return source.toml.start
 
 std::vector<std::string> unbalances_in_proportion(const SweepPlan& plan, double unbalance) {
   const StudySource& source = plan.source();
-  const study::Document document = study::parse_document(source.toml, source.name, source.overrides);
+  const study::StudyFile file = study::parse_study_file(source.toml, source.name, source.overrides);
   const double factor = unbalance / (plan.study().parameters.eccentricity * plan.study().scales->unbalance());
   std::vector<std::string> result;
   const auto scale = [&](const std::string& key, study::Dimension dimension) {
-    const StudyValue* stated = document.root.find_path(key);
+    const StudyValue* stated = file.root.find_path(key);
     if (!stated) return false;
     const double was = stated->string() ? study::measure(*stated->string(), {dimension}).value : stated->number();
     result.push_back(fmt::format("{}={}", key, study::quantity_text(factor * was, dimension)));

@@ -108,18 +108,17 @@ std::string unbalance_line(const Explanation& e) {
 }
 
 // Where it comes from, of a study with places.
-std::string origin_of_unbalance(const study::Document& document, const Explanation& e) {
-  if (document.root.find_path("rotor.tilt.unbalance") ||
-      (document.root.find("place") && document.root.find_path("rotor.tilt")))
+std::string origin_of_unbalance(const study::StudyFile& file, const Explanation& e) {
+  if (file.root.find_path("rotor.tilt.unbalance") || (file.root.find("place") && file.root.find_path("rotor.tilt")))
     return e.tilt && e.tilt->couple == 0.0
                ? words::study_check::no_couple
-               : fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(document));
-  const StudyValue* places = document.root.find("place");
+               : fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(file));
+  const StudyValue* places = file.root.find("place");
   if (!places || !places->array()) return "";
   const std::size_t count = places->array()->size();
-  const bool own = document.root.find_path("rotor.eccentricity") || document.root.find_path("rotor.unbalance") ||
-                   document.root.find_path("rotor.balance_grade");
-  const double degrees = 180.0 / pi * study::resultant_direction(document);
+  const bool own = file.root.find_path("rotor.eccentricity") || file.root.find_path("rotor.unbalance") ||
+                   file.root.find_path("rotor.balance_grade");
+  const double degrees = 180.0 / pi * study::resultant_direction(file);
   return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
                      plural(count), degrees == 0.0 ? 0.0 : degrees);
 }
@@ -264,14 +263,14 @@ StudyCheck check_study(const std::string& toml_text, const std::string& name, co
                        const StopFlag* stop) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
   const BallDetails balls = parse_ball_details(toml_text, name, overrides);
-  const study::Document document = study::parse_document(toml_text, name, overrides);
+  const study::StudyFile file = study::parse_study_file(toml_text, name, overrides);
   const Explanation e = explain(medians, balls, stop);
   StudyCheck check;
   check.leave_out = below_resonance_words(study);
   check.machine = machine_line(e);
-  check.unbalance = unbalance_line(e) + origin_of_unbalance(document, e);
+  check.unbalance = unbalance_line(e) + origin_of_unbalance(file, e);
   check.balls = balls_line(e) + weight_words(e);
-  check.assumed = Assumptions(document.root, study, balls).list();
+  check.assumed = Assumptions(file.root, study, balls).list();
   const auto oil_at = [&](double kelvin) -> std::optional<double> {
     std::vector<std::string> warmer = overrides;
     warmer.push_back(fmt::format("balancer.oil.at={:.17g} K", kelvin));

@@ -104,7 +104,7 @@ std::string label_of(const std::string& key) {
 class Form {
  public:
   Form(const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
-      : name_(name), given_(study::parse_document(text, name, overrides).root) {
+      : name_(name), given_(study::parse_study_file(text, name, overrides).root) {
     const Study study = parse_study(text, name, overrides);  // for messages that know the text's lines
     all_ = study.scales ? study::parse_toml(to_physical_toml(study)) : to_tree(study);
     // A study's tree omits ball angles that nobody chose; a form offers them.
@@ -254,7 +254,7 @@ std::vector<OfferedKey> offered_keys(const Study& study, const std::vector<FormF
 
 std::string with_overrides(const std::string& toml_text, const std::string& name,
                            const std::vector<std::string>& overrides) {
-  return overrides.empty() ? toml_text : to_toml(study::parse_document(toml_text, name, overrides).root);
+  return overrides.empty() ? toml_text : to_toml(study::parse_study_file(toml_text, name, overrides).root);
 }
 
 }  // namespace equipoise

@@ -61,7 +61,7 @@ std::vector<GivenTable> tables_of(const StudyValue& root) {
 
 std::vector<GivenTable> given_tables(const std::string& toml_text, const std::string& name,
                                      const std::vector<std::string>& overrides) {
-  return tables_of(study::parse_document(toml_text, name, overrides).root);
+  return tables_of(study::parse_study_file(toml_text, name, overrides).root);
 }
 
 std::vector<GivenTable> given_tables(const Study& study) {

@@ -29,8 +29,8 @@ Names names_in(const std::vector<Key>& keys) {
 }
 
 // Keys that the table may hold. Without a valid profile: the keys of all profiles.
-Names names_in(const Document& document, const KeyTable& table, bool physical) {
-  const StudyValue* profile = table.find("profile", false) ? document.root.find_path(table.name + ".profile") : nullptr;
+Names names_in(const StudyFile& file, const KeyTable& table, bool physical) {
+  const StudyValue* profile = table.find("profile", false) ? file.root.find_path(table.name + ".profile") : nullptr;
   const auto at = std::find(profile_names.begin(), profile_names.end(),
                             profile && profile->string() ? std::string_view(*profile->string()) : "");
   const auto said = static_cast<Profile>(at - profile_names.begin());
@@ -132,39 +132,38 @@ std::string unknown_key(std::string_view table, std::string_view key, const Name
                      fmt::join(known, ", "));
 }
 
-void check_tables(const Document& document) {
+void check_tables(const StudyFile& file) {
   Names tables;
   for (const KeyTable& table : key_tables())
     if (!table.is_inner()) tables.push_back(table.name);
-  for (const auto& [name, value] : *document.root.table())
+  for (const auto& [name, value] : *file.root.table())
     if (!holds(tables, name))
-      throw InputError(document.where(name, &value), printable(name), document.value_text("", value),
+      throw InputError(file.where(name, &value), printable(name), file.value_text("", value),
                        unknown_key("", name, tables));
 }
 
 namespace {
-void check_keys_of(const Document& document, bool physical, const KeyTable& list, const std::string& path) {
-  const StudyValue* table = document.root.find_path(path);
+void check_keys_of(const StudyFile& file, bool physical, const KeyTable& list, const std::string& path) {
+  const StudyValue* table = file.root.find_path(path);
   if (!table || !table->table() || list.keys.empty()) return;
   for (const auto& [name, value] : *table->table()) {
     if (list.find(name, physical)) continue;
     const std::string dotted = path + "." + name;
-    const Names known = names_in(document, list, physical);
+    const Names known = names_in(file, list, physical);
     std::string problem = unknown_key(list.name, name, known);
     const auto home = std::find_if(key_tables().begin(), key_tables().end(), [&, key = name](const KeyTable& other) {
-      return holds(names_in(document, other, physical), key);
+      return holds(names_in(file, other, physical), key);
     });
     if (home != key_tables().end() && likely(list.name, name, known).empty())
       problem += fmt::format(words::study::key_of_other_table, home->name);
-    throw InputError(document.where(dotted, &value), path + "." + printable(name), document.value_text(dotted, value),
-                     problem);
+    throw InputError(file.where(dotted, &value), path + "." + printable(name), file.value_text(dotted, value), problem);
   }
 }
 }  // namespace
 
-void check_keys(const Document& document, bool physical) {
+void check_keys(const StudyFile& file, bool physical) {
   for (const KeyTable& list : key_tables())
-    for (const std::string& path : paths_of(document.root, list.name)) check_keys_of(document, physical, list, path);
+    for (const std::string& path : paths_of(file.root, list.name)) check_keys_of(file, physical, list, path);
 }
 
 }  // namespace equipoise::study

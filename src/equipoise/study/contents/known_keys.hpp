@@ -17,10 +17,10 @@ bool nearly_same(std::string_view a, std::string_view b);
 std::string unknown_key(std::string_view table, std::string_view key, const std::vector<std::string>& known);
 
 /// Throws for the first unknown table.
-void check_tables(const Document& document);
+void check_tables(const StudyFile& file);
 
 /// Throws for the first key that no study of this kind and profile has in its table. This runs before reading, so that
 /// a misspelt key is not reported as another one that is missing.
-void check_keys(const Document& document, bool physical);
+void check_keys(const StudyFile& file, bool physical);
 
 }  // namespace equipoise::study

@@ -24,18 +24,18 @@ std::vector<double> over(std::vector<double> values, double scale) {
 }
 
 // Keeps what the study says of a key that is to be replaced.
-void keep_written(Document& document, const StudyValue& table, const std::string& prefix, const std::string& key,
+void keep_written(StudyFile& file, const StudyValue& table, const std::string& prefix, const std::string& key,
                   const std::string& physical_key) {
   if (const StudyValue* source = table.find(physical_key)) {
     const std::string from = prefix + "." + physical_key;
-    document.written.insert_or_assign(
-        prefix + "." + key, Document::Written{document.value_text(from, *source), document.where(from, source)});
+    file.written.insert_or_assign(prefix + "." + key,
+                                  StudyFile::Written{file.value_text(from, *source), file.where(from, source)});
   }
 }
 
 // Replaces one physical key's value by numbers.
-void put(Document& document, StudyValue& table, const std::string& prefix, const Derived& d, bool as_array) {
-  keep_written(document, table, prefix, d.key, d.from);
+void put(StudyFile& file, StudyValue& table, const std::string& prefix, const Derived& d, bool as_array) {
+  keep_written(file, table, prefix, d.key, d.from);
   if (as_array)
     table.set(d.key, d.values);
   else
@@ -48,11 +48,11 @@ bool physical_alone(const KeyTable& table, const Key& key) {
 }
 
 // Puts the `derived` keys, divided by their scales, into a table, and removes purely physical keys.
-void replace(Document& document, const std::string& name, std::vector<Derived> derived, const model::Scales& s) {
-  StudyValue& table = *document.root.find_path(name);
+void replace(StudyFile& file, const std::string& name, std::vector<Derived> derived, const model::Scales& s) {
+  StudyValue& table = *file.root.find_path(name);
   for (Derived& d : derived) {
     if (d.dimension) d.values = over(d.values, scale_of(*d.dimension, s));
-    put(document, table, name, d, d.is_list || d.values.size() > 1);
+    put(file, table, name, d, d.is_list || d.values.size() > 1);
   }
   for (const Key& key : key_table(name).keys)
     if (physical_alone(key_table(name), key)) table.erase(key.name);
@@ -66,23 +66,23 @@ StudyValue support_value(const std::array<std::array<double, 2>, 2>& each, doubl
 }
 
 // `motor`: the motor's inertia at the rotor, which adds to what the rotor's is by default.
-void replace_tilt(Document& document, const RotorSheet& rotor, double motor, const model::Scales& s) {
+void replace_tilt(StudyFile& file, const RotorSheet& rotor, double motor, const model::Scales& s) {
   if (!rotor.supports) return;
   const std::string name = "rotor.tilt";
   const TiltSupports& supports = *rotor.supports;
-  StudyValue& table = *document.root.find_path(name);
-  keep_written(document, table, name, "stiffness", supports.stiffness_from);
-  keep_written(document, table, name, "damping", supports.damping_from);
+  StudyValue& table = *file.root.find_path(name);
+  keep_written(file, table, name, "stiffness", supports.stiffness_from);
+  keep_written(file, table, name, "damping", supports.damping_from);
   table.set("stiffness", support_value(supports.stiffness, scale_of(Dimension::force, s), s.torque()));
   table.set("damping", support_value(supports.damping, scale_of(Dimension::tilt_damping, s), s.gain()));
-  replace(document, name, rotor.tilt, s);
-  if (motor == 0.0 || document.root.find_path("rotor.inertia")) return;
+  replace(file, name, rotor.tilt, s);
+  if (motor == 0.0 || file.root.find_path("rotor.inertia")) return;
   model::Tilt body;
   for (const auto& [key, member] :
        {std::pair{"transverse_inertia", &body.transverse_inertia}, std::pair{"polar_inertia", &body.polar_inertia},
         std::pair{"misalignment", &body.misalignment}})
     if (const StudyValue* value = table.find(key)) *member = value->number();
-  document.root.find("rotor")->set("inertia", model::axial_inertia(body));
+  file.root.find("rotor")->set("inertia", model::axial_inertia(body));
 }
 
 // From the axes of the machine to those of the model, whose x points along the unbalance.
@@ -92,7 +92,7 @@ void turn_back(std::vector<double>& offset, double turn) {
   offset = {turned.real(), turned.imag()};
 }
 
-void replace_balancer(Document& document, const BalancerSheet& b, double turn, const model::Scales& s) {
+void replace_balancer(StudyFile& file, const BalancerSheet& b, double turn, const model::Scales& s) {
   std::vector<double> mu, beta;
   for (std::size_t i = 0; i < b.mass.size(); ++i) {
     mu.push_back(b.mass[i] / s.mass);
@@ -105,16 +105,16 @@ void replace_balancer(Document& document, const BalancerSheet& b, double turn, c
   }
   if (b.contact_angle) derived.push_back({"contact_angle", b.contact_from, {*b.contact_angle}});
   if (b.rolls) {
-    document.root.find("balancer")->set("rolls", true);
+    file.root.find("balancer")->set("rolls", true);
     derived.push_back({"ball_radius", b.rolls_from, b.radius_of_balls, Dimension::length});
   }
-  replace(document, "balancer", derived, s);
+  replace(file, "balancer", derived, s);
 }
 
-void replace_quantities(Document& document, const KeyTable& keys, const model::Scales& s, double gear_ratio) {
-  StudyValue* table = find_table(document.root, keys.name);
+void replace_quantities(StudyFile& file, const KeyTable& keys, const model::Scales& s, double gear_ratio) {
+  StudyValue* table = find_table(file.root, keys.name);
   if (!table) return;  // absent, or not a table: the study reader says so
-  TableReader reader(document, keys.name);
+  TableReader reader(file, keys.name);
   for (const Key& line : keys.keys) {
     if (!line.dimension) continue;
     const std::string key = line.name;
@@ -136,32 +136,32 @@ void replace_quantities(Document& document, const KeyTable& keys, const model::S
         derived.values.push_back(measure_value(entry, {*line.dimension}, range, reject).value * factor / scale);
       }
     }
-    put(document, *table, keys.name, derived, array != nullptr);
+    put(file, *table, keys.name, derived, array != nullptr);
   }
 }
 
 // The first purely physical key; empty if there is none.
-std::string physical_key(const Document& document) {
+std::string physical_key(const StudyFile& file) {
   for (const KeyTable& table : key_tables())
     for (const Key& key : table.keys)
       if (const std::string dotted = table.name + "." + key.name;
-          physical_alone(table, key) && document.root.find_path(dotted))
+          physical_alone(table, key) && file.root.find_path(dotted))
         return dotted;
-  if (document.root.find("place")) return "place";
+  if (file.root.find("place")) return "place";
   return "";
 }
 
 // Without a mass nothing has a scale. The message names the key that makes the study physical: it may be a mistake.
-void require_mass(const Document& document) {
-  const std::string key = physical_key(document);
+void require_mass(const StudyFile& file) {
+  const std::string key = physical_key(file);
   if (key == "rotor.mass") return;
   throw InputError(
-      document.where("rotor.mass", nullptr), "rotor.mass", "",
+      file.where("rotor.mass", nullptr), "rotor.mass", "",
       fmt::format(words::study::mass_makes_it_physical, wanted_quantity({Dimension::mass}, positive), key));
 }
 
-void check_horizon(const Document& document, const model::Scales& s) {
-  TableReader numerics(document, "numerics");
+void check_horizon(const StudyFile& file, const model::Scales& s) {
+  TableReader numerics(file, "numerics");
   if (!numerics.has("horizon")) return;
   const double horizon = numerics.number("horizon", any_number);
   const Range horizon_range = key_table("numerics").find("horizon", false)->range;
@@ -172,37 +172,37 @@ void check_horizon(const Document& document, const model::Scales& s) {
 
 }  // namespace
 
-bool is_physical(const Document& document) { return !physical_key(document).empty(); }
+bool is_physical(const StudyFile& file) { return !physical_key(file).empty(); }
 
-double resultant_direction(Document document) {
-  if (!document.root.find("place") && !document.root.find_path("rotor.tilt.unbalance")) return 0.0;
-  take_uncertain(document);
-  return read_rotor_sheet(document).turn;
+double resultant_direction(StudyFile file) {
+  if (!file.root.find("place") && !file.root.find_path("rotor.tilt.unbalance")) return 0.0;
+  take_uncertain(file);
+  return read_rotor_sheet(file).turn;
 }
 
-BallDetails ball_details(const Document& document) {
-  return is_physical(document) ? read_balancer_sheet(document).details : BallDetails{};
+BallDetails ball_details(const StudyFile& file) {
+  return is_physical(file) ? read_balancer_sheet(file).details : BallDetails{};
 }
 
-void make_dimensionless(Document& document) {
-  if (!is_physical(document)) return;
-  if (const StudyValue* units = document.root.find("units"))
-    throw InputError(document.where("units", units), "units", "", words::study::units_of_dimensionless_study);
-  require_mass(document);
-  const DriveSheet drive = put_drive_sheet(document);
-  const RotorSheet rotor = read_rotor_sheet(document);
-  const BalancerSheet balancer = read_balancer_sheet(document);
+void make_dimensionless(StudyFile& file) {
+  if (!is_physical(file)) return;
+  if (const StudyValue* units = file.root.find("units"))
+    throw InputError(file.where("units", units), "units", "", words::study::units_of_dimensionless_study);
+  require_mass(file);
+  const DriveSheet drive = put_drive_sheet(file);
+  const RotorSheet rotor = read_rotor_sheet(file);
+  const BalancerSheet balancer = read_balancer_sheet(file);
   const model::Scales scales = model::Scales::of(rotor.mass, balancer.radius, rotor.mean_stiffness);
-  replace(document, "rotor", rotor.derived, scales);
-  replace_tilt(document, rotor, drive.inertia, scales);
-  replace_balancer(document, balancer, rotor.turn, scales);
-  if (StudyValue* inertia = document.root.find_path("rotor.inertia"); inertia && drive.inertia > 0.0)
+  replace(file, "rotor", rotor.derived, scales);
+  replace_tilt(file, rotor, drive.inertia, scales);
+  replace_balancer(file, balancer, rotor.turn, scales);
+  if (StudyValue* inertia = file.root.find_path("rotor.inertia"); inertia && drive.inertia > 0.0)
     *inertia = inertia->number() + drive.inertia / scales.inertia();
-  document.root.erase("place");
+  file.root.erase("place");
   for (const KeyTable& table : key_tables())
-    if (!is_machine(table.name)) replace_quantities(document, table, scales, drive.gear_ratio);
-  document.scales = scales;
-  check_horizon(document, scales);
+    if (!is_machine(table.name)) replace_quantities(file, table, scales, drive.gear_ratio);
+  file.scales = scales;
+  check_horizon(file, scales);
 }
 
 }  // namespace equipoise::study

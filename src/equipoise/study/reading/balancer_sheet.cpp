@@ -27,7 +27,7 @@ struct OilSheet {
 // balancer.oil: a grade, and the temperature that it has in the machine.
 class OilReader : public QuantityReader {
  public:
-  explicit OilReader(const Document& document) : QuantityReader(document, "balancer.oil") {}
+  explicit OilReader(const StudyFile& file) : QuantityReader(file, "balancer.oil") {}
 
   OilSheet read() {
     const std::string wanted = words::machine::oil_grade;
@@ -107,7 +107,7 @@ class OilReader : public QuantityReader {
 
 class BalancerReader {
  public:
-  explicit BalancerReader(const Document& document) : document_(document), reader_(document, "balancer") {}
+  explicit BalancerReader(const StudyFile& file) : file_(file), reader_(file, "balancer") {}
 
   BalancerSheet read() {
     b_.balls = static_cast<int>(reader_.integer("balls", 1, model::max_balls));
@@ -176,7 +176,7 @@ class BalancerReader {
   void read_oil() {
     const auto density = reader_.optional_quantity("oil_density");
     if (b_.drag_from == "oil") {
-      const OilSheet oil = OilReader(document_).read();
+      const OilSheet oil = OilReader(file_).read();
       b_.details.oil_density = density.value_or(oil.density);
       b_.details.oil_kelvin = oil.kelvin;
       b_.details.oil_viscosity = oil.kinematic_viscosity * *b_.details.oil_density;
@@ -251,7 +251,7 @@ class BalancerReader {
     b_.contact_from = given ? "contact" : "ball_diameter";
   }
 
-  const Document& document_;
+  const StudyFile& file_;
   QuantityReader reader_;
   BalancerSheet b_;
   std::vector<double> diameter_;
@@ -259,6 +259,6 @@ class BalancerReader {
 
 }  // namespace
 
-BalancerSheet read_balancer_sheet(const Document& document) { return BalancerReader(document).read(); }
+BalancerSheet read_balancer_sheet(const StudyFile& file) { return BalancerReader(file).read(); }
 
 }  // namespace equipoise::study

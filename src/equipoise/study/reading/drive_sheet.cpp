@@ -25,25 +25,25 @@ std::string profile_name(Profile profile) { return profile_names[static_cast<std
 StudyValue in_si(double value, Dimension dimension) { return fmt::format("{} {}", value, words(dimension).si); }
 
 // A key that stands for another one: its value and place are those of messages about the other.
-void put_for(Document& document, const std::string& table, const std::string& from, const std::string& key,
+void put_for(StudyFile& file, const std::string& table, const std::string& from, const std::string& key,
              StudyValue value) {
-  StudyValue& home = *document.root.find_path(table);
+  StudyValue& home = *file.root.find_path(table);
   const StudyValue* source = home.find(from);
   const std::string dotted = table + "." + from;
-  document.written.insert_or_assign(
-      table + "." + key, Document::Written{document.value_text(dotted, *source), document.where(dotted, source)});
+  file.written.insert_or_assign(table + "." + key,
+                                StudyFile::Written{file.value_text(dotted, *source), file.where(dotted, source)});
   home.set(key, std::move(value));
 }
 
-void put_run_up(Document& document) {
-  QuantityReader reader(document, "speed");
+void put_run_up(StudyFile& file) {
+  QuantityReader reader(file, "speed");
   if (!reader.has("run_up")) return;
-  const StudyValue* profile = document.root.find_path("speed.profile");
+  const StudyValue* profile = file.root.find_path("speed.profile");
   if (!profile || !profile->string() || *profile->string() != profile_name(Profile::ramp))
     reader.fail("run_up", words::machine::profile_or_run_up);
   if (reader.has("duration")) reader.fail("run_up", words::machine::run_up_or_duration);
-  put_for(document, "speed", "run_up", "duration", in_si(reader.quantity("run_up"), Dimension::time));
-  document.root.find("speed")->erase("run_up");
+  put_for(file, "speed", "run_up", "duration", in_si(reader.quantity("run_up"), Dimension::time));
+  file.root.find("speed")->erase("run_up");
 }
 
 double synchronous_speed(QuantityReader& reader, double rated) {
@@ -61,10 +61,10 @@ double synchronous_speed(QuantityReader& reader, double rated) {
 }
 
 // The curve that a nameplate stands for.
-void put_nameplate(Document& document) {
-  StudyValue* torque = find_table(document.root, "speed.torque");
+void put_nameplate(StudyFile& file) {
+  StudyValue* torque = find_table(file.root, "speed.torque");
   if (!torque) return;
-  QuantityReader reader(document, "speed.torque");
+  QuantityReader reader(file, "speed.torque");
   const auto power = reader.optional_quantity("power"), stated = reader.optional_quantity("rated_torque");
   if (!power && !stated) {
     for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
@@ -100,8 +100,8 @@ void put_nameplate(Document& document) {
     values.push_back(in_si(curve.torques[k], Dimension::torque));
   }
   const char* from = power ? "power" : "rated_torque";
-  put_for(document, "speed.torque", from, "speeds", std::move(speeds));
-  put_for(document, "speed.torque", from, "values", std::move(values));
+  put_for(file, "speed.torque", from, "speeds", std::move(speeds));
+  put_for(file, "speed.torque", from, "values", std::move(values));
   for (const char* key :
        {"power", "rated_torque", "rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
     torque->erase(key);
@@ -109,11 +109,11 @@ void put_nameplate(Document& document) {
 
 }  // namespace
 
-void infer_profile(Document& document) {
-  StudyValue* speed = find_table(document.root, "speed");
+void infer_profile(StudyFile& file) {
+  StudyValue* speed = find_table(file.root, "speed");
   if (!speed || speed->find("profile")) return;
   const auto state = [&](Profile profile) { speed->set("profile", profile_name(profile)); };
-  if (find_table(document.root, "speed.torque"))
+  if (find_table(file.root, "speed.torque"))
     state(Profile::torque);
   else if (speed->find("run_up"))
     state(Profile::ramp);
@@ -134,12 +134,12 @@ double gear_factor(Dimension dimension, double ratio) {
   }
 }
 
-DriveSheet put_drive_sheet(Document& document) {
-  put_run_up(document);
-  put_nameplate(document);
-  StudyValue* speed = find_table(document.root, "speed");
+DriveSheet put_drive_sheet(StudyFile& file) {
+  put_run_up(file);
+  put_nameplate(file);
+  StudyValue* speed = find_table(file.root, "speed");
   if (!speed) return {};
-  QuantityReader reader(document, "speed");
+  QuantityReader reader(file, "speed");
   const Range range = key_table("speed").find("gear_ratio", true)->range;
   const double ratio = reader.optional_number("gear_ratio", range).value_or(1.0);
   const double inertia = reader.optional_quantity("motor_inertia").value_or(0.0);

@@ -39,7 +39,7 @@ struct RotorSheet {
   double turn = 0.0;
 };
 /// Reads [rotor], [rotor.tilt] and every [[place]].
-RotorSheet read_rotor_sheet(const Document& document);
+RotorSheet read_rotor_sheet(const StudyFile& file);
 
 struct BalancerSheet {
   int balls = 0;
@@ -53,6 +53,6 @@ struct BalancerSheet {
   std::optional<double> contact_angle;
   std::string mass_from, drag_from, rolls_from, contact_from;
 };
-BalancerSheet read_balancer_sheet(const Document& document);
+BalancerSheet read_balancer_sheet(const StudyFile& file);
 
 }  // namespace equipoise::study

@@ -43,7 +43,7 @@ double grade_of(const QuantityReader& reader, const std::string& key, const Stud
 
 class GradeReader : public QuantityReader {
  public:
-  explicit GradeReader(const Document& document) : QuantityReader(document, "rotor.balance_grade") {}
+  explicit GradeReader(const StudyFile& file) : QuantityReader(file, "rotor.balance_grade") {}
 
   double eccentricity() {
     const double grade = grade_of(*this, "grade", require("grade", words::machine::grade));
@@ -75,22 +75,22 @@ struct Places : Unbalance {
 };
 
 // How many tables the array of tables at `key` has; 0 if it is absent.
-std::size_t tables_at(const Document& document, const std::string& key, const char* wanted) {
-  const StudyValue* value = document.root.find_path(key);
+std::size_t tables_at(const StudyFile& file, const std::string& key, const char* wanted) {
+  const StudyValue* value = file.root.find_path(key);
   if (!value) return 0;
   const StudyValue::Array* array = value->array();
   const auto is_table = [](const StudyValue& entry) { return entry.table() != nullptr; };
   if (!array || array->empty() || !std::all_of(array->begin(), array->end(), is_table))
-    throw InputError(document.where(key, value), key, "", wanted);
+    throw InputError(file.where(key, value), key, "", wanted);
   return array->size();
 }
 
-Places read_places(const Document& document, bool tilts) {
+Places read_places(const StudyFile& file, bool tilts) {
   Places places;
-  const std::size_t count = tables_at(document, "place", words::machine::array_of_places);
+  const std::size_t count = tables_at(file, "place", words::machine::array_of_places);
   places.any = count > 0;
   for (std::size_t i = 1; i <= count; ++i) {
-    QuantityReader reader(document, fmt::format("place.{}", i));
+    QuantityReader reader(file, fmt::format("place.{}", i));
     const double mass = reader.quantity("mass"), radius = reader.quantity("radius"), angle = reader.quantity("angle");
     if (!tilts && reader.has("at")) reader.fail("at", words::study::only_of_tilt);
     const double at = tilts ? reader.quantity("at") : 0.0;
@@ -125,7 +125,7 @@ struct Bearings {
 
 class TiltReader : public QuantityReader {
  public:
-  explicit TiltReader(const Document& document) : QuantityReader(document, "rotor.tilt"), document_(document) {}
+  explicit TiltReader(const StudyFile& file) : QuantityReader(file, "rotor.tilt"), file_(file) {}
 
   bool has_bearings() { return has("bearings"); }
 
@@ -133,9 +133,9 @@ class TiltReader : public QuantityReader {
     for (const char* key : {"stiffness", "damping", "bearings_at", "bearings_stiffness", "bearings_damping"})
       if (has(key)) fail(key, words::machine::bearings_state_it);
     Bearings b;
-    const std::size_t count = tables_at(document_, "rotor.tilt.bearings", words::machine::array_of_bearings);
+    const std::size_t count = tables_at(file_, "rotor.tilt.bearings", words::machine::array_of_bearings);
     for (std::size_t i = 1; i <= count; ++i) {
-      QuantityReader one(document_, fmt::format("rotor.tilt.bearings.{}", i));
+      QuantityReader one(file_, fmt::format("rotor.tilt.bearings.{}", i));
       b.at.push_back(one.quantity("at"));
       for (const char* key : {"stiffness", "damping"}) {
         const std::vector<double> each = one.require_one_or_each(key, 2, each_direction);
@@ -159,7 +159,7 @@ class TiltReader : public QuantityReader {
       const std::array<double, 2> both = entries(*this, key, value, across, own);
       return {both, both};
     }
-    TiltReader each(document_, dotted(key));
+    TiltReader each(file_, dotted(key));
     std::array<std::array<double, 2>, 2> result{};
     for (std::size_t d = 0; d < 2; ++d) {
       const std::string name = d == 0 ? "x" : "y";
@@ -173,9 +173,9 @@ class TiltReader : public QuantityReader {
   Unbalance planes() {
     Unbalance sum;
     has("unbalance");
-    const std::size_t count = tables_at(document_, "rotor.tilt.unbalance", words::machine::array_of_unbalances);
+    const std::size_t count = tables_at(file_, "rotor.tilt.unbalance", words::machine::array_of_unbalances);
     for (std::size_t i = 1; i <= count; ++i) {
-      QuantityReader one(document_, fmt::format("rotor.tilt.unbalance.{}", i));
+      QuantityReader one(file_, fmt::format("rotor.tilt.unbalance.{}", i));
       const double at = one.quantity("at"), size = one.quantity("size");
       sum.add(std::polar(size, one.quantity("angle")), at);
       one.finish();
@@ -184,8 +184,7 @@ class TiltReader : public QuantityReader {
   }
 
  private:
-  TiltReader(const Document& document, std::string prefix)
-      : QuantityReader(document, std::move(prefix)), document_(document) {}
+  TiltReader(const StudyFile& file, std::string prefix) : QuantityReader(file, std::move(prefix)), file_(file) {}
 
   static std::array<double, 2> entries(const TiltReader& reader, const std::string& key, const StudyValue& value,
                                        Dimension across, Dimension own) {
@@ -200,7 +199,7 @@ class TiltReader : public QuantityReader {
     return result;
   }
 
-  const Document& document_;
+  const StudyFile& file_;
 };
 
 // The ways to state the supports, of which a study has one each.
@@ -216,7 +215,7 @@ const std::vector<QuantityReader::Alternative> damping_ways{
 
 class RotorReader {
  public:
-  explicit RotorReader(const Document& document) : document_(document), reader_(document, "rotor"), tilt_(document) {}
+  explicit RotorReader(const StudyFile& file) : file_(file), reader_(file, "rotor"), tilt_(file) {}
 
   RotorSheet read() {
     r_.mass = reader_.quantity("mass");
@@ -323,7 +322,7 @@ class RotorReader {
     const std::string from = reader_.exactly_one(damping_ways);
     if (from == "damping")
       return put("damping", from, reader_.one_or_each(from, 2, each_direction), Dimension::damping);
-    if (from == "damping_ratio") refuse_percentage(*document_.root.find_path("rotor.damping_ratio"));
+    if (from == "damping_ratio") refuse_percentage(*file_.root.find_path("rotor.damping_ratio"));
     const Range range = key_table("rotor").find(from, true)->range;
     std::vector<double> zeta = reader_.TableReader::one_or_each(from, range, 2, each_direction);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -339,11 +338,11 @@ class RotorReader {
     const std::vector<QuantityReader::Alternative> ways{{"eccentricity", words::machine::eccentricity},
                                                         {"unbalance", words::machine::unbalance},
                                                         {"balance_grade", words::machine::balance_grade}};
-    const Places places = read_places(document_, tilts_);
+    const Places places = read_places(file_, tilts_);
     const bool in_planes = tilts_ && tilt_.has("unbalance");
     const std::string from = places.any || in_planes ? reader_.at_most_one(ways) : reader_.exactly_one(ways);
     const bool graded = from == "balance_grade", product = from == "unbalance";
-    const double own = from.empty() ? 0.0 : graded ? GradeReader(document_).eccentricity() : reader_.quantity(from);
+    const double own = from.empty() ? 0.0 : graded ? GradeReader(file_).eccentricity() : reader_.quantity(from);
     double misalignment = 0.0;
     if (tilts_ && tilt_.has("misalignment")) {
       misalignment = tilt_.quantity("misalignment");
@@ -399,7 +398,7 @@ class RotorReader {
 
   static constexpr double largest_misalignment = 0.5;  // rad: beyond, the linear model's angle means nothing
 
-  const Document& document_;
+  const StudyFile& file_;
   QuantityReader reader_;
   TiltReader tilt_;
   RotorSheet r_;
@@ -410,6 +409,6 @@ class RotorReader {
 
 }  // namespace
 
-RotorSheet read_rotor_sheet(const Document& document) { return RotorReader(document).read(); }
+RotorSheet read_rotor_sheet(const StudyFile& file) { return RotorReader(file).read(); }
 
 }  // namespace equipoise::study

@@ -49,8 +49,8 @@ void read_ramp(TableReader& reader, const char* table, Study& study) {
   }
 }
 
-void read_target(const Document& document, RampSetting& target) {
-  TableReader reader(document, "speed.torque.target");
+void read_target(const StudyFile& file, RampSetting& target) {
+  TableReader reader(file, "speed.torque.target");
   Study study;
   study.speed.profile = reader.choice<Profile>("profile", std::span(profile_names).first(target_profiles));
   read_ramp(reader, "speed.torque.target", study);
@@ -59,9 +59,9 @@ void read_target(const Document& document, RampSetting& target) {
 }
 
 // The keys present determine the law.
-void read_torque(const Document& document, Study& study) {
+void read_torque(const StudyFile& file, Study& study) {
   using Kind = model::MotorLaw::Kind;
-  TableReader reader(document, "speed.torque");
+  TableReader reader(file, "speed.torque");
   TorqueSetting& motor = study.speed.torque;
   if (reader.has("stall") || reader.has("no_load_speed"))
     motor.by_stall = true;
@@ -81,13 +81,13 @@ void read_torque(const Document& document, Study& study) {
   }
   if (motor.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", words::machine::target_missing);
-    read_target(document, motor.target);
+    read_target(file, motor.target);
   }
   reader.finish();
 }
 
-void read_load(const Document& document, Study& study) {
-  TableReader reader(document, "speed.load");
+void read_load(const StudyFile& file, Study& study) {
+  TableReader reader(file, "speed.load");
   read_keys(reader, "speed.load", all_variants, study);
   const LoadSetting& taken = study.speed.load;
   if ((taken.linear != 0.0 || taken.quadratic != 0.0) && !reader.has("at"))
@@ -97,19 +97,19 @@ void read_load(const Document& document, Study& study) {
 
 }  // namespace
 
-void read_speed(const Document& document, Study& study) {
-  TableReader reader(document, "speed");
+void read_speed(const StudyFile& file, Study& study) {
+  TableReader reader(file, "speed");
   read_key(reader, *key_table("speed").find("profile", false), study);
   read_ramp(reader, "speed", study);
   if (study.speed.driven()) {
     if (!reader.has("torque")) reader.fail("torque", words::machine::torque_missing);
-    read_torque(document, study);
-    if (reader.has("load")) read_load(document, study);
+    read_torque(file, study);
+    if (reader.has("load")) read_load(file, study);
     if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_driven_rotor);
     if (!(study.parameters.inertia > 0.0)) {
-      TableReader rotor(document, "rotor");
-      rotor.fail("inertia", document.scales ? words::machine::inertia_of_driven_rotor_in_units
-                                            : words::machine::inertia_of_driven_rotor);
+      TableReader rotor(file, "rotor");
+      rotor.fail("inertia", file.scales ? words::machine::inertia_of_driven_rotor_in_units
+                                        : words::machine::inertia_of_driven_rotor);
     }
   }
   reader.finish();

@@ -7,6 +7,6 @@
 namespace equipoise::study {
 
 /// Reads [speed] into the study, whose rotor has been read. Throws InputError.
-void read_speed(const Document& document, Study& study);
+void read_speed(const StudyFile& file, Study& study);
 
 }  // namespace equipoise::study

@@ -34,14 +34,14 @@ namespace equipoise {
 namespace {
 using namespace study;
 
-void read_table(const Document& document, const char* table, Study& study) {
-  TableReader reader(document, table);
+void read_table(const StudyFile& file, const char* table, Study& study) {
+  TableReader reader(file, table);
   read_keys(reader, table, all_variants, study);
   reader.finish();
 }
 
-void read_balancer(const Document& document, Study& study) {
-  TableReader reader(document, "balancer");
+void read_balancer(const StudyFile& file, Study& study) {
+  TableReader reader(file, "balancer");
   model::Parameters& p = study.parameters;
   for (Key key : key_table("balancer").of(all_variants, false)) {
     const std::string_view name = key.name;
@@ -55,20 +55,20 @@ void read_balancer(const Document& document, Study& study) {
         reader.fail("stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
   }
   reader.finish();
-  check_tilting_balls(document, p);
+  check_tilting_balls(file, p);
 }
 
-void read_release(const Document& document, Study& study) {
-  read_table(document, "release", study);
-  TableReader reader(document, "release");
+void read_release(const StudyFile& file, Study& study) {
+  read_table(file, "release", study);
+  TableReader reader(file, "release");
   if (study.release.speed && study.release.time) reader.fail("time", words::study::speed_or_time_of_release);
   const model::SpeedProfile profile = study.speed_profile();
   if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
     reader.fail("speed", model::never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
 }
 
-void read_initial(const Document& document, Study& study) {
-  TableReader reader(document, "initial");
+void read_initial(const StudyFile& file, Study& study) {
+  TableReader reader(file, "initial");
   study.initial.phi = even_angles(study.parameters.balls);
   study.angles_stated = reader.has("phi");
   read_keys(reader, "initial", all_variants, study);
@@ -80,8 +80,8 @@ void read_initial(const Document& document, Study& study) {
   reader.finish();
 }
 
-void read_box(const Document& document, Study& study) {
-  TableReader reader(document, "sampling.box");
+void read_box(const StudyFile& file, Study& study) {
+  TableReader reader(file, "sampling.box");
   const double release = study.release_time();
   for (const Key& key : key_table("sampling.box").keys) {
     read_key(reader, key, study);
@@ -91,9 +91,9 @@ void read_box(const Document& document, Study& study) {
   reader.finish();
 }
 
-void read_sampling(const Document& document, Study& study) {
-  TableReader reader(document, "sampling");
-  if (reader.has("box")) read_box(document, study);
+void read_sampling(const StudyFile& file, Study& study) {
+  TableReader reader(file, "sampling");
+  if (reader.has("box")) read_box(file, study);
   for (const Key& key : key_table("sampling").keys) {
     read_key(reader, key, study);
     if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
@@ -104,16 +104,16 @@ void read_sampling(const Document& document, Study& study) {
 }
 
 // Optional units of a dimensionless study, so that results can be shown in physical ones.
-void read_units(const Document& document, Study& study) {
-  study.scales = document.scales;
-  if (document.scales || !document.root.find("units")) return;
+void read_units(const StudyFile& file, Study& study) {
+  study.scales = file.scales;
+  if (file.scales || !file.root.find("units")) return;
   study.scales.emplace();
-  read_table(document, "units", study);
+  read_table(file, "units", study);
 }
 
-void read_standards(const Document& document, Study& study) {
-  read_table(document, "standards", study);
-  TableReader reader(document, "standards");
+void read_standards(const StudyFile& file, Study& study) {
+  read_table(file, "standards", study);
+  TableReader reader(file, "standards");
   const Standards& s = study.standards;
   const auto needs = [&](const char* key, bool met, const char* what) {
     if (!met) reader.fail(key, std::string("needs ") + what);
@@ -126,8 +126,8 @@ void read_standards(const Document& document, Study& study) {
 }
 
 // Whether the study does not say where the rotor starts.
-bool states_no_place(const Document& document, const SamplingBox& box) {
-  TableReader initial(document, "initial");
+bool states_no_place(const StudyFile& file, const SamplingBox& box) {
+  TableReader initial(file, "initial");
   const auto states = [&](const char* key) { return initial.has(key); };
   constexpr std::array places{"x", "y", "x_dot", "y_dot", "tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"};
   const bool stated = std::any_of(places.begin(), places.end(), states);
@@ -135,13 +135,13 @@ bool states_no_place(const Document& document, const SamplingBox& box) {
 }
 
 // Such a rotor starts at rest under its weight, not on unloaded springs.
-void rest_under_gravity(const Document& document, Study& study) {
-  if (study.parameters.gravity == 0.0 || !states_no_place(document, study.sampling.box)) return;
+void rest_under_gravity(const StudyFile& file, Study& study) {
+  if (study.parameters.gravity == 0.0 || !states_no_place(file, study.sampling.box)) return;
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
   InitialState& s = study.initial;
   if (!any_number.contains(rest[0]) || !any_number.contains(rest[1])) {
-    TableReader rotor(document, "rotor");
+    TableReader rotor(file, "rotor");
     rotor.fail("gravity", fmt::format(words::machine::pulled_too_far, unbounded));
   }
   s.x = 0.0 + rest[0];  // not -0
@@ -162,69 +162,69 @@ void rest_under_gravity(const Document& document, Study& study) {
 
 enum class Source { asked, kept };  // kept: a study stored in a result
 
-Study read(Document document, Source source = Source::asked);
+Study read(StudyFile file, Source source = Source::asked);
 
 // Checks each value alone at either end: if both ends make a valid study, so does everything between.
-void check_ends(const Document& document, const StudyValue& medians, const std::vector<UncertainValue>& values) {
+void check_ends(const StudyFile& file, const StudyValue& medians, const std::vector<UncertainValue>& values) {
   for (const UncertainValue& value : values)
     for (const double end : value.ends()) {
       StudyValue tree = medians;
       put_value(tree, value, end);
       try {
-        read(document_of(std::move(tree), document.name, {}));
+        read(study_file_of(std::move(tree), file.name, {}));
       } catch (const InputError& e) {
-        fail_at_end(document, value, end, e);
+        fail_at_end(file, value, end, e);
       }
     }
 }
 
 // A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
 // A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
-void free_balls_of_machine(Document& document) {
-  if (!is_physical(document)) return;
-  const StudyValue* profile = document.root.find_path("speed.profile");
+void free_balls_of_machine(StudyFile& file) {
+  if (!is_physical(file)) return;
+  const StudyValue* profile = file.root.find_path("speed.profile");
   if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
     return;
-  StudyValue* release = document.root.find("release");
-  if (!release) release = &document.root.set("release", StudyValue());
+  StudyValue* release = file.root.find("release");
+  if (!release) release = &file.root.set("release", StudyValue());
   if (release->table() && release->table()->empty()) release->set("time", "0 s");
 }
 
 // A grade as balancing has it, residual = "G 6.3", is the limit grade = "6.3 mm/s".
-void read_grade(Document& document) {
-  const StudyValue* value = document.root.find_path("limits.residual");
+void read_grade(StudyFile& file) {
+  const StudyValue* value = file.root.find_path("limits.residual");
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;
-  TableReader reader(document, "limits");
-  if (!is_physical(document)) reader.fail("residual", words::study::grade_needs_units);
+  TableReader reader(file, "limits");
+  if (!is_physical(file)) reader.fail("residual", words::study::grade_needs_units);
   if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
   const std::size_t begin = std::min(text->find_first_not_of(' ', 1), text->size());
   const auto grade = number_of_all(std::string_view(*text).substr(begin));
   if (!grade || !positive.contains(*grade)) reader.fail("residual", words::study::grade_of_residual);
-  StudyValue& limits = *document.root.find("limits");
+  StudyValue& limits = *file.root.find("limits");
   limits.set("grade", fmt::format("{} mm/s", *grade));
   limits.erase("residual");
 }
 
 // A rotor without balls is read as one with a ball, whose keys do not count, and then loses it.
-bool take_no_balls(Document& document) {
-  StudyValue* balancer = find_table(document.root, "balancer");
+bool take_no_balls(StudyFile& file) {
+  StudyValue* balancer = find_table(file.root, "balancer");
   const StudyValue* balls = balancer ? balancer->find("balls") : nullptr;
   if (!balls || !balls->integer() || *balls->integer() != 0) return false;
-  const bool physical = is_physical(document);
+  const bool physical = is_physical(file);
   StudyValue none;
   none.set("balls", 1);
   for (const char* key : {"race_radius", "race_diameter", "race_offset"})
     if (const StudyValue* value = balancer->find(key)) none.set(key, *value);
-  if (document.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
+  if (file.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
   none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
   none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
   *balancer = std::move(none);
   for (const char* key : {"phi", "phi_dot"})
-    if (StudyValue* initial = find_table(document.root, "initial")) initial->erase(key);
+    if (StudyValue* initial = find_table(file.root, "initial")) initial->erase(key);
   StudyValue released;
   released.set("time", physical ? StudyValue("0 s") : StudyValue(0.0));
-  document.root.set("release", std::move(released));
+  file.root.set("release", std::move(released));
   return true;
 }
 
@@ -235,47 +235,47 @@ void take_ball(Study& study) {
   study.angles_stated = false;
 }
 
-void check_needs_of_limits(const Document& document, const Study& study) {
-  TableReader limits(document, "limits");
+void check_needs_of_limits(const StudyFile& file, const Study& study) {
+  TableReader limits(file, "limits");
   if (study.limits.settling_time && !study.limits.settled) limits.fail("settling_time", words::study::needs_settled);
   if (study.limits.hand_arm && !study.scales) limits.fail("hand_arm", words::study::weighted_by_hertz);
 }
 
-Study read(Document document, Source source) {
-  check_tables(document);
-  read_grade(document);
-  check_keys(document, is_physical(document));
-  if (is_physical(document)) infer_profile(document);
-  if (source == Source::asked) free_balls_of_machine(document);
+Study read(StudyFile file, Source source) {
+  check_tables(file);
+  read_grade(file);
+  check_keys(file, is_physical(file));
+  if (is_physical(file)) infer_profile(file);
+  if (source == Source::asked) free_balls_of_machine(file);
   Uncertainty uncertain;
-  if (is_physical(document)) uncertain.physical = document.root;
-  uncertain.values = take_uncertain(document);
-  const StudyValue medians = uncertain.empty() ? StudyValue() : document.root;
-  const bool bare = take_no_balls(document);
-  make_dimensionless(document);
+  if (is_physical(file)) uncertain.physical = file.root;
+  uncertain.values = take_uncertain(file);
+  const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
+  const bool bare = take_no_balls(file);
+  make_dimensionless(file);
   Study result;
-  result.name = document.name;
-  read_table(document, "rotor", result);
-  read_tilt(document, result);
-  read_balancer(document, result);
-  read_speed(document, result);
-  read_release(document, result);
-  read_initial(document, result);
-  read_sampling(document, result);
+  result.name = file.name;
+  read_table(file, "rotor", result);
+  read_tilt(file, result);
+  read_balancer(file, result);
+  read_speed(file, result);
+  read_release(file, result);
+  read_initial(file, result);
+  read_sampling(file, result);
   if (bare) take_ball(result);
-  rest_under_gravity(document, result);
-  for (const char* table : {"numerics", "limits", "sweep"}) read_table(document, table, result);
-  read_units(document, result);
-  read_standards(document, result);
-  check_needs_of_limits(document, result);
-  check_force_limit(document, result);
-  check_unbalance_limits(document, result);
+  rest_under_gravity(file, result);
+  for (const char* table : {"numerics", "limits", "sweep"}) read_table(file, table, result);
+  read_units(file, result);
+  read_standards(file, result);
+  check_needs_of_limits(file, result);
+  check_force_limit(file, result);
+  check_unbalance_limits(file, result);
   if (uncertain.empty()) return result;
-  check_ends(document, medians, uncertain.values);
+  check_ends(file, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
   const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
                                   [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
-  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(document, result.sampling.box);
+  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(file, result.sampling.box);
   result.uncertain = std::move(uncertain);
   return result;
 }
@@ -283,33 +283,33 @@ Study read(Document document, Source source) {
 }  // namespace
 
 Study parse_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides) {
-  return read(parse_document(toml_text, name, overrides));
+  return read(parse_study_file(toml_text, name, overrides));
 }
 
 Study parse_kept_study(const std::string& toml_text, const std::string& name) {
-  return read(parse_document(toml_text, name, {}), Source::kept);
+  return read(parse_study_file(toml_text, name, {}), Source::kept);
 }
 
 Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
-  return read(document_of(tree, name, overrides));
+  return read(study_file_of(tree, name, overrides));
 }
 
 namespace {
-BallDetails ball_details_of(Document document) {
-  check_keys(document, is_physical(document));  // misspellings are reported first, whichever function is called first
-  take_uncertain(document);
-  return take_no_balls(document) ? BallDetails{} : ball_details(document);
+BallDetails ball_details_of(StudyFile file) {
+  check_keys(file, is_physical(file));  // misspellings are reported first, whichever function is called first
+  take_uncertain(file);
+  return take_no_balls(file) ? BallDetails{} : ball_details(file);
 }
 }  // namespace
 
 BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
                                const std::vector<std::string>& overrides) {
-  return ball_details_of(parse_document(toml_text, name, overrides));
+  return ball_details_of(parse_study_file(toml_text, name, overrides));
 }
 
 BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
                               const std::vector<std::string>& overrides) {
-  return ball_details_of(document_of(tree, name, overrides));
+  return ball_details_of(study_file_of(tree, name, overrides));
 }
 
 Study with_medians(Study study) {
@@ -335,7 +335,7 @@ std::string text_of_written(const Study& study) {
 // The same rules for studies from files, trees and code.
 void check(const Study& study) {
   const std::string name = study.name.empty() ? "study" : study.name;
-  const Study again = read(document_of(to_tree(study), name, {}));
+  const Study again = read(study_file_of(to_tree(study), name, {}));
   if (study.uncertain.physical && text_of_written(again) != text_of_written(study))
     throw InputError(name, "", "", words::study::draws_of_changed_study);
 }

@@ -109,9 +109,9 @@ bool holds_tables(const StudyValue& value) {
   return value.array() && !value.array()->empty() && value.array()->front().table();
 }
 
-void apply_override(Document& document, const std::string& text) {
+void apply_override(StudyFile& file, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string key = key_here(document.root, trimmed(text.substr(0, equals)));
+  const std::string key = key_here(file.root, trimmed(text.substr(0, equals)));
   const std::string value = equals == text.size() ? "" : trimmed(text.substr(equals + 1));
   const bool has_empty_part =
       key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
@@ -121,7 +121,7 @@ void apply_override(Document& document, const std::string& text) {
     throw InputError(overrides_name, printable(key), printable(value), words::study::more_parts_than_any_key);
 
   StudyValue parsed = parse_value(key, value);
-  StudyValue* table = &document.root;
+  StudyValue* table = &file.root;
   std::size_t begin = 0;
   const auto entry_of_array = [&](const std::string& part) {
     const std::string name = printable(key.substr(0, begin - 1));
@@ -147,7 +147,7 @@ void apply_override(Document& document, const std::string& text) {
     *entry_of_array(key.substr(begin)) = std::move(parsed);
   else
     table->set(key.substr(begin), std::move(parsed));
-  document.overridden.insert(key);
+  file.overridden.insert(key);
 }
 
 }  // namespace
@@ -166,12 +166,12 @@ std::string Range::text() const {
   return "a finite number";
 }
 
-std::string Document::value_text(const std::string& dotted_key, const StudyValue& value) const {
+std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
   const auto found = written.find(dotted_key);
   return found == written.end() ? shown(value) : found->second.value;
 }
 
-Place Document::where(const std::string& dotted_key, const StudyValue* value) const {
+Place StudyFile::where(const std::string& dotted_key, const StudyValue* value) const {
   if (const auto found = written.find(dotted_key); found != written.end()) return found->second.where;
   for (std::size_t dot = 0; dot != std::string::npos;) {
     dot = dotted_key.find('.', dot + 1);
@@ -182,31 +182,29 @@ Place Document::where(const std::string& dotted_key, const StudyValue* value) co
   return {name, value->line()};
 }
 
-Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
+StudyFile parse_study_file(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
   try {
-    return document_of(parse_toml(text), name, overrides);
+    return study_file_of(parse_toml(text), name, overrides);
   } catch (const TextFault& fault) {
     throw InputError({name, static_cast<int>(fault.line), static_cast<int>(fault.column)}, "", "", fault.problem);
   }
 }
 
-Document document_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides) {
-  Document document;
-  document.name = name;
-  document.root = std::move(tree);
-  if (!document.root.table()) throw InputError(name, "", shown(document.root), words::study::table_of_tables);
-  for (const std::string& item : overrides) apply_override(document, item);
-  return document;
+StudyFile study_file_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides) {
+  StudyFile file;
+  file.name = name;
+  file.root = std::move(tree);
+  if (!file.root.table()) throw InputError(name, "", shown(file.root), words::study::table_of_tables);
+  for (const std::string& item : overrides) apply_override(file, item);
+  return file;
 }
 
-TableReader::TableReader(const Document& document, std::string prefix)
-    : prefix_(std::move(prefix)), document_(document) {
-  const StudyValue* value = document.root.find_path(prefix_);
+TableReader::TableReader(const StudyFile& file, std::string prefix) : prefix_(std::move(prefix)), file_(file) {
+  const StudyValue* value = file.root.find_path(prefix_);
   if (!value) return;
   table_ = value->table() ? value : nullptr;
   if (!table_)
-    throw InputError(document.where(prefix_, value), prefix_, shown(*value),
-                     fmt::format("must be a table, [{}]", prefix_));
+    throw InputError(file.where(prefix_, value), prefix_, shown(*value), fmt::format("must be a table, [{}]", prefix_));
 }
 
 std::string TableReader::dotted(const std::string& key) const { return prefix_ + "." + key; }
@@ -223,14 +221,14 @@ const StudyValue* TableReader::find(const std::string& key) {
 std::optional<TableReader> TableReader::inner(const std::string& key) {
   const StudyValue* value = find(key);
   if (!value || !value->table()) return std::nullopt;
-  return TableReader(document_, dotted(key));
+  return TableReader(file_, dotted(key));
 }
 
 bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 // What the key holds in a study in physical units; empty if it is no quantity there.
 std::string TableReader::quantity_wanted(const std::string& key) const {
-  if (document_.scales && !is_machine(prefix_))
+  if (file_.scales && !is_machine(prefix_))
     if (const Key* quantity = find_quantity(prefix_, key))
       return wanted_quantity({*quantity->dimension}, quantity_range(*quantity));
   return "";
@@ -246,24 +244,23 @@ const StudyValue& TableReader::require(const std::string& key, const std::string
   if (table_)
     for (const auto& [other, value] : *table_->table())
       if (nearly_same(key, other)) hint = fmt::format(words::study::meant_for_it, printable(other));
-  throw InputError(document_.where(dotted(key), nullptr), dotted(key), "",
+  throw InputError(file_.where(dotted(key), nullptr), dotted(key), "",
                    fmt::format(words::study::missing, hint, wanted));
 }
 
 void TableReader::fail(const std::string& key, const std::string& problem) const {
   const StudyValue* value = table_ ? table_->find(key) : nullptr;
-  throw InputError(document_.where(dotted(key), value), dotted(key),
-                   value ? document_.value_text(dotted(key), *value) : "", problem);
+  throw InputError(file_.where(dotted(key), value), dotted(key), value ? file_.value_text(dotted(key), *value) : "",
+                   problem);
 }
 
 std::string TableReader::time_text(double time) const {
-  return document_.scales ? fmt::format("{:.6g} s", time * document_.scales->time()) : fmt::format("{}", time);
+  return file_.scales ? fmt::format("{:.6g} s", time * file_.scales->time()) : fmt::format("{}", time);
 }
 
 std::string TableReader::speed_text(double speed) const {
   constexpr double rpm = pi / 30.0;
-  return document_.scales ? fmt::format("{:.6g} rpm", speed * document_.scales->frequency / rpm)
-                          : fmt::format("{}", speed);
+  return file_.scales ? fmt::format("{:.6g} rpm", speed * file_.scales->frequency / rpm) : fmt::format("{}", speed);
 }
 
 std::string TableReader::kind(const StudyValue& value) {
@@ -274,13 +271,13 @@ std::string TableReader::kind(const StudyValue& value) {
   return value.other() ? value.other()->kind : "a number";
 }
 
-bool TableReader::states_units() const { return document_.scales || document_.root.find_path("rotor.mass"); }
+bool TableReader::states_units() const { return file_.scales || file_.root.find_path("rotor.mass"); }
 
 double TableReader::as_number(const std::string& key, const StudyValue& value, const Range& range,
                               std::optional<std::size_t> entry) const {
   const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
   const auto reject = [&](const std::string& problem) {
-    throw InputError(document_.where(dotted(key), &value), dotted(key), document_.value_text(dotted(key), value),
+    throw InputError(file_.where(dotted(key), &value), dotted(key), file_.value_text(dotted(key), value),
                      which + problem);
   };
   const std::optional<double> percent = value.string() ? percentage(*value.string()) : std::nullopt;
@@ -385,8 +382,8 @@ void TableReader::finish() const {
   if (!table_) return;
   for (const auto& [name, value] : *table_->table())
     if (!has_asked(name))
-      throw InputError(document_.where(dotted(name), &value), dotted(printable(name)),
-                       document_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
+      throw InputError(file_.where(dotted(name), &value), dotted(printable(name)),
+                       file_.value_text(dotted(name), value), unknown_key(prefix_, name, known_));
 }
 
 }  // namespace equipoise::study

@@ -34,7 +34,7 @@ inline constexpr Range not_negative{0.0, unbounded};
 inline constexpr Range positive{0.0, unbounded, true};
 
 /// A study's tree with its overrides applied, and the origin of each value.
-struct Document {
+struct StudyFile {
   StudyValue root;  ///< a table
   std::string name;
   std::set<std::string> overridden;  ///< dotted keys given by --set
@@ -53,15 +53,15 @@ struct Document {
 
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML. Other text that does not begin like an
 /// array, table or string counts as a string: --set speed.law=published.
-Document parse_document(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
+StudyFile parse_study_file(std::string_view text, const std::string& name, const std::vector<std::string>& overrides);
 /// The same from a tree.
-Document document_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
+StudyFile study_file_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
 
-/// One table of the document. Every read marks its key as known; finish() rejects the others.
+/// One table of the file. Every read marks its key as known; finish() rejects the others.
 class TableReader {
  public:
   /// `prefix`: the table's dotted name; an absent table reads as empty.
-  TableReader(const Document& document, std::string prefix);
+  TableReader(const StudyFile& file, std::string prefix);
 
   bool has(const std::string& key);
   /// A reader of the table that the key holds; empty if it holds none.
@@ -114,7 +114,7 @@ class TableReader {
   std::string quantity_wanted(const std::string& key) const;
   std::size_t place_among(const std::string& key, std::span<const char* const> names);
 
-  const Document& document_;
+  const StudyFile& file_;
   const StudyValue* table_ = nullptr;
   std::vector<std::string> known_;
 };

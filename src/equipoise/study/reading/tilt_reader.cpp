@@ -58,14 +58,14 @@ void check_bearings(TableReader& table, const Study& study) {
 
 }  // namespace
 
-void read_tilt(const Document& document, Study& study) {
-  TableReader rotor(document, "rotor");
+void read_tilt(const StudyFile& file, Study& study) {
+  TableReader rotor(file, "rotor");
   model::Parameters& p = study.parameters;
   if (!rotor.has("tilt")) {
     if (rotor.has("eccentricity_angle")) rotor.fail("eccentricity_angle", words::study::only_of_tilt);
     return;
   }
-  TableReader table(document, "rotor.tilt");
+  TableReader table(file, "rotor.tilt");
   read_keys(table, "rotor.tilt", all_variants, study);
   table.finish();
   if (!at_most(p.tilt.polar_inertia, 2.0 * p.tilt.transverse_inertia))
@@ -75,15 +75,15 @@ void read_tilt(const Document& document, Study& study) {
   if (!rotor.has("inertia")) p.inertia = model::axial_inertia(p.tilt);
 }
 
-void check_tilting_balls(const Document& document, const model::Parameters& p) {
-  TableReader reader(document, "balancer");
+void check_tilting_balls(const StudyFile& file, const model::Parameters& p) {
+  TableReader reader(file, "balancer");
   if (!p.tilts()) {
     if (reader.has("plane")) reader.fail("plane", words::study::only_of_tilt);
     return;
   }
   if (!reader.has("plane")) reader.fail("plane", words::study::tilt_needs_planes);
   const auto refuse = [&](const char* key, bool set, const char* physical_key = nullptr) {
-    if (set && physical_key && document.scales)
+    if (set && physical_key && file.scales)
       reader.fail(physical_key, fmt::format(words::study::not_with_tilt_unless, physical_key));
     if (set) reader.fail(key, words::study::not_with_tilt);
   };
@@ -93,9 +93,9 @@ void check_tilting_balls(const Document& document, const model::Parameters& p) {
   refuse(reader.has("rolling") ? "rolling" : "stiction", p.balls_stick());
 }
 
-void check_force_limit(const Document& document, const Study& study) {
+void check_force_limit(const StudyFile& file, const Study& study) {
   if (study.bearings.size() < 2) return;
-  TableReader limits(document, "limits");
+  TableReader limits(file, "limits");
   for (const char* key : {"force", "dynamic_force"}) {
     if (!limits.has(key)) continue;
     if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
@@ -104,9 +104,9 @@ void check_force_limit(const Document& document, const Study& study) {
   }
 }
 
-void check_unbalance_limits(const Document& document, const Study& study) {
+void check_unbalance_limits(const StudyFile& file, const Study& study) {
   if (!study.parameters.tilts() || model::tolerance_planes(study.bearings)) return;
-  TableReader limits(document, "limits");
+  TableReader limits(file, "limits");
   for (const char* key : {"residual", "grade"})
     if (limits.has(key)) limits.fail(key, words::study::unbalance_without_planes);
 }

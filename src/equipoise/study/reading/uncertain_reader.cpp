@@ -29,8 +29,7 @@ bool names_distribution(const StudyValue& table) {
 // Reads one distribution, entry by entry.
 class DistributionReader {
  public:
-  DistributionReader(const Document& document, std::string key, const StudyValue& table)
-      : document_(document), table_(table) {
+  DistributionReader(const StudyFile& file, std::string key, const StudyValue& table) : file_(file), table_(table) {
     value_.key = std::move(key);
   }
 
@@ -44,8 +43,8 @@ class DistributionReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(document_.where(value_.key, &table_), printable(value_.key),
-                     document_.value_text(value_.key, table_), problem);
+    throw InputError(file_.where(value_.key, &table_), printable(value_.key), file_.value_text(value_.key, table_),
+                     problem);
   }
 
   void find_kind() {
@@ -118,7 +117,7 @@ class DistributionReader {
   // Beyond this, a normal distribution has a negligible probability of 10^-89.
   static constexpr double farthest = 20.0;
 
-  const Document& document_;
+  const StudyFile& file_;
   const StudyValue& table_;
   UncertainValue value_;
   bool has_unit_ = false;
@@ -132,16 +131,15 @@ bool takes_distributions(const std::string& dotted) {
 }
 
 namespace {
-void take_from(const Document& document, const KeyTable& keys, const std::string& path,
+void take_from(const StudyFile& file, const KeyTable& keys, const std::string& path,
                std::vector<UncertainValue>& values) {
-  const StudyValue* table = document.root.find_path(path);
+  const StudyValue* table = file.root.find_path(path);
   if (!table || !table->table()) return;
   for (const auto& [key, value] : *table->table()) {
     const std::string dotted = path + "." + key;
     // A key in quotes may contain dots; the reader knows no such key.
-    if (document.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value))
-      continue;
-    UncertainValue& read = values.emplace_back(DistributionReader(document, dotted, value).read());
+    if (file.root.find_path(dotted) != &value || takes_distributions(dotted) || !names_distribution(value)) continue;
+    UncertainValue& read = values.emplace_back(DistributionReader(file, dotted, value).read());
     const Key* line = keys.find(key, true);
     if (!line || line->dimension != Dimension::angle) continue;
     const Measured unit = measure("1 " + read.unit, {Dimension::angle});
@@ -150,16 +148,16 @@ void take_from(const Document& document, const KeyTable& keys, const std::string
 }
 }  // namespace
 
-std::vector<UncertainValue> take_uncertain(Document& document) {
+std::vector<UncertainValue> take_uncertain(StudyFile& file) {
   std::vector<UncertainValue> values;
   for (const KeyTable& keys : key_tables())
     if (keys.drawn())
-      for (const std::string& path : paths_of(document.root, keys.name)) take_from(document, keys, path, values);
+      for (const std::string& path : paths_of(file.root, keys.name)) take_from(file, keys, path, values);
   for (const UncertainValue& value : values) {
-    const StudyValue& there = *document.root.find_path(value.key);
-    document.written.insert_or_assign(
-        value.key, Document::Written{document.value_text(value.key, there), document.where(value.key, &there)});
-    put_value(document.root, value, value.taken());
+    const StudyValue& there = *file.root.find_path(value.key);
+    file.written.insert_or_assign(value.key,
+                                  StudyFile::Written{file.value_text(value.key, there), file.where(value.key, &there)});
+    put_value(file.root, value, value.taken());
   }
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   return values;
@@ -175,10 +173,10 @@ void put_value(StudyValue& root, const UncertainValue& value, double number) {
   table->set(key, std::move(written));
 }
 
-void fail_at_end(const Document& document, const UncertainValue& value, double number, const InputError& refusal) {
-  const StudyValue* there = document.root.find_path(value.key);
+void fail_at_end(const StudyFile& file, const UncertainValue& value, double number, const InputError& refusal) {
+  const StudyValue* there = file.root.find_path(value.key);
   const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
-  throw InputError(document.where(value.key, there), value.key, there ? document.value_text(value.key, *there) : "",
+  throw InputError(file.where(value.key, there), value.key, there ? file.value_text(value.key, *there) : "",
                    fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
 }
 
