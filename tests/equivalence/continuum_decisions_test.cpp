@@ -193,13 +193,13 @@ TEST(ContinuumDecisions, SlowMembersCatchWhatComesToRestAtThem) {
   study.parameters.damping = {0.4, 0.4};
   const model::System system = study.system();
   const BalancedAnalysis analysis = analyse_balanced(system);
-  const auto region = continuum_region(analysis.continuum, analysis.survey, {&system, 1e-6, 2, nullptr, nullptr});
+  const auto region = continuum_region(analysis.continuum, analysis.sample, {&system, 1e-6, 2, nullptr, nullptr});
   ASSERT_TRUE(region);
   Directions draw(analysis.continuum->directions());
   int tried = 0;
-  for (std::size_t k = 0; k < analysis.survey.members.size(); ++k) {
-    if (analysis.survey.rates[k] > -5e-4 || analysis.survey.rates[k] <= region->slowest_rate) continue;
-    const auto member = analysis.continuum->member(analysis.survey.members[k].data());
+  for (std::size_t k = 0; k < analysis.sample.members.size(); ++k) {
+    if (analysis.sample.rates[k] > -5e-4 || analysis.sample.rates[k] <= region->slowest_rate) continue;
+    const auto member = analysis.continuum->member(analysis.sample.members[k].data());
     ASSERT_TRUE(member);
     EXPECT_TRUE(region->holds(member->centre)) << member->rate;
     const double level = ContinuumOfEquilibria::level(*member, region->factor);

@@ -29,11 +29,11 @@ model::System grinder() {
 TEST(ContinuumEstimate, NeverErrsByTwiceWhatItSays) {
   const model::System system = grinder();
   const ContinuumOfEquilibria continuum(system);
-  const ContinuumSurvey survey = continuum.survey();
-  ASSERT_EQ(survey.stable, survey.drawn);
+  const ContinuumSample sample = continuum.sample();
+  ASSERT_EQ(sample.stable, sample.drawn);
   std::vector<ContinuumMember> known, others;
-  for (std::size_t k = 0; k < survey.members.size(); ++k)
-    if (auto m = continuum.member(survey.members[k].data())) (k % 2 == 0 ? known : others).push_back(*std::move(m));
+  for (std::size_t k = 0; k < sample.members.size(); ++k)
+    if (auto m = continuum.member(sample.members[k].data())) (k % 2 == 0 ? known : others).push_back(*std::move(m));
   ASSERT_GT(known.size(), 32u);
   const ContinuumEstimate estimate(system, known);
   const double factor = 0.01 / known.front().unit;
@@ -87,19 +87,19 @@ TEST(OffContinuum, RefusesOnlyWhatIsOutside) {
   for (const auto& overrides : rotors) {
     const model::System system = four_in_a_plane(overrides);
     const auto continuum = std::make_shared<const ContinuumOfEquilibria>(system);
-    const ContinuumSurvey survey = continuum->survey();
-    const auto typical = continuum->member(survey.typical.data());
+    const ContinuumSample sample = continuum->sample();
+    const auto typical = continuum->member(sample.typical.data());
     ASSERT_TRUE(typical && typical->form.size() > 0);
-    ContinuumRegion region{
-        continuum, 0.04 / typical->unit, 0.1 * survey.fastest_rate, typical->centre.head(4), 0.2, nullptr};
+    ContinuumRegion region{continuum, 0.04 / typical->unit, 0.1 * sample.fastest_rate, typical->centre.head(4), 0.2,
+                           nullptr};
     region.off = std::make_shared<const OffContinuum>(system);
     ContinuumRegion by_v = region;
     by_v.off.reset();
     Directions draw(continuum->directions());
-    const std::size_t count = survey.members.size(), step = count / 24;
+    const std::size_t count = sample.members.size(), step = count / 24;
     int inside = 0, refused = 0, far = 0;
     for (std::size_t k = 0; k < count; k += step) {
-      const auto m = continuum->member(survey.members[k].data());
+      const auto m = continuum->member(sample.members[k].data());
       if (!m || m->form.size() == 0) continue;
       const double level = ContinuumOfEquilibria::level(*m, region.factor);
       for (const double share : {0.25, 0.9, 4.0, 64.0, 1000.0}) {

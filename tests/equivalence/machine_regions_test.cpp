@@ -107,7 +107,7 @@ TEST(MachineRegions, MirrorImagesHaveTheSameLevel) {
 
 // Three balls and more in an off-centre race, and under a motor: drawn members of the continuum are at rest, and their
 // form holds on the way to them.
-TEST(MachineRegions, AContinuumIsSurveyedForEverySmoothSystem) {
+TEST(MachineRegions, AContinuumIsSampledForEverySmoothSystem) {
   model::Parameters p = rotor();
   p.balls = 3;
   p.mass.fill(0.03);
@@ -117,15 +117,15 @@ TEST(MachineRegions, AContinuumIsSurveyedForEverySmoothSystem) {
     const BalancedAnalysis analysis = analyse_balanced(system);
     ASSERT_TRUE(analysis.continuum);
     EXPECT_TRUE(analysis.stable);
-    EXPECT_GT(analysis.survey.share(), 0.5);
+    EXPECT_GT(analysis.sample.share(), 0.5);
     ASSERT_EQ(analysis.motions.size(), 1u);
     EXPECT_EQ(motion_name(system.parameters(), analysis.motions[0]).name, "balanced");
     Directions random(analysis.continuum->directions());
-    const auto& members = analysis.survey.members;
+    const auto& members = analysis.sample.members;
     for (std::size_t k = 0; k < members.size(); k += members.size() / 5) {
       const auto member = analysis.continuum->member(members[k].data());
       ASSERT_TRUE(member);
-      EXPECT_NEAR(member->rate, analysis.survey.rates[k], 1e-6 - 1e-3 * member->rate);
+      EXPECT_NEAR(member->rate, analysis.sample.rates[k], 1e-6 - 1e-3 * member->rate);
       const VectorXd z = analysis.continuum->state_at(*member, 0.1 * member->unit, random.next());
       const auto late = advance_state(system, z, 8.0 / -member->rate);
       ASSERT_TRUE(late);
@@ -209,10 +209,10 @@ TEST(MachineRegions, ContinuaHaveTheirLevelToo) {
   p.drag.fill(0.25);
   for (const System& system : {System(off_centre(p), 3.0), System(p, motor_for(3.0, 0.1))}) {
     const BalancedAnalysis analysis = analyse_balanced(system);
-    const auto region = continuum_region(analysis.continuum, analysis.survey, {&system, 1e-6, 1, nullptr, nullptr});
+    const auto region = continuum_region(analysis.continuum, analysis.sample, {&system, 1e-6, 1, nullptr, nullptr});
     ASSERT_TRUE(region);
     EXPECT_GT(region->factor, 0.0);
-    const auto member = analysis.continuum->member(analysis.survey.typical.data());
+    const auto member = analysis.continuum->member(analysis.sample.typical.data());
     ASSERT_TRUE(member);
     EXPECT_TRUE(region->holds(member->centre));
     VectorXd away = member->centre;

@@ -222,8 +222,7 @@ void read_spin_up(const DesignEntry& entry, const Study& study, DesignVariable& 
 
 void DesignEntry::fail(const std::string& problem) const {
   const std::string dotted = table_ + "." + key_;
-  throw InputError(file_.where(table_, &value_), study::printable(dotted), file_.value_text(dotted, value_),
-                   problem);
+  throw InputError(file_.where(table_, &value_), study::printable(dotted), file_.value_text(dotted, value_), problem);
 }
 
 void DesignEntry::allow_only(std::initializer_list<std::string_view> members) const {

@@ -245,11 +245,11 @@ double ContinuumOfEquilibria::rate_at(const double* phi) const {
   return flight ? slowest_of(dense::eigenvalues(flight->tangents), dimension_, section_period_) : 1e300;
 }
 
-ContinuumSurvey ContinuumOfEquilibria::survey(const StopFlag* stop) const {
+ContinuumSample ContinuumOfEquilibria::sample(const StopFlag* stop) const {
   // Enough draws for the share to 1.6 % (a map costs a hundred Jacobians: to 4 %), and enough members to try.
   const int draws = section_period_ > 0.0 ? 128 : 1024;
   constexpr int enough = 32, seek = 256;
-  ContinuumSurvey result;
+  ContinuumSample result;
   ContinuumDraws source(twin_.parameters);
   const auto turned = [&](Angles angles, double by) {
     for (int i = 0; i < system_.balls(); ++i) angles[i] += by;

@@ -35,8 +35,8 @@ struct ContinuumMember {
   Eigen::VectorXd creep;  ///< velocity along the continuum, as gravity leaves none of it at rest; size 0: none
 };
 
-/// A survey of a continuum: its stable part, with members.
-struct ContinuumSurvey : ContinuumPart {
+/// A sample of a continuum: its stable part, with members.
+struct ContinuumSample : ContinuumPart {
   bool attracts() const { return !members.empty(); }
   /// Stable members, the slowest first. If few or none of those drawn are stable, more were searched for.
   std::vector<std::array<double, model::max_balls>> members;
@@ -48,7 +48,7 @@ struct ContinuumSurvey : ContinuumPart {
 class ContinuumOfEquilibria {
  public:
   /// For any system, except those with section `turn` and motors without torque. Balls pass each other on their way to
-  /// balance, but members that a survey draws have room.
+  /// balance, but members that a sample draws have room.
   explicit ContinuumOfEquilibria(const model::System& system);
   static bool is_of(const model::System& system) {
     return system.section() != model::Section::turn && !system.coasts();
@@ -75,7 +75,7 @@ class ContinuumOfEquilibria {
   bool holds(const Eigen::VectorXd& state, double factor, double slowest_rate, double slow_factor = 0.0) const;
 
   /// Short once `stop` is set.
-  ContinuumSurvey survey(const StopFlag* stop = nullptr) const;
+  ContinuumSample sample(const StopFlag* stop = nullptr) const;
 
  private:
   bool settle(ContinuumMember& member, const Eigen::VectorXd& offset = {}) const;

@@ -15,13 +15,13 @@ namespace {
 
 // How long balance must last: e^10 of the fastest growth anywhere on the continuum; or, if all of it attracts, e^5 of
 // the slowest decay. At most a quarter of the horizon.
-double lasting(const ContinuumSurvey& survey, double horizon) {
+double lasting(const ContinuumSample& sample, double horizon) {
   constexpr double growing = 10.0, dying = 5.0, least = 200.0, long_enough = 1000.0;
   double asked = long_enough;
-  if (survey.most_growth > 0.0)
-    asked = std::max(growing / survey.most_growth, long_enough);
-  else if (survey.drawn > 0 && survey.stable == survey.drawn)
-    asked = std::clamp(-dying / survey.slowest_rate, least, long_enough);
+  if (sample.most_growth > 0.0)
+    asked = std::max(growing / sample.most_growth, long_enough);
+  else if (sample.drawn > 0 && sample.stable == sample.drawn)
+    asked = std::clamp(-dying / sample.slowest_rate, least, long_enough);
   return std::min(asked, 0.25 * horizon);
 }
 
@@ -35,7 +35,7 @@ std::optional<FeatureBox> balance_box(const model::System& system, const Balance
   constexpr double of_speed = 0.05;  // share by which the speed may waver; balls may swing as fast, beyond what their
                                      // weight does
   const model::Parameters& p = system.parameters();
-  const double time = lasting(balanced.survey, horizon), turning = std::fabs(*speed);
+  const double time = lasting(balanced.sample, horizon), turning = std::fabs(*speed);
   const double shaking = 0.5 * bare_response(p, *speed), swing = of_speed * turning + 2.0 * p.gravity / turning;
   const double drift = pi / time;  // half a turn in that time
   FeatureBox box;

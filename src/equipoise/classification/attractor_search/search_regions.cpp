@@ -37,7 +37,7 @@ void SearchRegions::find_balanced() {
   balanced = analyse_balanced(s_.system, s_.settings.stop, s_.settings.warm_start_levels.weights);
   if (s_.drawn) draw_rotors(balanced);
   s_.result.warm_start_levels.weights = balanced.weights;
-  const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.survey) : std::nullopt;
+  const auto part = balanced.continuum ? std::optional<ContinuumPart>(balanced.sample) : std::nullopt;
   for (const Motion& motion : balanced.motions) s_.result.catalogue.add(s_.study.parameters, motion, part);
   if (s_.is_stopped()) return;
   s_.result.rule = first_rule(s_.study, balanced, s_.system);
@@ -47,7 +47,7 @@ void SearchRegions::find_balanced() {
   // Where balls touch, level sets of neighbouring members of a continuum catch late. Testing a state against them costs
   // as much as following it for a hundred turns.
   if (!s_.balance_box || !s_.system.events().contact)
-    continuum_ = continuum_region(balanced.continuum, balanced.survey, s_.trials);
+    continuum_ = continuum_region(balanced.continuum, balanced.sample, s_.trials);
   if (!s_.system.autonomous() && balanced.motions.empty() && (continuum_ || s_.balance_box)) list_member(part);
   for (const Motion& motion : balanced.motions) add(motion, balanced_id);
   if (s_.drawn && balanced.regions.empty()) balance_of_some();
@@ -85,7 +85,7 @@ void SearchRegions::balance_of_some() {
 // known.
 void SearchRegions::list_member(const std::optional<ContinuumPart>& part) {
   const BalancedAnalysis& balanced = s_.result.balanced;
-  const auto m = balanced.survey.attracts() ? balanced.continuum->member(balanced.survey.typical.data()) : std::nullopt;
+  const auto m = balanced.sample.attracts() ? balanced.continuum->member(balanced.sample.typical.data()) : std::nullopt;
   if (m) {
     s_.result.catalogue.add(s_.study.parameters, describe_creep(s_.system, m->centre, m->rate), part);
   } else if (balanced.stable) {

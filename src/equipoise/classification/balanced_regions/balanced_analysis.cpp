@@ -58,15 +58,15 @@ void analyse_continuum(const Balance& at, const StopFlag* stop, BalancedAnalysis
   result.stable = true;
   if (!ContinuumOfEquilibria::is_of(at.system)) return;
   result.continuum = std::make_shared<ContinuumOfEquilibria>(at.system);
-  result.survey = result.continuum->survey(stop);
-  const ContinuumSurvey& survey = result.survey;
-  result.stable = survey.attracts() || !rests;
-  result.growth_rate = survey.most_growth;
-  if (!result.stable && survey.drawn > 0)
+  result.sample = result.continuum->sample(stop);
+  const ContinuumSample& sample = result.sample;
+  result.stable = sample.attracts() || !rests;
+  result.growth_rate = sample.most_growth;
+  if (!result.stable && sample.drawn > 0)
     result.note =
-        fmt::format(words::proof::all_drawn_unstable, survey.drawn, at.speed, survey.least_growth, survey.most_growth);
-  if (!rests || survey.drawn == 0 || is_set(stop)) return;
-  if (auto motion = balanced_motion(at, survey.typical, stop)) result.motions.push_back(*std::move(motion));
+        fmt::format(words::proof::all_drawn_unstable, sample.drawn, at.speed, sample.least_growth, sample.most_growth);
+  if (!rests || sample.drawn == 0 || is_set(stop)) return;
+  if (auto motion = balanced_motion(at, sample.typical, stop)) result.motions.push_back(*std::move(motion));
 }
 
 // What keeps the balanced state from resting, and how much of that the motion that it becomes survives.

@@ -29,7 +29,7 @@ struct BalancedAnalysis {
   std::vector<BalancedRegion> regions;
   std::vector<ModeWeight> weights;                         ///< of the modes of the first region
   std::shared_ptr<const ContinuumOfEquilibria> continuum;  ///< null: the states are isolated
-  ContinuumSurvey survey;                                  ///< of the continuum
+  ContinuumSample sample;                                  ///< of the continuum
   std::string note;  ///< one sentence for the reader if no start can end balanced, else empty
 };
 

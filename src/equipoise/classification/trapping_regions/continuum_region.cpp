@@ -48,19 +48,19 @@ struct Members {
   bool everywhere = false;  // catches_all()
 };
 
-Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSurvey& survey,
+Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSample& sample,
                        const TrialSettings& settings) {
   constexpr std::size_t most = 64;
   Members result;
-  result.slowest_rate = slowest_caught(survey);
+  result.slowest_rate = slowest_caught(sample);
   const auto first = static_cast<std::size_t>(
-      std::find_if(survey.rates.begin(), survey.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
-      survey.rates.begin());
-  result.everywhere = catches_all(survey);
-  const std::size_t count = survey.members.size() - first, taken = std::min(most, count);
+      std::find_if(sample.rates.begin(), sample.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
+      sample.rates.begin());
+  result.everywhere = catches_all(sample);
+  const std::size_t count = sample.members.size() - first, taken = std::min(most, count);
   const int balls = settings.system->balls();
   for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
-    auto m = continuum.member(survey.members[first + k * count / taken].data());
+    auto m = continuum.member(sample.members[first + k * count / taken].data());
     if (!m || m->form.size() == 0 || !(m->rate <= result.slowest_rate)) continue;
     result.unit = std::max(result.unit, m->unit);
     result.fastest_rate = std::min(result.fastest_rate, m->rate);
@@ -168,9 +168,9 @@ bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) c
 }
 
 std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,
-                                                const ContinuumSurvey& survey, const TrialSettings& settings) {
-  if (!continuum || !survey.attracts()) return std::nullopt;
-  const Members members = members_to_try(*continuum, survey, settings);
+                                                const ContinuumSample& sample, const TrialSettings& settings) {
+  if (!continuum || !sample.attracts()) return std::nullopt;
+  const Members members = members_to_try(*continuum, sample, settings);
   if (members.all.empty()) return std::nullopt;
   ContinuumRegion region{continuum,     0.0, members.slowest_rate,
                          members.place, 0.0, std::make_shared<ContinuumEstimate>(*settings.system, members.all)};

@@ -45,6 +45,6 @@ bool catches_all(const ContinuumPart& part);
 /// touched on the way. 256 trials if the rotor's angle matters. Slower members that rest have a hundredth of that
 /// level. Empty if no level passes.
 std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const ContinuumOfEquilibria>& continuum,
-                                                const ContinuumSurvey& survey, const TrialSettings& settings);
+                                                const ContinuumSample& sample, const TrialSettings& settings);
 
 }  // namespace equipoise

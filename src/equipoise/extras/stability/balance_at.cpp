@@ -100,7 +100,7 @@ std::optional<ContinuumPart> continuum_at(const Study& study, const StopFlag* st
   with_room.contact_angle = study.parameters.contact_angle;  // members whose balls overlap are none
   const model::System drawn(with_room, linear.drive());
   if (!ContinuumOfEquilibria::is_of(drawn)) return std::nullopt;
-  const ContinuumPart part = ContinuumOfEquilibria(drawn).survey(stop);
+  const ContinuumPart part = ContinuumOfEquilibria(drawn).sample(stop);
   return part.drawn > 0 ? std::optional(part) : std::nullopt;
 }
 

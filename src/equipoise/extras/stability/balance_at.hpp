@@ -16,7 +16,7 @@ namespace equipoise {
 BalancePoint balance_at(const Study& study, const StopFlag* stop = nullptr);
 
 /// Of a study whose balanced states form a continuum: which part of it is stable, by members drawn evenly, as
-/// ContinuumOfEquilibria surveys it. Empty for other studies, and where no members were found.
+/// ContinuumOfEquilibria samples it. Empty for other studies, and where no members were found.
 std::optional<ContinuumPart> continuum_at(const Study& study, const StopFlag* stop = nullptr);
 
 }  // namespace equipoise
