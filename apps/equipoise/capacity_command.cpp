@@ -12,7 +12,7 @@
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/html/capacity_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/plots/capacity_charts.hpp"
+#include "equipoise/report/plots/capacity_plots.hpp"
 #include "equipoise/report/reports/capacity_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -92,7 +92,7 @@ int run_capacity(const CapacityArguments& a) {
   progress.finish();
   put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },
                 [&] { return capacity_csv(result); },
-                [&] { return plot_file(capacity_title(result), capacity_charts(result)); },
+                [&] { return plot_file(capacity_title(result), capacity_plots(result)); },
                 [&] { return capacity_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (result.complete()) return done;
   WorkLeft left{result.resumed_trials + result.trials, result.most_trials, words::trials};

@@ -10,7 +10,7 @@
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/html/design_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
-#include "equipoise/report/plots/design_charts.hpp"
+#include "equipoise/report/plots/design_plots.hpp"
 #include "equipoise/report/reports/design_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -67,7 +67,7 @@ int run_design(const DesignArguments& a) {
   progress.finish();
   put_forms(a,
             {[&] { return design_text(result, text_style()); }, [&] { return design_json(result); },
-             [&] { return design_csv(result); }, [&] { return plot_file(design_title(result), design_charts(result)); },
+             [&] { return design_csv(result); }, [&] { return plot_file(design_title(result), design_plots(result)); },
              [&] { return design_html(result, given_machine(source.toml, source.name, source.overrides)); }});
   if (!a.best.empty() && result.chosen) write_file(a.best, result.best_study);
   std::optional<WorkLeft> left = progress.left();

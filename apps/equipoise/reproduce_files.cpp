@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/reproduction/reproduction_charts.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/extras/reproduction/reproduction_plots.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"

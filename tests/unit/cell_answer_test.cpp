@@ -1,11 +1,11 @@
-// Sentences about sweeps, capacities and slices, and charts as drawings, from results made by hand.
+// Sentences about sweeps, capacities and slices, and plots as drawings, from results made by hand.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "../support/studies.hpp"
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/answers/quantities.hpp"
@@ -212,27 +212,27 @@ TEST(MapAnswer, TellsThePartThatBalances) {
   EXPECT_TRUE(holds(answer_sentence(map), "Not one of 100 points over"));
 }
 
-TEST(ChartSvg, DrawsIntervalsAndNamesSeries) {
-  Chart chart{"", "x <", "y", false, false, true, {}};
-  chart.series.push_back({"one", "#0072B2", ChartSeries::Style::line, {1.0, 2.0}, {3.0, 4.0}, {2.0, 3.5}, {4.0, 4.5}});
-  const std::string svg = chart_svg(chart, "what");
+TEST(PlotSvg, DrawsIntervalsAndNamesSeries) {
+  Plot plot{"", "x <", "y", false, false, true, {}};
+  plot.series.push_back({"one", "#0072B2", PlotSeries::Style::line, {1.0, 2.0}, {3.0, 4.0}, {2.0, 3.5}, {4.0, 4.5}});
+  const std::string svg = plot_svg(plot, "what");
   for (const char* part : {"<title>what</title>", "x &lt;", ">one</text>", "#0072B2"})
     EXPECT_TRUE(holds(svg, part)) << part;
   EXPECT_FALSE(holds(svg, "nan"));
-  EXPECT_FALSE(holds(chart_svg(Chart{}, "nothing"), "nan"));
+  EXPECT_FALSE(holds(plot_svg(Plot{}, "nothing"), "nan"));
   // One series below a title needs no legend; the curve says its name.
-  chart.title = "one";
-  const std::string titled = chart_svg(chart, "what");
+  plot.title = "one";
+  const std::string titled = plot_svg(plot, "what");
   EXPECT_FALSE(holds(titled, ">one</text>"));
   EXPECT_TRUE(holds(titled, "<g><title>one</title>"));
   EXPECT_FALSE(holds(titled, "stroke-dasharray"));
-  chart.series.push_back({"two", "#222222", ChartSeries::Style::dashed, {1.0, 2.0}, {3.0, 4.0}, {}, {}});
-  const std::string both = chart_svg(chart, "what");
+  plot.series.push_back({"two", "#222222", PlotSeries::Style::dashed, {1.0, 2.0}, {3.0, 4.0}, {}, {}});
+  const std::string both = plot_svg(plot, "what");
   for (const char* part : {">one</text>", ">two</text>", "<g><title>two</title>", "stroke-dasharray"})
     EXPECT_TRUE(holds(both, part)) << part;
 }
 
-// Where a chart's markers lie across.
+// Where a plot's markers lie across.
 std::vector<double> abscissae(const std::string& svg) {
   std::vector<double> all;
   for (std::size_t at = svg.find("<circle cx=\""); at != std::string::npos; at = svg.find("<circle cx=\"", at + 1))
@@ -240,24 +240,24 @@ std::vector<double> abscissae(const std::string& svg) {
   return all;
 }
 
-TEST(ChartSvg, ALogarithmicAxisPutsDecadesAtEqualDistances) {
-  Chart chart{"t", "T0", "y", true, false, false, {}};
-  chart.series.push_back({"one", "#0072B2", ChartSeries::Style::line, {1e-6, 0.01, 100.0}, {1.0, 2.0, 3.0}, {}, {}});
-  const std::string svg = chart_svg(chart, "what");
+TEST(PlotSvg, ALogarithmicAxisPutsDecadesAtEqualDistances) {
+  Plot plot{"t", "T0", "y", true, false, false, {}};
+  plot.series.push_back({"one", "#0072B2", PlotSeries::Style::line, {1e-6, 0.01, 100.0}, {1.0, 2.0, 3.0}, {}, {}});
+  const std::string svg = plot_svg(plot, "what");
   for (const char* tick : {">10⁻⁶<", ">10⁻³<", ">0.01<", ">1<", ">100<"}) EXPECT_TRUE(holds(svg, tick)) << tick;
   const std::vector<double> x = abscissae(svg);
   ASSERT_EQ(x.size(), 3u);
   EXPECT_NEAR(x[2] - x[1], x[1] - x[0], 0.02);
   EXPECT_GT(x[1] - x[0], 100.0);
-  chart.log_x = false;
-  const std::vector<double> even = abscissae(chart_svg(chart, "what"));
+  plot.log_x = false;
+  const std::vector<double> even = abscissae(plot_svg(plot, "what"));
   EXPECT_LT(even[1] - even[0], 1.0);  // 0.01 of 100
 }
 
-TEST(ChartSvg, CurvesFillTheFrameWithoutMarkers) {
-  Chart chart{"t", "t", "r", false, true, true, {}};
-  chart.series.push_back({"", "#0072B2", ChartSeries::Style::line, {0.0, 1.0, 2.0}, {1.0, 2.0, 3.0}, {}, {}});
-  const std::string svg = chart_svg(chart, "what", 500.0);
+TEST(PlotSvg, CurvesFillTheFrameWithoutMarkers) {
+  Plot plot{"t", "t", "r", false, true, true, {}};
+  plot.series.push_back({"", "#0072B2", PlotSeries::Style::line, {0.0, 1.0, 2.0}, {1.0, 2.0, 3.0}, {}, {}});
+  const std::string svg = plot_svg(plot, "what", 500.0);
   EXPECT_FALSE(holds(svg, "<circle"));
   EXPECT_TRUE(holds(svg, "d=\"M58.0 ")) << svg;
   EXPECT_TRUE(holds(svg, " 486.0 ")) << svg;  // 14 from the right

@@ -8,31 +8,31 @@
 
 #include "../support/studies.hpp"
 #include "equipoise/core/base/display_text.hpp"
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/zero_line.hpp"
 
 namespace equipoise {
 namespace plot_file_test {
 
-Chart chart_of(const std::string& label) {
-  Chart chart{"", label, label, false, false, true, {}};
+Plot plot_of(const std::string& label) {
+  Plot plot{"", label, label, false, false, true, {}};
   for (const char* colour : {"#0072B2", limit_colour})
-    chart.series.push_back({label, colour, ChartSeries::Style::line, {1.0, 2.0}, {3.0, 4.0}, {}, {}});
-  return chart;
+    plot.series.push_back({label, colour, PlotSeries::Style::line, {1.0, 2.0}, {3.0, 4.0}, {}, {}});
+  return plot;
 }
 
 TEST(PlotFile, WordsFromOutsideStayWords) {
   const std::string hostile = "a\n]]><script>&\"'\x1b:var(--ink)\xFF";
-  const std::string file = plot_file(hostile, {chart_of(hostile)});
+  const std::string file = plot_file(hostile, {plot_of(hostile)});
   EXPECT_FALSE(holds(file, "<script>"));
   EXPECT_FALSE(holds(file, "\x1b"));
   EXPECT_TRUE(holds(file, "a\\u000A]]&gt;&lt;script&gt;&amp;&quot;'\\u001B:var(--ink)\xEF\xBF\xBD</text>")) << file;
 }
 
 TEST(PlotFile, HasConcreteColours) {
-  const std::string file = plot_file("t", {chart_of("x")});
+  const std::string file = plot_file("t", {plot_of("x")});
   for (const char* part : {"xmlns=\"http://www.w3.org/2000/svg\"", "fill:#ffffff", "fill:#1b1f24", "stroke:#b3361b"})
     EXPECT_TRUE(holds(file, part)) << part;
   EXPECT_FALSE(holds(file, "var(")) << file;

@@ -141,20 +141,20 @@ bool TorusRegion::find_images(const model::System& system, const Motion& motion)
 }
 
 // Whether a state of the cloud lies on the tangent plane at another, up to the bend of one sheet.
-bool TorusRegion::lies_on(int chart, int other) const {
+bool TorusRegion::lies_on(int patch, int other) const {
   const double bend = bent * two_pi / cells_;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1> d = states_.col(other) - states_.col(chart);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dimension, 1> d = states_.col(other) - states_.col(patch);
   for (int i = 0; i < balls_; ++i) d[model::index::phi(i)] = shorter_way(d[model::index::phi(i)]);
-  const double along = d.dot(tangents_.col(chart).head(d.size())), across = d.dot(tangents_.col(chart).tail(d.size()));
+  const double along = d.dot(tangents_.col(patch).head(d.size())), across = d.dot(tangents_.col(patch).tail(d.size()));
   return d.squaredNorm() - along * along - across * across < bend * bend;
 }
 
-void TorusRegion::make_charts(const StopFlag* stop) {
+void TorusRegion::make_patches(const StopFlag* stop) {
   const Eigen::Index size = inverse_scale_.size();
   rows_ = static_cast<int>((size + 3) / 4 * 4);
   const int rows = balls_ > 1 ? cells_ : 1;
   const double width = two_pi / cells_;
-  first_chart_.assign(1, 0);
+  first_patch_.assign(1, 0);
   for (int cell = 0; cell < rows * cells_ && !is_set(stop); ++cell) {
     const double first = ((balls_ > 1 ? cell / cells_ : cell) + 0.5) * width, second = (cell % cells_ + 0.5) * width;
     std::vector<std::pair<double, int>> order;
@@ -169,13 +169,13 @@ void TorusRegion::make_charts(const StopFlag* stop) {
     if (near != order.begin()) order.erase(near, order.end());
     std::vector<int> chosen;
     for (const auto& [distance, k] : order)
-      if (std::none_of(chosen.begin(), chosen.end(), [&, k = k](int chart) { return lies_on(chart, k); }))
+      if (std::none_of(chosen.begin(), chosen.end(), [&, k = k](int patch) { return lies_on(patch, k); }))
         chosen.push_back(k);
     for (const int k : chosen)
       for (const double* from : {&states_(0, k), &tangents_(0, k), &tangents_(size, k)}) {
-        for (Eigen::Index i = 0; i < rows_; ++i) charts_.push_back(i < size ? static_cast<float>(from[i]) : 0.0f);
+        for (Eigen::Index i = 0; i < rows_; ++i) patches_.push_back(i < size ? static_cast<float>(from[i]) : 0.0f);
       }
-    first_chart_.push_back(static_cast<int>(charts_.size()) / (3 * rows_));
+    first_patch_.push_back(static_cast<int>(patches_.size()) / (3 * rows_));
   }
 }
 
@@ -188,17 +188,17 @@ double TorusRegion::value_in_place(const double* state) const {
   for (int i = 4; i < 4 + balls_; ++i) here[i] = static_cast<float>(within_a_turn(state[i] * inverse_scale_[i]));
   using Four = Eigen::Map<const Eigen::Array4f>;
   float least = std::numeric_limits<float>::infinity();
-  for (int k = first_chart_[cell]; k < first_chart_[cell + 1]; ++k) {
-    const float* const chart = &charts_[static_cast<std::size_t>(k) * 3 * rows_];
-    for (int i = 0; i < rows_; ++i) d[i] = here[i] - chart[i];
+  for (int k = first_patch_[cell]; k < first_patch_[cell + 1]; ++k) {
+    const float* const patch = &patches_[static_cast<std::size_t>(k) * 3 * rows_];
+    for (int i = 0; i < rows_; ++i) d[i] = here[i] - patch[i];
     constexpr auto half = static_cast<float>(pi), turn = static_cast<float>(two_pi);
     for (int i = 4; i < 4 + balls_; ++i) d[i] += d[i] > half ? -turn : d[i] < -half ? turn : 0.0f;
     Eigen::Array4f squares = Eigen::Array4f::Zero(), along = squares, across = squares;
     for (int i = 0; i < rows_; i += 4) {
       const Four part(&d[i]);
       squares += part.square();
-      along += part * Four(chart + rows_ + i);
-      across += part * Four(chart + 2 * rows_ + i);
+      along += part * Four(patch + rows_ + i);
+      across += part * Four(patch + 2 * rows_ + i);
     }
     // Tangents are orthonormal. A part along the torus, up to its next state, adds no distance.
     const float a = along.sum(), b = across.sum();
@@ -248,7 +248,7 @@ std::shared_ptr<TorusRegion> TorusRegion::around(const model::System& system, co
   }
   region->sort_into_cells();
   region->find_tangents(system, stop);
-  region->make_charts(stop);
+  region->make_patches(stop);
   if (is_set(stop) || !region->find_images(system, motion)) return nullptr;
   for (int k = 0; k < fresh; ++k) region->floor_ = std::max(region->floor_, region->value(samples[cloud + k].data()));
   return region->floor_ < highest_torus_floor ? region : nullptr;

@@ -34,10 +34,10 @@ class TorusRegion final : public WindowRegion {
   void sort_into_cells();
   // Both take long if the states crowd in few cells; once `stop` is set they leave off.
   void find_tangents(const model::System& system, const StopFlag* stop);
-  void make_charts(const StopFlag* stop);
+  void make_patches(const StopFlag* stop);
   bool find_images(const model::System& system, const Motion& motion);
   int cell_of(double first, double second) const;
-  bool lies_on(int chart, int other) const;
+  bool lies_on(int patch, int other) const;
   double value_in_place(const double* state) const;
   // Calls f(number) for all states of the cells around a pair of angles.
   template <class F>
@@ -49,8 +49,8 @@ class TorusRegion final : public WindowRegion {
   std::vector<int> first_in_cell_;  // and one more than there are cells
   // What stands for the cells, one after the other: a state and its two tangents, each padded to rows_ numbers. Kept
   // small, as lanes read it all over the torus.
-  std::vector<float> charts_;
-  std::vector<int> first_chart_;  // of each cell, and one more than there are cells
+  std::vector<float> patches_;
+  std::vector<int> first_patch_;  // of each cell, and one more than there are cells
   int rows_ = 0;
 };
 

@@ -9,10 +9,10 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/reproduction/reproduction_charts.hpp"
+#include "equipoise/extras/reproduction/reproduction_plots.hpp"
 #include "equipoise/extras/reproduction/reproduction_words.hpp"
 #include "equipoise/extras/words/paper_page.hpp"
-#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/plots/map_drawing.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/pages.hpp"
@@ -29,8 +29,8 @@ DocumentCell number(const std::string& words) { return {words, Tone::plain, true
 // A row's name, on one line where there is room.
 DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
 
-DrawingRow with_picture(const std::vector<Chart>& charts, const std::string& caption, const std::string& id) {
-  DrawingRow row = drawn(charts, caption, caption, true);
+DrawingRow with_picture(const std::vector<Plot>& plots, const std::string& caption, const std::string& id) {
+  DrawingRow row = drawn(plots, caption, caption, true);
   row.picture = id;
   return row;
 }
@@ -127,8 +127,8 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   d.blocks.push_back(Paragraph{opening});
   if (!t.published->unclaimed.empty())
     d.blocks.push_back(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
-  if (const auto chart = table_chart(t))
-    d.blocks.push_back(with_picture({*chart}, fmt::format(words::paper::table_figure, t.published->number),
+  if (const auto plot = table_plot(t))
+    d.blocks.push_back(with_picture({*plot}, fmt::format(words::paper::table_figure, t.published->number),
                                     fmt::format("table-{}", t.published->number)));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
@@ -179,7 +179,7 @@ void open_questions(const Reproduction& r, Document& d) {
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", words::paper::plane_of_mass);
   d.blocks.push_back(Heading{3, words::paper::whole_state_space, "future-box"});
   d.blocks.push_back(Paragraph{words::paper::box_opening});
-  d.blocks.push_back(with_picture({box_chart(*r.open)}, words::paper::box_figure, "future-box"));
+  d.blocks.push_back(with_picture({plot_of_box(*r.open)}, words::paper::box_figure, "future-box"));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -201,7 +201,7 @@ void figures(const Reproduction& r, Document& d) {
   for (const PaperFigure& f : r.figures) {
     d.blocks.push_back(Heading{3, f.title, f.id});
     if (!f.choice.empty()) d.blocks.push_back(Paragraph{f.choice, Tone::open});
-    d.blocks.push_back(with_picture(figure_charts(f), f.caption, f.id));
+    d.blocks.push_back(with_picture(figure_plots(f), f.caption, f.id));
   }
 }
 

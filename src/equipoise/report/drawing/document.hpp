@@ -1,5 +1,5 @@
 // A report as blocks, independent of the form it takes: HTML page or Markdown.
-// This room: charts, SVG and documents: the means of drawing, no result.
+// This room: plots, SVG and documents: the means of drawing, no result.
 #pragma once
 
 #include <array>
@@ -67,7 +67,7 @@ struct Drawing {
 struct DrawingRow {
   std::vector<Drawing> drawings;
   std::string caption;
-  bool large = false;  ///< on paper two to a row, not three: for charts, which have small print
+  bool large = false;  ///< on paper two to a row, not three: for plots, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet
   /// Name of a picture file that shows the same, without its ending, for Markdown; may be empty.

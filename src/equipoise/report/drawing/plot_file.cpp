@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 
 namespace equipoise {
@@ -64,8 +64,8 @@ std::string plot_file(const std::string& title, const std::vector<std::string>& 
   return svg.file();
 }
 
-std::string plot_file(const std::string& title, const std::vector<Chart>& charts) {
-  return plot_file(title, {}, drawn(charts, title, "", true));
+std::string plot_file(const std::string& title, const std::vector<Plot>& plots) {
+  return plot_file(title, {}, drawn(plots, title, "", true));
 }
 
 }  // namespace equipoise

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/cell_table.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/capacity_charts.hpp"
+#include "equipoise/report/plots/capacity_plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/text/cell_text.hpp"
@@ -49,7 +49,7 @@ class CapacityDocument {
     const std::string caption = r_.axes.empty() ? words::pages::share_at_values
                                                 : fmt::format(words::pages::largest_at_which, key_words(r_.key),
                                                               100.0 * r_.at_least, r_.asked());
-    add(drawn(capacity_charts(r_), capacity_title(r_), caption, true));
+    add(drawn(capacity_plots(r_), capacity_title(r_), caption, true));
   }
 
   void table() {

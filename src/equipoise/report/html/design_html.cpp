@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/page_parts.hpp"
-#include "equipoise/report/plots/design_charts.hpp"
+#include "equipoise/report/plots/design_plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/reports/design_report.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
@@ -49,8 +49,8 @@ class DesignDocument {
  private:
   void add(Block block) { document_.blocks.push_back(std::move(block)); }
 
-  void add_drawings(const std::vector<Chart>& charts, const std::string& caption, bool wide) {
-    if (!charts.empty()) add(drawn(charts, design_title(r_), caption, wide));
+  void add_drawings(const std::vector<Plot>& plots, const std::string& caption, bool wide) {
+    if (!plots.empty()) add(drawn(plots, design_title(r_), caption, wide));
   }
 
   void chosen() {
@@ -62,7 +62,7 @@ class DesignDocument {
                              value_cell(best.settings[k].value),
                              {range_words(r_.variables[k])}});
     add(std::move(values));
-    add_drawings(spin_up_charts(r_), words::pages::spin_up_caption, true);
+    add_drawings(spin_up_plots(r_), words::pages::spin_up_caption, true);
     add(figure_table(r_));
     if (!r_.limited_by.empty()) {
       std::string words;
@@ -98,7 +98,7 @@ class DesignDocument {
   void front() {
     if (r_.objectives.size() < 2) return;
     add(Heading{2, words::pages::what_for_what, ""});
-    add_drawings(front_charts(r_), words::pages::front_caption, true);
+    add_drawings(front_plots(r_), words::pages::front_caption, true);
     add(front_table(r_, key_words));
   }
 
@@ -106,14 +106,14 @@ class DesignDocument {
     if (r_.margins.empty()) return;
     add(Heading{2, words::pages::margins, ""});
     add(margin_table(r_, key_words));
-    add_drawings(margin_charts(r_, 4), words::pages::margin_caption, false);
+    add_drawings(margin_plots(r_, 4), words::pages::margin_caption, false);
   }
 
   void origin() {
     add(Heading{2, words::pages::how_found, ""});
     if (std::any_of(r_.history.begin(), r_.history.end(),
                     [&](const DesignStep& step) { return step.value != r_.history.front().value; }))
-      add_drawings(history_charts(r_), words::pages::history_caption, true);
+      add_drawings(history_plots(r_), words::pages::history_caption, true);
     std::string text = fmt::format(
         words::pages::candidates_judged, r_.candidates, design_method_names[static_cast<std::size_t>(r_.method)],
         starts_words(r_.study, drawn_keys(r_.study)), r_.trajectories, r_.budget, r_.held_out_seed);

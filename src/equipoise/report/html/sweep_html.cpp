@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/html/cell_table.hpp"
 #include "equipoise/report/html/page_parts.hpp"
@@ -77,10 +77,10 @@ class SweepDocument {
   void pictures() {
     add(Heading{2, words::pages::where_starts_end, ""});
     add(sweep_drawing(r_));
-    if (const auto peaks = peak_chart(r_)) {
+    if (const auto peaks = peak_plot(r_)) {
       DrawingRow below;
       below.wide = true;
-      below.drawings.push_back({words::pages::peak_on_the_way, chart_svg(*peaks, words::pages::peaks_along), "", ""});
+      below.drawings.push_back({words::pages::peak_on_the_way, plot_svg(*peaks, words::pages::peaks_along), "", ""});
       below.caption = words::pages::with_intervals;
       add(std::move(below));
     }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "equipoise/report/drawing/chart_svg.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/words/plots.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"

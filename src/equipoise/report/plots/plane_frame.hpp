@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/zero_line.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
@@ -190,7 +190,7 @@ std::string sweep_plot(const SweepResult& r, const std::string& title) {
                    sweep_drawing(r));
 }
 
-std::optional<Chart> peak_chart(const SweepResult& r) {
+std::optional<Plot> peak_plot(const SweepResult& r) {
   if (!r.transients || r.axes.size() != 1) return std::nullopt;
   const std::vector<std::size_t> cells = cells_along(r);
   const SweepParameter& p = r.axes.front().parameters.front();
@@ -198,9 +198,9 @@ std::optional<Chart> peak_chart(const SweepResult& r) {
   double largest = r.study.limits.displacement.value_or(0.0);
   for (const std::size_t cell : cells) largest = std::max(largest, peak_quantile(r, cell, 1).high);
   const AxisWords words = PageQuantities(r.study).axis(figure.title, largest, *figure.dimension);
-  Chart chart{"", sweep_axis_label(p), words.label, false, false, true, {}};
+  Plot plot{"", sweep_axis_label(p), words.label, false, false, true, {}};
   const auto add = [&](std::size_t quantile, const char* name, const char* colour) {
-    ChartSeries series{name, colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries series{name, colour, PlotSeries::Style::line, {}, {}, {}, {}};
     for (const std::size_t cell : cells) {
       const QuantileEstimate estimate = peak_quantile(r, cell, quantile);
       series.x.push_back(p.values[cell]);
@@ -208,16 +208,16 @@ std::optional<Chart> peak_chart(const SweepResult& r) {
       series.low.push_back(estimate.low * words.factor);
       series.high.push_back(estimate.high * words.factor);
     }
-    chart.series.push_back(std::move(series));
+    plot.series.push_back(std::move(series));
   };
   add(0, "median", dark_colour);
   add(1, words::plots::most_stay_below, light_colour);
   if (const auto& limit = r.study.limits.displacement; limit && !cells.empty()) {
     const double at = *limit * words.factor;
     const std::vector<double> ends{p.values[cells.front()], p.values[cells.back()]};
-    chart.series.push_back({"limit", limit_colour, ChartSeries::Style::dashed, ends, {at, at}, {}, {}});
+    plot.series.push_back({"limit", limit_colour, PlotSeries::Style::dashed, ends, {at, at}, {}, {}});
   }
-  return chart;
+  return plot;
 }
 
 }  // namespace equipoise

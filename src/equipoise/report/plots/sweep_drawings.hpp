@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/report/drawing/chart.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/drawing/plot.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 
 namespace equipoise {
@@ -19,6 +19,6 @@ DrawingRow sweep_drawing(const SweepResult& result);
 std::string sweep_plot(const SweepResult& result, const std::string& title);
 
 /// Along one axis: median and 90 % quantile of the peak displacement, against the limit. Empty without transients.
-std::optional<Chart> peak_chart(const SweepResult& result);
+std::optional<Plot> peak_plot(const SweepResult& result);
 
 }  // namespace equipoise

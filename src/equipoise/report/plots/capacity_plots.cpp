@@ -1,5 +1,5 @@
 // Boundaries along parameters, or the balanced share over the values tried.
-#include "equipoise/report/plots/capacity_charts.hpp"
+#include "equipoise/report/plots/capacity_plots.hpp"
 
 #include <array>
 
@@ -16,8 +16,8 @@ std::string label_of(const std::string& key, const std::string& unit) {
   return unit.empty() ? axis_label(key) : fmt::format("{} ({})", key, unit);
 }
 
-ChartSeries boundary_series(const SweepParameter& x, const std::vector<const CapacityCell*>& cells) {
-  ChartSeries series;
+PlotSeries boundary_series(const SweepParameter& x, const std::vector<const CapacityCell*>& cells) {
+  PlotSeries series;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i] || cells[i]->never) continue;
     series.x.push_back(x.values[i]);
@@ -35,37 +35,37 @@ std::string capacity_title(const CapacityResult& r) {
                      r.complete() ? "" : words::plots::partial_early);
 }
 
-std::vector<Chart> capacity_charts(const CapacityResult& r) {
+std::vector<Plot> capacity_plots(const CapacityResult& r) {
   // Distinct for any kind of colour vision, as in other pictures.
   constexpr std::array colours{"#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#666666"};
   const std::string y_label = label_of(r.key, r.unit);
-  std::vector<Chart> charts;
+  std::vector<Plot> plots;
   if (r.axes.empty()) {
-    Chart chart{"", y_label, "balanced (%)", false, false, true, {}};
-    ChartSeries series{words::plots::balanced_share, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    Plot plot{"", y_label, "balanced (%)", false, false, true, {}};
+    PlotSeries series{words::plots::balanced_share, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
     for (const CapacityTrial& t : r.cells.front() ? r.cells.front()->trials : std::vector<CapacityTrial>{}) {
       series.x.push_back(t.value);
       series.y.push_back(100.0 * t.balanced.share);
       series.low.push_back(100.0 * t.balanced.low);
       series.high.push_back(t.unstable ? 0.0 : 100.0 * t.balanced.high);
     }
-    ChartSeries asked{fmt::format("{:.4g} %", 100.0 * r.at_least),
-                      light_colour,
-                      ChartSeries::Style::dashed,
-                      {r.from, r.to},
-                      {100.0 * r.at_least, 100.0 * r.at_least},
-                      {},
-                      {}};
-    chart.series = {series, asked};
-    return {chart};
+    PlotSeries asked{fmt::format("{:.4g} %", 100.0 * r.at_least),
+                     light_colour,
+                     PlotSeries::Style::dashed,
+                     {r.from, r.to},
+                     {100.0 * r.at_least, 100.0 * r.at_least},
+                     {},
+                     {}};
+    plot.series = {series, asked};
+    return {plot};
   }
   const auto size = [&](std::size_t axis) { return axis < r.axes.size() ? r.axes[axis].size() : 1; };
   for (std::size_t third = 0; third < size(2); ++third) {
     const SweepParameter& x = r.axes[0].parameters.front();
-    Chart chart{"", label_of(x.key, x.unit), y_label, false, false, true, {}};
+    Plot plot{"", label_of(x.key, x.unit), y_label, false, false, true, {}};
     if (r.axes.size() > 2) {
       const SweepParameter& p = r.axes[2].parameters.front();
-      chart.title = fmt::format("{} = {}", p.key, p.given[third]);
+      plot.title = fmt::format("{} = {}", p.key, p.given[third]);
     }
     for (std::size_t second = 0; second < size(1); ++second) {
       std::vector<const CapacityCell*> cells;
@@ -73,17 +73,17 @@ std::vector<Chart> capacity_charts(const CapacityResult& r) {
         const auto& cell = r.cells[(i * size(1) + second) * size(2) + third];
         cells.push_back(cell ? &*cell : nullptr);
       }
-      ChartSeries series = boundary_series(x, cells);
+      PlotSeries series = boundary_series(x, cells);
       series.colour = colours[second % colours.size()];
       if (r.axes.size() > 1) {
         const SweepParameter& p = r.axes[1].parameters.front();
         series.label = fmt::format("{} = {}", p.key, p.given[second]);
       }
-      chart.series.push_back(std::move(series));
+      plot.series.push_back(std::move(series));
     }
-    charts.push_back(std::move(chart));
+    plots.push_back(std::move(plot));
   }
-  return charts;
+  return plots;
 }
 
 }  // namespace equipoise

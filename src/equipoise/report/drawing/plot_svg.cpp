@@ -1,5 +1,5 @@
 // Axes that contain all values with their intervals, series, legend.
-#include "equipoise/report/drawing/chart_svg.hpp"
+#include "equipoise/report/drawing/plot_svg.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -34,36 +34,36 @@ void draw_mark(Svg& svg, const LegendEntry& entry, SvgPoint at) {
   }
 }
 
-struct ChartExtents {
+struct PlotExtents {
   AxisExtent x, y;
 };
 
-ChartExtents extents_of(const Chart& chart) {
+PlotExtents extents_of(const Plot& plot) {
   constexpr double most = std::numeric_limits<double>::infinity();
   AxisExtent x{most, -most}, y{most, -most};
   const auto hold = [](AxisExtent& extent, double value) {
     extent.low = std::min(extent.low, value);
     extent.high = std::max(extent.high, value);
   };
-  for (const ChartSeries& s : chart.series)
+  for (const PlotSeries& s : plot.series)
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       hold(x, s.x[i]);
       for (const double value : {s.y[i], s.low.empty() ? s.y[i] : s.low[i], s.high.empty() ? s.y[i] : s.high[i]})
         hold(y, value);
     }
   if (x.low > x.high) return {};
-  ChartExtents extents{widened(x, 0.04), widened(y, 0.06)};
-  if (chart.curves && x.high > x.low) extents.x = x;
-  if (chart.log_x) extents.x = {x.low / 2.0, 2.0 * x.high};
-  if (chart.from_zero && y.low >= 0.0) extents.y.low = 0.0;
+  PlotExtents extents{widened(x, 0.04), widened(y, 0.06)};
+  if (plot.curves && x.high > x.low) extents.x = x;
+  if (plot.log_x) extents.x = {x.low / 2.0, 2.0 * x.high};
+  if (plot.from_zero && y.low >= 0.0) extents.y.low = 0.0;
   return extents;
 }
 
-bool covers(const ChartSeries& s) { return s.style == ChartSeries::Style::line; }
+bool covers(const PlotSeries& s) { return s.style == PlotSeries::Style::line; }
 
 // `above`: number of lines drawn over this one. It is that much wider, to show where they coincide.
-void draw_series(Svg& svg, const SvgAxes& axes, const ChartSeries& s, std::size_t above, bool curve) {
-  const bool points = s.style == ChartSeries::Style::points, dashed = s.style == ChartSeries::Style::dashed;
+void draw_series(Svg& svg, const SvgAxes& axes, const PlotSeries& s, std::size_t above, bool curve) {
+  const bool points = s.style == PlotSeries::Style::points, dashed = s.style == PlotSeries::Style::dashed;
   std::vector<SvgPoint> way;
   for (std::size_t i = 0; i < s.x.size(); ++i) way.push_back(axes.at(s.x[i], s.y[i]));
   if (!s.label.empty()) svg.group(s.label);
@@ -102,35 +102,35 @@ void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries) {
   if (!entries.empty()) svg.grow(y - svg.height());
 }
 
-std::string chart_svg(const Chart& chart, const std::string& described, double width) {
+std::string plot_svg(const Plot& plot, const std::string& described, double width) {
   std::vector<LegendEntry> entries;
-  for (const ChartSeries& s : chart.series)
-    if (!s.label.empty() && (chart.series.size() > 1 || chart.title.empty()))
-      entries.push_back({{s.colour, "", s.style == ChartSeries::Style::points ? 1.0 : 2.0, 1.0,
-                          s.style == ChartSeries::Style::dashed},
-                         s.label,
-                         s.style == ChartSeries::Style::points ? LegendEntry::Mark::ring : LegendEntry::Mark::line});
+  for (const PlotSeries& s : plot.series)
+    if (!s.label.empty() && (plot.series.size() > 1 || plot.title.empty()))
+      entries.push_back(
+          {{s.colour, "", s.style == PlotSeries::Style::points ? 1.0 : 2.0, 1.0, s.style == PlotSeries::Style::dashed},
+           s.label,
+           s.style == PlotSeries::Style::points ? LegendEntry::Mark::ring : LegendEntry::Mark::line});
   Svg svg(width, drawing_height, described);
-  const ChartExtents extents = extents_of(chart);
+  const PlotExtents extents = extents_of(plot);
   const SvgAxes axes(svg, drawing_top_left, {drawing_bottom_right.x + width - drawing_width, drawing_bottom_right.y},
-                     extents.x, extents.y, {chart.x_label, 1.0, chart.log_x}, {chart.y_label});
-  auto above = static_cast<std::size_t>(std::count_if(chart.series.begin(), chart.series.end(), covers));
-  for (const ChartSeries& s : chart.series) {
+                     extents.x, extents.y, {plot.x_label, 1.0, plot.log_x}, {plot.y_label});
+  auto above = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), covers));
+  for (const PlotSeries& s : plot.series) {
     above -= covers(s);
-    draw_series(svg, axes, s, above, chart.curves);
+    draw_series(svg, axes, s, above, plot.curves);
   }
   draw_legend(svg, entries);
   return svg.str();
 }
 
-DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption,
+DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
                  bool may_be_wide) {
   constexpr double wide = 500.0;
   DrawingRow row;
-  row.wide = may_be_wide && charts.size() == 1;
+  row.wide = may_be_wide && plots.size() == 1;
   row.large = !row.wide;
-  for (const Chart& chart : charts)
-    row.drawings.push_back({chart.title, chart_svg(chart, title, row.wide ? wide : drawing_width), "", ""});
+  for (const Plot& plot : plots)
+    row.drawings.push_back({plot.title, plot_svg(plot, title, row.wide ? wide : drawing_width), "", ""});
   row.caption = caption;
   return row;
 }

@@ -1,11 +1,11 @@
-// Charts as SVG drawings in a page: they need no script and follow the page's light and dark colours.
+// Plots as SVG drawings in a page: they need no script and follow the page's light and dark colours.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "equipoise/report/drawing/chart.hpp"
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/drawing/plot.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 
 namespace equipoise {
@@ -25,10 +25,10 @@ void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries);
 
 /// Lines or points, with intervals as strokes; each shows its name where the mouse rests on it. One series below a
 /// title has no legend. `described`: text for those who cannot see it.
-std::string chart_svg(const Chart& chart, const std::string& described, double width = drawing_width);
+std::string plot_svg(const Plot& plot, const std::string& described, double width = drawing_width);
 
-/// Charts beside each other.
-DrawingRow drawn(const std::vector<Chart>& charts, const std::string& title, const std::string& caption,
+/// Plots beside each other.
+DrawingRow drawn(const std::vector<Plot>& plots, const std::string& title, const std::string& caption,
                  bool may_be_wide);
 
 }  // namespace equipoise

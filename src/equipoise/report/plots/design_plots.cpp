@@ -1,5 +1,5 @@
 // Fronts, spin-ups, margins and the search itself.
-#include "equipoise/report/plots/design_charts.hpp"
+#include "equipoise/report/plots/design_plots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::string unit_label(const std::string& name, const std::string& unit) {
 }
 
 // Skips infinite ends of intervals, which would leave no room for the rest.
-void add_point(ChartSeries& s, double x, const DesignFigure& f, const DesignEstimate& e) {
+void add_point(PlotSeries& s, double x, const DesignFigure& f, const DesignEstimate& e) {
   if (!std::isfinite(x) || !std::isfinite(e.value)) return;
   s.x.push_back(x);
   s.y.push_back(shown_value(f, e.value));
@@ -40,8 +40,8 @@ const DesignCandidate* chosen_of(const DesignResult& r) { return r.chosen ? &r.f
 
 double leading_number(const StudyValue& value) { return value.string() ? number_in(*value.string()) : value.number(); }
 
-ChartSeries limit_series(const DesignResult& r, std::size_t figure, const ChartSeries& along) {
-  ChartSeries s{words::plots::must_hold, light_colour, ChartSeries::Style::dashed, {}, {}, {}, {}};
+PlotSeries limit_series(const DesignResult& r, std::size_t figure, const PlotSeries& along) {
+  PlotSeries s{words::plots::must_hold, light_colour, PlotSeries::Style::dashed, {}, {}, {}, {}};
   for (const DesignLimit& limit : r.limits)
     if (limit.figure == figure && !along.x.empty()) {
       const double bound = shown_value(r.figures[figure], limit.below ? *limit.below : *limit.above);
@@ -53,16 +53,16 @@ ChartSeries limit_series(const DesignResult& r, std::size_t figure, const ChartS
 
 }  // namespace
 
-std::vector<Chart> front_charts(const DesignResult& r) {
-  std::vector<Chart> charts;
-  if (r.objectives.size() < 2 || r.front.empty()) return charts;
+std::vector<Plot> front_plots(const DesignResult& r) {
+  std::vector<Plot> plots;
+  if (r.objectives.size() < 2 || r.front.empty()) return plots;
   const DesignFigure& first = r.figures[r.objectives.front()];
   for (std::size_t g = 1; g < r.objectives.size(); ++g) {
     const std::size_t k = r.objectives[g];
-    Chart chart{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
-    ChartSeries front{words::plots::not_beaten, dark_colour, ChartSeries::Style::points, {}, {}, {}, {}};
-    ChartSeries best{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
-    ChartSeries before{words::design::as_given, "#666666", ChartSeries::Style::points, {}, {}, {}, {}};
+    Plot plot{"", figure_label(first), figure_label(r.figures[k]), false, false, false, {}};
+    PlotSeries front{words::plots::not_beaten, dark_colour, PlotSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries best{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries before{words::design::as_given, "#666666", PlotSeries::Style::points, {}, {}, {}, {}};
     for (std::size_t m = 0; m < r.front.size(); ++m) {
       const DesignSample& s = r.front[m].best_known();
       if (s.figures.empty()) continue;
@@ -73,14 +73,14 @@ std::vector<Chart> front_charts(const DesignResult& r) {
     if (r.before && !r.before->figures.empty())
       add_point(before, shown_value(first, r.before->figures[r.objectives.front()].value), r.figures[k],
                 r.before->figures[k]);
-    chart.series = {front, best};
-    if (!before.x.empty()) chart.series.push_back(before);
-    charts.push_back(std::move(chart));
+    plot.series = {front, best};
+    if (!before.x.empty()) plot.series.push_back(before);
+    plots.push_back(std::move(plot));
   }
-  return charts;
+  return plots;
 }
 
-std::vector<Chart> spin_up_charts(const DesignResult& r) {
+std::vector<Plot> spin_up_plots(const DesignResult& r) {
   const DesignCandidate* best = chosen_of(r);
   if (!best) return {};
   for (std::size_t k = 0; k < r.variables.size(); ++k) {
@@ -88,30 +88,30 @@ std::vector<Chart> spin_up_charts(const DesignResult& r) {
     if (!shape) continue;
     const StudyValue& value = best->settings[k].value;
     if (!value.find("times")) return {};  // of the study itself
-    ChartSeries speeds{"speed", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries speeds{"speed", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
     for (const StudyValue& t : *value.find("times")->array()) speeds.x.push_back(leading_number(t));
     for (const StudyValue& s : *value.find("speeds")->array()) speeds.y.push_back(leading_number(s));
     const double top = *std::max_element(speeds.y.begin(), speeds.y.end());
     speeds.x.push_back(1.1 * shape->until);
     speeds.y.push_back(speeds.y.back());
-    Chart chart{
+    Plot plot{
         "",      unit_label("time", shape->time_unit), unit_label("speed", r.variables[k].unit), false, false, true,
         {speeds}};
     for (const DesignSetting& s : best->settings) {
       if (s.key != "release.time") continue;
       const double t = leading_number(s.value);
-      chart.series.push_back(
-          {words::plots::balls_let_go, light_colour, ChartSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
+      plot.series.push_back(
+          {words::plots::balls_let_go, light_colour, PlotSeries::Style::dashed, {t, t}, {0.0, top}, {}, {}});
     }
-    return {chart};
+    return {plot};
   }
   return {};
 }
 
-std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
-  std::vector<Chart> charts;
+std::vector<Plot> margin_plots(const DesignResult& r, std::size_t most) {
+  std::vector<Plot> plots;
   const DesignCandidate* best = chosen_of(r);
-  if (!best) return charts;
+  if (!best) return plots;
   // A variable that is itself the objective tells nothing about others; the requirements do.
   const auto is_variable = [&](const DesignFigure& f) {
     return std::any_of(r.variables.begin(), r.variables.end(),
@@ -121,30 +121,30 @@ std::vector<Chart> margin_charts(const DesignResult& r, std::size_t most) {
   for (std::size_t other = 0; other < r.figures.size() && is_variable(r.figures[k]); ++other)
     if (!is_variable(r.figures[other])) k = other;
   for (const DesignMargin& m : r.margins) {
-    if (charts.size() == most) break;
+    if (plots.size() == most) break;
     const bool words = std::any_of(m.points.begin(), m.points.end(),
                                    [](const DesignPoint& p) { return p.given.front() == '"' && p.value == 0.0; });
     if (m.points.empty() || words) continue;
-    ChartSeries series{r.figures[k].name, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+    PlotSeries series{r.figures[k].name, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
     bool here = false;
     for (const DesignPoint& p : m.points) {
       if (!here && p.value > m.value) add_point(series, m.value, r.figures[k], m.here.figures[k]), here = true;
       if (!p.sample.figures.empty()) add_point(series, p.value, r.figures[k], p.sample.figures[k]);
     }
     if (!here) add_point(series, m.value, r.figures[k], m.here.figures[k]);
-    ChartSeries chosen{"chosen", "#D55E00", ChartSeries::Style::points, {}, {}, {}, {}};
+    PlotSeries chosen{"chosen", "#D55E00", PlotSeries::Style::points, {}, {}, {}, {}};
     add_point(chosen, m.value, r.figures[k], m.here.figures[k]);
-    Chart chart{
+    Plot plot{
         "", unit_label(margin_name(m.key), m.unit), figure_label(r.figures[k]), false, false, false, {series, chosen}};
-    if (ChartSeries limit = limit_series(r, k, series); !limit.x.empty()) chart.series.push_back(std::move(limit));
-    charts.push_back(std::move(chart));
+    if (PlotSeries limit = limit_series(r, k, series); !limit.x.empty()) plot.series.push_back(std::move(limit));
+    plots.push_back(std::move(plot));
   }
-  return charts;
+  return plots;
 }
 
-std::vector<Chart> history_charts(const DesignResult& r) {
+std::vector<Plot> history_plots(const DesignResult& r) {
   const DesignFigure& first = r.figures[r.objectives.front()];
-  ChartSeries series{words::plots::best_so_far, dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+  PlotSeries series{words::plots::best_so_far, dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
   for (const DesignStep& step : r.history) {
     if (step.violation > 0.0 || !std::isfinite(step.value)) continue;
     if (!series.y.empty()) {  // as good until then
@@ -160,15 +160,15 @@ std::vector<Chart> history_charts(const DesignResult& r) {
   return {{"", words::plots::trajectories_followed, figure_label(first), false, true, false, {series}}};
 }
 
-std::vector<Chart> design_charts(const DesignResult& r) {
+std::vector<Plot> design_plots(const DesignResult& r) {
   constexpr std::size_t most = 4;
-  std::vector<Chart> charts = front_charts(r);
-  for (Chart& chart : spin_up_charts(r)) charts.push_back(std::move(chart));
-  if (charts.size() < most)
-    for (Chart& chart : margin_charts(r, most - charts.size())) charts.push_back(std::move(chart));
-  if (charts.empty()) charts = history_charts(r);
-  if (charts.size() > most) charts.resize(most);
-  return charts;
+  std::vector<Plot> plots = front_plots(r);
+  for (Plot& plot : spin_up_plots(r)) plots.push_back(std::move(plot));
+  if (plots.size() < most)
+    for (Plot& plot : margin_plots(r, most - plots.size())) plots.push_back(std::move(plot));
+  if (plots.empty()) plots = history_plots(r);
+  if (plots.size() > most) plots.resize(most);
+  return plots;
 }
 
 std::string design_title(const DesignResult& r) {

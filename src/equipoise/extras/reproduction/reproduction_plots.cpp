@@ -1,5 +1,5 @@
-// The charts of a reproduced paper.
-#include "equipoise/extras/reproduction/reproduction_charts.hpp"
+// The plots of a reproduced paper.
+#include "equipoise/extras/reproduction/reproduction_plots.hpp"
 
 #include <array>
 #include <map>
@@ -22,7 +22,7 @@ std::string label_of(const FigureSeries& s) {
   return fmt::format("{} law", name_of(s.law));
 }
 
-void add(ChartSeries& series, double x, const Share& share) {
+void add(PlotSeries& series, double x, const Share& share) {
   series.x.push_back(x);
   series.y.push_back(100.0 * share.share);
   series.low.push_back(100.0 * share.low);
@@ -30,7 +30,7 @@ void add(ChartSeries& series, double x, const Share& share) {
 }
 
 struct Curves {
-  ChartSeries printed, published, kinematic;
+  PlotSeries printed, published, kinematic;
 };
 
 // Curves of the rows that share a series, in the order of the table.
@@ -52,64 +52,64 @@ std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& tab
 
 }  // namespace
 
-std::optional<Chart> table_chart(const ReproducedTable& table) {
+std::optional<Plot> table_plot(const ReproducedTable& table) {
   if (table.published->number == 7) return {};
-  Chart chart{"",
-              table.published->parameter == "T0" ? words::paper::ramp_duration : words::paper::final_speed,
-              "balanced share, %",
-              table.published->number == 3,
-              false,
-              false,
-              {}};
+  Plot plot{"",
+            table.published->parameter == "T0" ? words::paper::ramp_duration : words::paper::final_speed,
+            "balanced share, %",
+            table.published->number == 3,
+            false,
+            false,
+            {}};
   const auto list = curves_of(table);
   const bool many = list.size() > 2;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const auto& [name, curves] = list[k];
     const std::string of = name.empty() ? "" : name + ": ";
-    const auto style = k % 2 == 0 || many ? ChartSeries::Style::line : ChartSeries::Style::dashed;
-    const auto take = [&](const ChartSeries& s, const std::string& label, const char* colour) {
+    const auto style = k % 2 == 0 || many ? PlotSeries::Style::line : PlotSeries::Style::dashed;
+    const auto take = [&](const PlotSeries& s, const std::string& label, const char* colour) {
       if (s.x.empty()) return;
-      ChartSeries series = s;
+      PlotSeries series = s;
       series.label = of + label;
       series.colour = colour;
       series.style = style;
-      chart.series.push_back(std::move(series));
+      plot.series.push_back(std::move(series));
     };
     take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : dark_colour);
     take(curves.kinematic, "kinematic law", light_colour);
-    ChartSeries printed = curves.printed;
+    PlotSeries printed = curves.printed;
     printed.label = k + 1 == list.size() ? "printed" : "";
     printed.colour = "#222222";
-    printed.style = ChartSeries::Style::points;
-    chart.series.push_back(std::move(printed));
+    printed.style = PlotSeries::Style::points;
+    plot.series.push_back(std::move(printed));
   }
-  return chart;
+  return plot;
 }
 
-std::vector<Chart> figure_charts(const PaperFigure& figure) {
-  std::vector<Chart> charts;
+std::vector<Plot> figure_plots(const PaperFigure& figure) {
+  std::vector<Plot> plots;
   for (const FigurePanel& panel : figure.panels) {
-    Chart chart{panel.title, "time t (units of 1/ω_c)", "r (race radii)", false, true, true, {}};
+    Plot plot{panel.title, "time t (units of 1/ω_c)", "r (race radii)", false, true, true, {}};
     for (std::size_t k = 0; k < panel.series.size(); ++k) {
       const FigureSeries& s = panel.series[k];
-      chart.series.push_back(
-          {label_of(s), k == 0 ? dark_colour : light_colour, ChartSeries::Style::line, s.t, s.r, {}, {}});
+      plot.series.push_back(
+          {label_of(s), k == 0 ? dark_colour : light_colour, PlotSeries::Style::line, s.t, s.r, {}, {}});
     }
-    charts.push_back(std::move(chart));
+    plots.push_back(std::move(plot));
   }
-  return charts;
+  return plots;
 }
 
-Chart box_chart(const OpenQuestions& open) {
-  Chart chart{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
-  ChartSeries box{words::paper::starts_in_box, light_colour, ChartSeries::Style::line, {}, {}, {}, {}};
-  ChartSeries rest{"starts at rest", dark_colour, ChartSeries::Style::line, {}, {}, {}, {}};
+Plot plot_of_box(const OpenQuestions& open) {
+  Plot plot{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
+  PlotSeries box{words::paper::starts_in_box, light_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+  PlotSeries rest{"starts at rest", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
   for (const BoxShares& b : open.boxes) {
     add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
     add(rest, b.speed, b.rest.attractors.front().share);
   }
-  chart.series = {rest, box};
-  return chart;
+  plot.series = {rest, box};
+  return plot;
 }
 
 std::string figure_csv(const PaperFigure& figure) {

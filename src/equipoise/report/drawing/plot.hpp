@@ -1,4 +1,4 @@
-// Charts as data, drawn as SVG (chart_svg.hpp).
+// Plots as data, drawn as SVG (plot_svg.hpp).
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace equipoise {
 
-struct ChartSeries {
+struct PlotSeries {
   enum class Style { line, dashed, points };
   std::string label;
   std::string colour;
@@ -15,12 +15,12 @@ struct ChartSeries {
   std::vector<double> low, high;  ///< ends of intervals; empty if there are none
 };
 
-struct Chart {
+struct Plot {
   std::string title, x_label, y_label;
   bool log_x = false;
   bool curves = false;  ///< thin lines without markers
   bool from_zero = false;
-  std::vector<ChartSeries> series;
+  std::vector<PlotSeries> series;
 };
 
 }  // namespace equipoise
