@@ -124,7 +124,7 @@ FamilyAudit audit_family(std::size_t k, std::uint64_t starts, const Settings& se
   tbb::task_arena arena(settings.threads);
   arena.execute([&] {
     tbb::parallel_for(std::uint64_t{0}, starts, [&](std::uint64_t i) {
-      const OwnStart own = own_start(family, study, i);
+      const OwnRotorStart own = own_rotor_start(family, study, i);
       KnownRotor known(own.study);
       if (i < audit.rotors) rotors[i] = known.shares(i);
       const std::string here = drawn.kind(i), there = known.kind(own.start), open = name_of(Outcome::undecided);

@@ -108,9 +108,10 @@ class Followers {
         motions_(motions),
         size_(study.system().dimension()),
         rule_(rule_that_never_decides(study.parameters.balls)) {
-    std::vector<OwnStart> own;
-    for (std::size_t i = 0; family && i < motions.size(); ++i) own.push_back(own_start(*family, study, first + i));
-    if (family ? !spin_up_own(own, nullptr, starts_)
+    std::vector<OwnRotorStart> own;
+    for (std::size_t i = 0; family && i < motions.size(); ++i)
+      own.push_back(own_rotor_start(*family, study, first + i));
+    if (family ? !spin_up_own_rotors(own, nullptr, starts_)
                : !source.make(study.sampling.seed, first, motions.size(), starts_))
       return;
     task_ = source.last_task();
@@ -197,7 +198,7 @@ class Followers {
 
 }  // namespace
 
-OwnStart own_start(const StudyFamily& family, const Study& study, std::uint64_t number) {
+OwnRotorStart own_rotor_start(const StudyFamily& family, const Study& study, std::uint64_t number) {
   const Sampler sampler = sampler_of(study);
   const std::uint64_t seed = study.sampling.seed;
   Study own = family.at(family.values_at(drawn_fractions(study, sampler, seed, number)));

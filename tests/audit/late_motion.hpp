@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equipoise/classification/rotor_family/study_family.hpp"
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::audit {
@@ -39,7 +39,7 @@ struct LookTimes {
 };
 
 /// Start `number` of a study with uncertain values, with the rotor that it draws.
-OwnStart own_start(const StudyFamily& family, const Study& study, std::uint64_t number);
+OwnRotorStart own_rotor_start(const StudyFamily& family, const Study& study, std::uint64_t number);
 
 /// Starts first .. first + count - 1 of `study`, on `threads` threads; with uncertain values each with its own rotor.
 std::vector<LateMotion> follow_late(const Study& study, std::uint64_t first, std::size_t count, const LookTimes& times,

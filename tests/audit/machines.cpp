@@ -101,7 +101,7 @@ MachineAudit audit_machine(std::size_t k, std::uint64_t starts, const Settings& 
       const std::size_t i = first + j;
       if (!ensemble.decided(i)) continue;
       const std::string against =
-          contradiction(family ? own_start(*family, with_end, i).study : study, ensemble, i, late[j], times);
+          contradiction(family ? own_rotor_start(*family, with_end, i).study : study, ensemble, i, late[j], times);
       if (against.empty()) continue;
       if (audit.wrong++ == 0)
         audit.first = fmt::format("start {} is \"{}\" at {:.0f}, but at {:.0f} {}", i, ensemble.name(i),

@@ -15,7 +15,7 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 
 #include "lane_studies.hpp"
 #include "../support/sizes.hpp"
@@ -51,8 +51,8 @@ std::vector<Case> cases() {
 }
 
 // Each start with different values of everything that a rotor may have for itself.
-std::vector<OwnStart> own_starts(const std::string& toml) {
-  std::vector<OwnStart> result;
+std::vector<OwnRotorStart> own_rotor_starts(const std::string& toml) {
+  std::vector<OwnRotorStart> result;
   for (std::size_t i = 0; i < starts; ++i) {
     const double share = static_cast<double>(i) / starts;
     Study study = parse_study(
@@ -67,8 +67,8 @@ std::vector<OwnStart> own_starts(const std::string& toml) {
 }
 
 // States at `until` of `some` starts.
-std::vector<double> states_of(std::span<const OwnStart> some, SpunUp& spun) {
-  EXPECT_TRUE(spin_up_own(some, nullptr, spun));
+std::vector<double> states_of(std::span<const OwnRotorStart> some, SpunUp& spun) {
+  EXPECT_TRUE(spin_up_own_rotors(some, nullptr, spun));
   const model::System first = some.front().study.system();
   BatchTask task = batch_task(first);
   std::vector<const OwnRotor*> own;
@@ -91,7 +91,7 @@ std::vector<double> states_of(std::span<const OwnStart> some, SpunUp& spun) {
 class OwnRotors : public testing::TestWithParam<Case> {};
 
 TEST_P(OwnRotors, AreFollowedAsEachByItselfInDoubles) {
-  const std::vector<OwnStart> own = own_starts(GetParam().toml);
+  const std::vector<OwnRotorStart> own = own_rotor_starts(GetParam().toml);
   SpunUp spun;
   const std::vector<double> states = states_of(own, spun);
   for (std::size_t i = 0; i < starts; ++i) {
@@ -107,7 +107,7 @@ TEST_P(OwnRotors, AreFollowedAsEachByItselfInDoubles) {
 }
 
 TEST_P(OwnRotors, GiveTheSameBitsAlone) {
-  const std::vector<OwnStart> own = own_starts(GetParam().toml);
+  const std::vector<OwnRotorStart> own = own_rotor_starts(GetParam().toml);
   SpunUp spun;
   const std::vector<double> together = states_of(own, spun);
   const std::size_t size = together.size() / starts;

@@ -63,7 +63,7 @@ class BasinRun {
 
   BasinResult run() {
     check_runnable(result_.study, gathers_);
-    if (result_.own_starts) take_own_starts(options_, result_.study);
+    if (result_.own_starts) take_given_starts(options_, result_.study);
     horizon_ = choose_horizon(result_.study);
     result_.study.numerics.horizon = horizon_.time;
     sample();
@@ -199,9 +199,9 @@ class BasinRun {
 
   void open_file() {
     if (options_.output.empty()) return;
-    const std::string own = result_.own_starts ? checksum_of(result_.study, options_.initial) : "";
+    const std::string given = result_.own_starts ? checksum_of(result_.study, options_.initial) : "";
     file_ = std::make_unique<BasinFile>(options_.output,
-                                        basin_file_header(result_.study, options_.store_angles, gathers_, own));
+                                        basin_file_header(result_.study, options_.store_angles, gathers_, given));
     give_notice(options_, file_->loss());
   }
 

@@ -12,7 +12,7 @@
 
 namespace equipoise {
 
-BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& own_starts,
+BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients, const std::string& given_starts,
                                   const std::string& target) {
   Study identity = with_horizon(study);  // everything that decides the fate of start i
   const Sampler sampler = sampler_of(study);
@@ -32,8 +32,8 @@ BasinFileHeader basin_file_header(const Study& study, bool angles, bool transien
     header.drawn.push_back(value.key);
     header.drawn_units.push_back(value.unit.empty() ? "1" : value.unit);
   }
-  header.full_starts = !study.sampling.box.empty() || !own_starts.empty();
-  header.own_starts = own_starts;
+  header.full_starts = !study.sampling.box.empty() || !given_starts.empty();
+  header.own_starts = given_starts;
   header.method = sampler.method();
   header.scales = study.scales;
   if (transients) header.transients = transient_settings(study);

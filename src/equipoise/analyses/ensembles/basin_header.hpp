@@ -9,9 +9,9 @@
 
 namespace equipoise {
 
-/// Describes a run of basin() for its output file. `own_starts`: checksum_of() the caller's starts, empty if starts are
-/// drawn. `target`: the CPU target of the run.
+/// Describes a run of basin() for its output file. `given_starts`: checksum_of() the caller's starts, empty if starts
+/// are drawn. `target`: the CPU target of the run.
 BasinFileHeader basin_file_header(const Study& study, bool angles, bool transients = false,
-                                  const std::string& own_starts = {}, const std::string& target = cpu_target());
+                                  const std::string& given_starts = {}, const std::string& target = cpu_target());
 
 }  // namespace equipoise

@@ -22,10 +22,10 @@ bool gathers_transients(const Study& study, const BasinOptions& options) {
   return options.transients.value_or(study.limits.any() || study.standards.any());
 }
 
-void take_own_starts(const BasinOptions& options, Study& study) {
+void take_given_starts(const BasinOptions& options, Study& study) {
   check_takes_starts(study);
   if (options.half_width > 0.0)
-    throw InputError(words::runs::own_starts, "half_width", fmt::format("{}", options.half_width),
+    throw InputError(words::runs::given_starts, "half_width", fmt::format("{}", options.half_width),
                      words::runs::all_are_followed);
   const SamplingMethod method = study.sampling.method.value_or(SamplingMethod::random);
   if (method != SamplingMethod::random)

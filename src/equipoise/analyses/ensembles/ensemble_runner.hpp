@@ -14,7 +14,7 @@ namespace equipoise {
 Study as_sampled(Study study, SamplingMethod method);
 
 /// Checks options.initial, and makes the study's starts those. Throws InputError.
-void take_own_starts(const BasinOptions& options, Study& study);
+void take_given_starts(const BasinOptions& options, Study& study);
 
 /// What the options of basin() ask of the attractor search. `searches` may be null.
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches);
@@ -24,8 +24,8 @@ std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOpti
                                              AttractorSearchCache& searches);
 
 /// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
-/// first and finds the result again in `found`. Study as above; `few_starts`: AttractorSearchSettings. Throws RunError if
-/// stopped.
+/// first and finds the result again in `found`. Study as above; `few_starts`: AttractorSearchSettings. Throws RunError
+/// if stopped.
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
                                             AttractorSearchCache& found, bool few_starts = false);
 

@@ -17,11 +17,11 @@ namespace equipoise {
 
 namespace {
 
-void check_own(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
+void check_given(const Study& study, std::uint64_t index, const std::vector<InitialState>& given) {
   check_takes_starts(study);
   if (index >= given.size())
-    throw InputError(words::runs::own_starts, "index", fmt::format("{}", index),
-                     fmt::format(words::runs::own_start_index, given.size()));
+    throw InputError(words::runs::given_starts, "index", fmt::format("{}", index),
+                     fmt::format(words::runs::given_start_index, given.size()));
   check_given_starts(study, {&given[index], 1});
 }
 
@@ -30,13 +30,13 @@ StartReplay replayed(const Study& study, std::uint64_t index, const BasinOptions
   check_runnable(study, gathers);
   StartReplay replay;
   replay.index = index;
-  const bool own = !options.initial.empty();
-  if (own) check_own(study, index, options.initial);
-  replay.start = own ? options.initial[index] : start_of(study, index);
+  const bool given = !options.initial.empty();
+  if (given) check_given(study, index, options.initial);
+  replay.start = given ? options.initial[index] : start_of(study, index);
   replay.drawn = drawn_values(study, sampler_of(study), study.sampling.seed, index);
   StartRunner runner(study, search_settings(options, options.searches), gathers);
   Decided one;
-  if (runner.stopped() || !(own ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
+  if (runner.stopped() || !(given ? runner.run_from({&replay.start, 1}, one) : runner.run(index, 1, one)))
     throw RunError(words::runs::stopped_before_start);
   runner.settle(one);
   replay.fate = one.fates.front();

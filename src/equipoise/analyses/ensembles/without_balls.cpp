@@ -143,7 +143,7 @@ void refuse_starts(const Study& study, const BasinOptions& options) {
                      fmt::format(words::runs::no_starts_without_balls, what, model::max_balls));
   };
   if (!options.output.empty()) refuse(words::runs::an_output_file);
-  if (!options.initial.empty()) refuse(words::runs::own_starts);
+  if (!options.initial.empty()) refuse(words::runs::given_starts);
   if (options.half_width > 0.0) refuse(words::runs::a_half_width);
   if (study.sampling.method == SamplingMethod::grid) refuse(words::runs::the_grid_method);
 }

@@ -59,9 +59,9 @@ std::vector<TransientRow> rows_of(const StartArrays& a) {
   return rows;
 }
 
-// `own`: checksum of starts of the caller's own.
-BasinFileHeader header_of(const BasinResult& result, const std::string& own) {
-  return basin_file_header(result.study, true, result.transients.has_value(), own, result.cpu_target);
+// `given`: checksum of the caller's starts.
+BasinFileHeader header_of(const BasinResult& result, const std::string& given) {
+  return basin_file_header(result.study, true, result.transients.has_value(), given, result.cpu_target);
 }
 
 void check_whole(const BasinResult& result) {
@@ -91,8 +91,8 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   check_whole(result);
   const std::string place = io::path_for_whole_results(path);
   const StartArrays& a = *result.every_start;
-  const std::string own = result.own_starts ? checksum_of(result.study, initial_states(a)) : "";
-  const BasinFileHeader header = header_of(result, own);
+  const std::string given = result.own_starts ? checksum_of(result.study, initial_states(a)) : "";
+  const BasinFileHeader header = header_of(result, given);
   const std::vector<io::StartColumn> columns = io::start_columns(header);
   const std::vector<Fate> fates = fates_of(a);
   const std::vector<TransientRow> rows = result.transients ? rows_of(a) : std::vector<TransientRow>{};

@@ -48,7 +48,7 @@ std::vector<OwnRotor> DrawnSource::ends() const {
 bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                        TransientTable* transients) const {
   std::vector<std::vector<double>> places;
-  std::vector<OwnStart> own;
+  std::vector<OwnRotorStart> own;
   for (std::size_t i = 0; i < count; ++i) {
     auto [coordinates, study] = drawn(first + i);
     const InitialState start = parted(study.parameters, start_of(study, seed, first + i));
@@ -60,7 +60,7 @@ bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t coun
 
 bool DrawnSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
   std::vector<std::vector<double>> places;
-  std::vector<OwnStart> own;
+  std::vector<OwnRotorStart> own;
   for (std::size_t i = 0; i < given.size(); ++i) {
     auto [coordinates, study] = drawn(i);
     own.push_back({std::move(study), given[i]});
@@ -69,9 +69,9 @@ bool DrawnSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
   return set_off(own, std::move(places), starts, transients);
 }
 
-bool DrawnSource::set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
-                          TransientTable* transients) const {
-  if (!spin_up_own(own, stop_, starts, transients)) return false;
+bool DrawnSource::set_off(const std::vector<OwnRotorStart>& own, std::vector<std::vector<double>> places,
+                          SpunUp& starts, TransientTable* transients) const {
+  if (!spin_up_own_rotors(own, stop_, starts, transients)) return false;
   for (std::size_t i = 0; i < own.size(); ++i) starts.rotors[i].coordinates = std::move(places[i]);
   return true;
 }

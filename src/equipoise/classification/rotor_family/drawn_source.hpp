@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/classification/rotor_family/study_family.hpp"
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 
 namespace equipoise {
@@ -36,7 +36,7 @@ class DrawnSource final : public SpinUp {
  private:
   StudyFamily::Placed drawn(std::uint64_t index) const;
   // `places`: coordinates of each start's rotor.
-  bool set_off(const std::vector<OwnStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
+  bool set_off(const std::vector<OwnRotorStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
                TransientTable* transients) const;
 
   const StudyFamily& family_;

@@ -71,14 +71,14 @@ bool StartRunner::run_family(std::vector<FamilyStart> given, Decided& decided, b
 }
 
 bool StartRunner::begin_family(std::vector<FamilyStart> given, Batch& batch) const {
-  std::vector<OwnStart> starts;
+  std::vector<OwnRotorStart> starts;
   for (const FamilyStart& g : given) {
     starts.push_back(g.own);
     batch.cell.push_back(mesh_.index(g.fractions));
     if (batch.watched) batch.table.own.push_back(transient_settings(g.own.study, transients_));
   }
   batch.own = std::move(given);
-  if (!spin_up_own(starts, stop_, batch.starts, batch.watched_table())) return false;
+  if (!spin_up_own_rotors(starts, stop_, batch.starts, batch.watched_table())) return false;
   for (std::size_t i = 0; i < starts.size(); ++i)
     if (follows_open(batch, i)) batch.starts.rotors[i].end += FamilyCell::further;
   return true;

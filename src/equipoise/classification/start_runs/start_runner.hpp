@@ -20,7 +20,7 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -63,7 +63,7 @@ struct MetMotions {
 /// A start with a study of its own, and the place of that study in the family
 /// (classification/rotor_family/study_family.hpp).
 struct FamilyStart {
-  OwnStart own;
+  OwnRotorStart own;
   std::vector<double> fractions;
   const MetMotions* met = nullptr;  ///< by other starts of its rotor, or null if unknown
 };

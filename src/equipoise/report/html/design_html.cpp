@@ -34,7 +34,7 @@ class DesignDocument {
     if (r_.partial)
       add(Paragraph{fmt::format(words::pages::stopped_early, r_.chosen && r_.front[*r_.chosen].held_out
                                                                  ? words::reports::starts_not_seen
-                                                                 : words::reports::own_starts),
+                                                                 : words::reports::starts_of_search),
                     Tone::open});
     if (r_.chosen) {
       chosen();

@@ -182,7 +182,7 @@ std::string required_text(const DesignResult& r, const TextStyle& style) {
 std::string stopped_design_text(const DesignResult& r) {
   const bool checked = r.chosen && r.front[*r.chosen].held_out;
   std::string text = fmt::format(words::reports::partial_design,
-                                 checked ? words::reports::starts_not_seen : words::reports::own_starts);
+                                 checked ? words::reports::starts_not_seen : words::reports::starts_of_search);
   if (r.trajectories >= r.budget) return text + words::reports::checks_still_to_make;
   return text + fmt::format(words::reports::trajectories_left, r.budget - r.trajectories, r.budget);
 }

@@ -239,7 +239,7 @@ inline constexpr char must_be[] = "Must be: ";
 // What it was judged on.
 inline constexpr char partial_design[] = "\nPARTIAL: stopped; what the search had found by then, judged on {}. ";
 inline constexpr char starts_not_seen[] = "starts that it did not see";
-inline constexpr char own_starts[] = "its own starts";
+inline constexpr char starts_of_search[] = "its own starts";
 inline constexpr char checks_still_to_make[] = "Some of its checks were still to be made.\n";
 // Left, budget.
 inline constexpr char trajectories_left[] =

@@ -127,8 +127,8 @@ bool MotorSource::follow(std::span<const InitialState> given, SpunUp& starts, Tr
 }
 
 // Machines whose drives have the same pieces run side by side.
-bool MotorSource::follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
-                             TransientTable* transients) {
+bool MotorSource::follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                                    TransientTable* transients) {
   using Shape = std::tuple<std::size_t, bool, bool, bool>;
   std::map<Shape, std::vector<std::size_t>> groups;
   std::vector<Machine> machines;

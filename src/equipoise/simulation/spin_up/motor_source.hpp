@@ -8,7 +8,7 @@
 #include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/held.hpp"
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -28,9 +28,9 @@ class MotorSource final : public SpinUp {
   double settled() const override { return machines_.front().drive.pieces.back().begin; }
   double tolerance() const override { return tolerance_; }
 
-  /// Does spin_up_own() for driven rotors.
-  static bool follow_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
-                         TransientTable* transients);
+  /// Does spin_up_own_rotors() for driven rotors.
+  static bool follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                                TransientTable* transients);
 
  private:
   struct Machine {

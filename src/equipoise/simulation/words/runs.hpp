@@ -36,7 +36,7 @@ inline constexpr char grid_has_weights[] = "starts on a grid have weights; compa
 // One of the four below, most balls.
 inline constexpr char no_starts_without_balls[] = "leaves no starts for {}; must be 1 to {} with that";
 inline constexpr char an_output_file[] = "an output file";
-inline constexpr char own_starts[] = "starts of one's own";
+inline constexpr char given_starts[] = "starts of one's own";
 inline constexpr char a_half_width[] = "a half-width";
 inline constexpr char the_grid_method[] = "sampling.method = \"grid\"";
 inline constexpr char no_uncertain_value[] =
@@ -47,7 +47,7 @@ inline constexpr char no_uncertain_value[] =
 inline constexpr char all_are_followed[] = "all of them are followed; must be 0";
 inline constexpr char not_drawn_here[] =
     "says how starts are drawn, which are given here; must be left out, or \"random\"";
-inline constexpr char own_start_index[] = "must be below {}, their number";
+inline constexpr char given_start_index[] = "must be below {}, their number";
 inline constexpr char grid_start_index[] = "must be below {}, the starts of this grid";
 inline constexpr char grid_start_count[] = "must be at most {}, the starts of this grid";
 inline constexpr char angles_a_start[] = "must be {} a start";

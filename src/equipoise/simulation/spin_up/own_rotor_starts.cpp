@@ -1,5 +1,5 @@
 // Takes starts in groups whose drives have the same pieces, piece by piece on lanes.
-#include "equipoise/simulation/spin_up/own_starts.hpp"
+#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 
 #include <algorithm>
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 
 struct Prescribed {
   std::size_t place;  // among all starts
-  const OwnStart* own;
+  const OwnRotorStart* own;
   std::vector<model::Segment> segments;
   std::vector<model::System> systems{};  // over each segment
   std::size_t free = 0;                  // first segment that is not clamped
@@ -151,7 +151,7 @@ class PrescribedGroup {
   std::vector<Fate> fates_;
 };
 
-bool spin_up_prescribed(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun,
+bool spin_up_prescribed(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
                         TransientTable* transients) {
   std::vector<Prescribed> all;
   all.reserve(starts.size());
@@ -172,11 +172,12 @@ bool spin_up_prescribed(std::span<const OwnStart> starts, const StopFlag* stop, 
 
 }  // namespace
 
-bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp& spun, TransientTable* transients) {
+bool spin_up_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                        TransientTable* transients) {
   spun = {};
   if (starts.empty()) return true;
   const model::System last = starts.front().study.system();
-  for (const OwnStart& own : starts)
+  for (const OwnRotorStart& own : starts)
     spun.phi.insert(spun.phi.end(), own.start.phi.begin(), own.start.phi.begin() + last.balls());
   const std::size_t count = starts.size();
   spun.states.assign(count * static_cast<std::size_t>(last.dimension()), 0.0);
@@ -184,7 +185,7 @@ bool spin_up_own(std::span<const OwnStart> starts, const StopFlag* stop, SpunUp&
   spun.fates.assign(count, Fate{});
   spun.rotors.assign(count, own_rotor(last));
   if (transients) transients->rows.assign(count, TransientSums{});
-  if (starts.front().study.speed.driven()) return MotorSource::follow_own(starts, stop, spun, transients);
+  if (starts.front().study.speed.driven()) return MotorSource::follow_own_rotors(starts, stop, spun, transients);
   return spin_up_prescribed(starts, stop, spun, transients);
 }
 
