@@ -107,7 +107,7 @@ int run_simulate(const SimulateArguments& a) {
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
   }
-  for (const std::string& note : {held_text(study), coincident_text(study)})
+  for (const std::string& note : {release_text(study), coincident_text(study)})
     if (!note.empty()) say(note);
   if (study.speed.law == model::SpeedLaw::published) say(words::published_law);
   const double last = trajectory.t.empty() ? 0.0 : trajectory.t.back();

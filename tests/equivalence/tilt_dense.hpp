@@ -11,7 +11,7 @@
 namespace equipoise::tilting {
 
 // A bearing as it is stated: springs and dampers in X and Y.
-struct Held {
+struct StatedBearing {
   double at;
   std::array<double, 2> stiffness, damping;
 };
@@ -36,7 +36,7 @@ std::array<std::complex<double>, 2> judged(const model::Parameters& p, const std
                                            const Fixed& f);
 
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
-          const double* y, const std::vector<Held>& bearings = {});
+          const double* y, const std::vector<StatedBearing>& bearings = {});
 
 // A stretch of a run: its balls are held or not, and psi'' is this.
 struct Stretch {
@@ -48,7 +48,7 @@ std::vector<Stretch> stretches(const Study& s, double until);
 
 // 200 times in a unit of time: what lies between them is below 1e-4 of a peak.
 std::vector<Seen> dense(const Study& s, const std::vector<Stretch>& over, const std::vector<double>& places,
-                        const std::vector<Held>& bearings = {});
+                        const std::vector<StatedBearing>& bearings = {});
 
 // What transient_row() tells, of dense samples; windows begin at `window_begin`.
 TransientRow figures(const TransientSettings& asked, const std::vector<Seen>& all, double window_begin);

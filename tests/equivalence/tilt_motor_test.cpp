@@ -23,7 +23,7 @@ std::vector<std::string> under_motor(std::vector<std::string> more) {
 }
 
 TEST(TiltMotor, TransientsAreThoseOfFixedAxes) {
-  const std::vector<Held> bearings{{3.0, {0.5, 0.5}, {0.1, 0.1}}, {-3.0, {0.5, 0.5}, {0.1, 0.1}}};
+  const std::vector<StatedBearing> bearings{{3.0, {0.5, 0.5}, {0.1, 0.1}}, {-3.0, {0.5, 0.5}, {0.1, 0.1}}};
   for (const char* gravity : {"rotor.gravity=0", "rotor.gravity=0.01"}) {
     Study study = with_horizon(long_rotor_with(under_motor({gravity})));
     study.limits.displacement = 0.03;

@@ -272,7 +272,7 @@ std::array<Complex, 2> judged(const model::Parameters& p, const std::vector<doub
 }
 
 Seen seen(const model::Parameters& p, const std::vector<double>& places, const FixedFlow& flow, double t,
-          const double* y, const std::vector<Held>& bearings) {
+          const double* y, const std::vector<StatedBearing>& bearings) {
   const Fixed f = flow.state(y);
   const std::array<double, 2> rest = rest_of(p);
   Seen s;
@@ -287,7 +287,7 @@ Seen seen(const model::Parameters& p, const std::vector<double>& places, const F
     s.force.push_back(std::abs(supports(p, f)[0]));
     s.dynamic.push_back(std::abs(supports(p, f)[0] + i1 * p.gravity * (1.0 + p.total_mass())));
   }
-  for (const Held& b : bearings) {
+  for (const StatedBearing& b : bearings) {
     const Complex place = f.q1 + b.at * f.q2, rate = f.v1 + b.at * f.v2;
     s.force.push_back(std::hypot(b.stiffness[0] * place.real() + b.damping[0] * rate.real(),
                                  b.stiffness[1] * place.imag() + b.damping[1] * rate.imag()));
@@ -309,7 +309,7 @@ std::vector<Stretch> stretches(const Study& s, double until) {
 }
 
 std::vector<Seen> dense(const Study& s, const std::vector<Stretch>& over, const std::vector<double>& places,
-                        const std::vector<Held>& bearings) {
+                        const std::vector<StatedBearing>& bearings) {
   constexpr double step = 1.0 / 200.0;
   std::vector<Seen> all;
   std::array<double, most> y = first_state(s, s.speed.profile == Profile::constant ? s.speed.speed : s.speed.initial);

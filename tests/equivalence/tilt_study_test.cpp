@@ -123,7 +123,7 @@ TEST(TiltStudy, IsFollowedAsItIsSimulated) {
     EXPECT_EQ(run.advance(t), IntegrationStatus::done);
     run.record(out);
   }
-  EXPECT_FALSE(run.held());
+  EXPECT_FALSE(run.clamped());
   ASSERT_EQ(out.t, times);
   for (std::size_t k = 0; k < times.size(); ++k) {
     EXPECT_NEAR(out.x[k], expected.x[k], 1e-10);

@@ -33,7 +33,7 @@ struct Case {
   std::vector<std::string> overrides;
   std::vector<double> places;  // of bearings, or the centre of mass
   double displacement, settled;
-  std::vector<Held> bearings{};  // if forces are told of each
+  std::vector<StatedBearing> bearings{};  // if forces are told of each
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -75,7 +75,7 @@ const std::vector<std::string> skew{"rotor.gravity=0.02",
                                     "release.speed=2.5"};
 
 // Supports that two unlike bearings make: sums of stiffness and damping, and their moments.
-const std::vector<Held> unlike{{3.0, {0.6, 0.7}, {0.12, 0.1}}, {-2.0, {0.4, 0.6}, {0.08, 0.1}}};
+const std::vector<StatedBearing> unlike{{3.0, {0.6, 0.7}, {0.12, 0.1}}, {-2.0, {0.4, 0.6}, {0.08, 0.1}}};
 const std::vector<std::string> on_unlike{"rotor.gravity=0.02",
                                          "rotor.stiffness=[1, 1.3]",
                                          "rotor.damping=[0.2, 0.2]",
@@ -87,7 +87,7 @@ const std::vector<std::string> on_unlike{"rotor.gravity=0.02",
                                          "release.speed=2.5"};
 
 // Three, of which that in the middle takes most: the weight rests on it.
-const std::vector<Held> three{
+const std::vector<StatedBearing> three{
     {-2.0, {0.1, 0.1}, {0.05, 0.05}}, {0.5, {0.7, 0.9}, {0.1, 0.12}}, {3.0, {0.2, 0.3}, {0.05, 0.03}}};
 const std::vector<std::string> on_three{"rotor.gravity=0.02",
                                         "rotor.stiffness=[1, 1.3]",
@@ -179,7 +179,7 @@ TEST(TiltDriveWork, IsThatOfTheTorqueInFixedAxes) {
 
 // With balls held, and without: peaks on the way as in fixed axes, and at the end forced vibration.
 void is_that_of_fixed_axes(const std::vector<std::string>& overrides, const std::vector<double>& places,
-                           const std::vector<Held>& bearings) {
+                           const std::vector<StatedBearing>& bearings) {
   for (const bool balls : {true, false}) {
     Study study = with_horizon(long_rotor_with(overrides));
     start_angles(7, 1, study.parameters.balls, study.initial.phi.data());

@@ -176,11 +176,11 @@ TEST(CoincidentBalls, StartAsGivenIfTheyAreNotAlike) {
 
 TEST(FollowedRun, KnowsWhenBallsAreHeld) {
   FollowedRun run(parse_study(ramp, "rotor", apart));
-  EXPECT_TRUE(run.held());
+  EXPECT_TRUE(run.clamped());
   run.advance(20.0);
-  EXPECT_TRUE(run.held());
+  EXPECT_TRUE(run.clamped());
   run.advance(50.0);
-  EXPECT_FALSE(run.held());
+  EXPECT_FALSE(run.clamped());
   run.advance(10.0);  // the past is over
   EXPECT_EQ(run.time(), 50.0);
 }

@@ -132,7 +132,7 @@ TEST(GravityWell, OfHeldBallsDependsOnWhereTheyAre) {
     state[system.layout().speed] = speed;
     std::array<double, model::machine_layout(1).size> held{};
     model::hold_balls(system, state.data(), held.data());
-    return model::held_in_well(system, held.data(), asked);
+    return model::trapped_in_well(system, held.data(), asked);
   };
   const System system = rotor(weak);
   EXPECT_TRUE(held_at(system, 1.0, 1.0 + pi, 0.0, 1.0));

@@ -8,7 +8,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/machine/drives/motor.hpp"
 #include "equipoise/machine/drives/nameplate.hpp"
-#include "equipoise/machine/mechanics/held_speed.hpp"
+#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
@@ -77,7 +77,7 @@ TEST(MotorCurve, AConstantTorqueAgainstAFanHoldsASpeed) {
   const Study study = parse_study(with(constant_speed, "damping = 0.5", "damping = 0.5\ninertia = 0.5"), "fan",
                                   {"speed={profile='torque', torque={constant=0.1}, load={quadratic=0.4, at=4.0}}"});
   const model::System system = study.system();
-  EXPECT_NEAR(*model::held_speed(system), 2.0, 1e-12);  // 0.1 = 0.4 (w/4)^2
+  EXPECT_NEAR(*model::sustained_speed(system), 2.0, 1e-12);  // 0.1 = 0.4 (w/4)^2
   EXPECT_FALSE(model::speeds_up_for_ever(system));
   EXPECT_FALSE(system.coasts());
   EXPECT_NEAR(study.speed_profile().final_speed(), 2.0, 1e-12);

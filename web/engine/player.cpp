@@ -40,7 +40,7 @@ void add_row(const FollowedRun& run, std::vector<double>& rows) {
   for (const auto* balls : {&now.phi, &now.phi_dot})
     for (const std::vector<double>& ball : *balls) rows.push_back(ball.back());
   rows.push_back(now.radial.back());
-  rows.push_back(run.held() ? 1.0 : 0.0);
+  rows.push_back(run.clamped() ? 1.0 : 0.0);
 }
 
 std::vector<std::string> columns(int balls) {

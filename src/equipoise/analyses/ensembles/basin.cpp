@@ -211,7 +211,7 @@ class BasinRun {
       // A grid's starts have unequal weights, so these shares leave them out.
       if (!result_.grid) {
         result_.passed = open_share(passed_, passed_ + below_, tally_->total());
-        result_.not_passed = open_share(held_below_, held_below_ + below_, tally_->total());
+        result_.not_passed = open_share(stays_below_, stays_below_ + below_, tally_->total());
       }
     }
     if (result_.study.parameters.balls_collide() && !result_.grid)
@@ -319,7 +319,7 @@ class BasinRun {
     else if (fate.outcome == Outcome::undecided)
       ++below_;
     else if (!lost)
-      ++held_below_;
+      ++stays_below_;
   }
 
   void compute(std::uint64_t first, std::uint64_t limit, const ChunkSink& sink) {
@@ -385,9 +385,9 @@ class BasinRun {
   std::optional<Tally> tally_;
   std::optional<TransientTally> transients_;
   std::vector<std::shared_ptr<Chunk>> pilot_;
-  std::uint64_t passed_ = 0, held_below_ = 0, below_ = 0;  // starts above resonance; below it for good; or when last
-                                                           // seen
-  std::uint64_t met_ = 0;                                  // starts whose balls touched
+  std::uint64_t passed_ = 0, stays_below_ = 0, below_ = 0;  // starts above resonance; below it for good; or when last
+                                                            // seen
+  std::uint64_t met_ = 0;                                   // starts whose balls touched
   double passed_speed_ = 0.0;
   std::set<int> filed_;  // motions known before the first start, or met and stored
   std::atomic<bool> finished_{false}, lost_{false};

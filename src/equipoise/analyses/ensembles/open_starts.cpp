@@ -34,11 +34,11 @@ void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt&
   const bool many = result.starts > 0 && share > undecided_worth_a_word;
   const bool may_hold = result.study.speed.driven() && result.study.release.speed;
   const std::vector<UndecidedEnd> ends = many || may_hold ? undecided() : std::vector<UndecidedEnd>{};
-  const std::string held = held_text(ends), held_stalled = may_hold ? held_text(stalled()) : "";
+  const std::string clamped = clamped_text(ends), clamped_stalled = may_hold ? clamped_text(stalled()) : "";
   if (many)
     add(fmt::format(words::runs::many_undecided, percent_text(share), why_undecided(result.study, horizon, ends)));
-  if (!many && !held.empty()) add(fmt::format(words::runs::undecided_held, held));
-  if (!held_stalled.empty()) add(fmt::format(words::runs::stalled_held, held_stalled));
+  if (!many && !clamped.empty()) add(fmt::format(words::runs::undecided_clamped, clamped));
+  if (!clamped_stalled.empty()) add(fmt::format(words::runs::stalled_clamped, clamped_stalled));
 }
 
 }  // namespace equipoise

@@ -13,8 +13,8 @@
 #include "equipoise/machine/balance/fan.hpp"
 #include "equipoise/machine/balance/inscribed_polygon.hpp"
 #include "equipoise/machine/balance/tilt_balance.hpp"
-#include "equipoise/machine/mechanics/held_speed.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 
@@ -87,7 +87,7 @@ std::vector<std::complex<double>> without_continuum(const Eigen::VectorXcd& rate
 std::optional<double> speed_in_balance(const Study& study, const model::System& system) {
   if (system.prescribed()) return system.speed();
   if (system.coasts()) return rotor_alone(study, 0.0, std::nullopt).speed;
-  return model::held_speed(system);
+  return model::sustained_speed(system);
 }
 
 std::optional<BallAngles> balanced_angles(const model::BalancedStates& states, const model::Parameters& p,

@@ -121,7 +121,7 @@ bool hangs_for_good(const model::System& system, const Eigen::VectorXd& y) {
 bool hangs_while_stuck(const model::System& system, const Eigen::VectorXd& y) {
   std::array<double, model::machine_layout(1).size> held{};
   model::hold_balls(system, y.data(), held.data());
-  return model::held_in_well(system, held.data(), std::numeric_limits<double>::infinity());
+  return model::trapped_in_well(system, held.data(), std::numeric_limits<double>::infinity());
 }
 
 // Around an equilibrium of rotor and motor V = d^T P d falls in the linear flow. A force with gradient g then stays

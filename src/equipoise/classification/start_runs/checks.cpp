@@ -104,15 +104,15 @@ void check_drawable(const Study& study, bool transients) {
   }
 }
 
-// Of a rotor that tilts: held balls are followed at a prescribed speed alone; and no energy is known that would tell
+// Of a rotor that tilts: clamped balls are followed at a prescribed speed alone; and no energy is known that would tell
 // whether one that coasts comes to rest.
 void check_tilting(const Study& study) {
   if (!study.parameters.tilts()) return;
-  const bool held = study.release_time() > 0.0;
+  const bool clamped = study.release_time() > 0.0;
   const auto refuse = [&](const char* key, const std::string& value, const char* why) {
     throw InputError(study.name, key, value, why);
   };
-  if (held && study.speed.driven())
+  if (clamped && study.speed.driven())
     refuse(release_key(study),
            study.release.speed ? fmt::format("{}", *study.release.speed) : fmt::format("{}", *study.release.time),
            words::runs::tilting_motor_holds_no_balls);

@@ -16,7 +16,7 @@ void check_has_balls(const Study& study);
 /// Throws InputError if a study asks for decisions by proof but proofs are not possible.
 void check_proof(const Study& study);
 
-/// Throws InputError if the spin-up with held balls is too long to look for peaks in it.
+/// Throws InputError if the spin-up with clamped balls is too long to look for peaks in it.
 void check_watchable(const Study& study);
 /// Throws InputError for a system that lacks what the result needs, named by its key.
 void reject_if_lacking(const Study& study, model::ResultKind answer);

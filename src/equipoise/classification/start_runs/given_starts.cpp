@@ -33,13 +33,13 @@ class GivenStart {
   void check() const {
     check_numbers();
     const InitialState& common = study_.initial;
-    const bool held = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
+    const bool clamped = study_.release_time() > 0.0, prescribed = !study_.speed.driven();
     if (prescribed && model::depends_on_rotor_angle(study_.parameters))
       require("psi", s_.psi, common.psi, words::runs::rotor_is_prescribed);
-    if (held && prescribed)
+    if (clamped && prescribed)
       for (const Quantity& q : std::span(rotor).subspan(1))
         require(q.key, s_.*q.value, common.*q.value, words::runs::prescribed_until_release);
-    for (int i = 0; held && i < study_.parameters.balls; ++i)
+    for (int i = 0; clamped && i < study_.parameters.balls; ++i)
       if (s_.phi_dot[i] != 0.0) fail("phi_dot", s_.phi_dot[i], words::runs::balls_are_clamped, i);
     if (overlap(study_.parameters, s_.phi.data()))
       fail("phi", s_.phi[0], fmt::format(words::runs::balls_overlap, study_.parameters.contact_angle));

@@ -125,7 +125,8 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
     Batch batch = new_batch(false);
     if (!source_->follow(parted(study_.parameters, {&given, 1}), batch.starts)) break;
     if (batch.starts.is_over(0)) {
-      ends.push_back({.what = Restlessness::held, .reached = batch.starts.nearest[0], .asked = *study_.release.speed});
+      ends.push_back(
+          {.what = Restlessness::clamped, .reached = batch.starts.nearest[0], .asked = *study_.release.speed});
       continue;
     }
     if (!decide(batch)) break;

@@ -13,8 +13,8 @@
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plain_number.hpp"
-#include "equipoise/machine/mechanics/held_speed.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
+#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
 #include "equipoise/simulation/spin_up/run_up.hpp"
 #include "equipoise/simulation/words/runs.hpp"
@@ -83,7 +83,7 @@ std::string horizon_text(const Study& study, const Horizon& h) {
 
 // The run-up as `explain` has it. Empty if the motor holds no speed, or the rotor has it from the beginning.
 std::string run_up_text(const Study& study, const Horizon& horizon) {
-  const auto aim = model::held_speed(study.system());
+  const auto aim = model::sustained_speed(study.system());
   const auto run = aim ? run_up(study, *aim) : std::nullopt;
   if (!run || !run->alone) return "";
   if (!run->shaken) return fmt::format(words::runs::stalls_alone, speed_words(study, std::fabs(run->stalls_at)));
@@ -134,10 +134,10 @@ UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorX
   return {};
 }
 
-std::string held_text(const std::vector<UndecidedEnd>& ends) {
+std::string clamped_text(const std::vector<UndecidedEnd>& ends) {
   const UndecidedEnd* best = nullptr;
   for (const UndecidedEnd& e : ends)
-    if (e.what == Restlessness::held &&
+    if (e.what == Restlessness::clamped &&
         (!best || std::fabs(e.reached - e.asked) < std::fabs(best->reached - best->asked)))
       best = &e;
   if (!best) return "";
@@ -159,8 +159,8 @@ std::string why_undecided(const Study& study, const Horizon& horizon, const std:
     if (count == 0) continue;
     parts.push_back(fmt::format(fmt::runtime(kinds[k]), count));
     if (what == Restlessness::speeding_up) parts.back() += " (" + speeding_text(study, horizon, ends) + ")";
-    if (what == Restlessness::held) parts.back() += " (" + held_text(ends) + ")";
-    if (what == Restlessness::held || what == Restlessness::running_away || what == Restlessness::unidentified)
+    if (what == Restlessness::clamped) parts.back() += " (" + clamped_text(ends) + ")";
+    if (what == Restlessness::clamped || what == Restlessness::running_away || what == Restlessness::unidentified)
       hopeless += count;
     if (what != Restlessness::chaotic) continue;
     double sum = 0.0;

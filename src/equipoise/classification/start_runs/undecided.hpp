@@ -29,7 +29,7 @@ enum class Restlessness {
   chaotic,       ///< its largest Lyapunov exponent is positive
   regular,       ///< it goes on in a way whose windows do not repeat yet
   // Driven rotors only:
-  held,            ///< the rotor never reaches the speed that releases its balls
+  clamped,         ///< the rotor never reaches the speed that releases its balls
   running_away,    ///< its motor's torque never vanishes, so it speeds up without end
   speeding_up,     ///< its mean speed still rises
   changing_speed,  ///< its mean speed is not steady
@@ -42,7 +42,7 @@ constexpr std::size_t restlessness_kinds = 10;
 struct UndecidedEnd {
   Restlessness what = Restlessness::regular;
   double exponent = 0.0;  ///< chaotic only
-  /// Held: the speed nearest to release.speed, and release.speed. Speeding up: `reached` is the last speed.
+  /// Clamped: the speed nearest to release.speed, and release.speed. Speeding up: `reached` is the last speed.
   double reached = 0.0, asked = 0.0;
 };
 
@@ -52,8 +52,8 @@ UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorX
 /// The slowest known rate and the horizon that it asks for.
 std::string slowness_text(const Horizon& horizon);
 
-/// How near held rotors come to release.speed at best. Empty if there are none.
-std::string held_text(const std::vector<UndecidedEnd>& ends);
+/// How near rotors with clamped balls come to release.speed at best. Empty if there are none.
+std::string clamped_text(const std::vector<UndecidedEnd>& ends);
 
 /// One line without a full stop: how many of `ends` go on in which way. Where more time might help, it also compares
 /// the horizon with the slowest known rate, or with a run-up. Times and speeds are in the study's units.

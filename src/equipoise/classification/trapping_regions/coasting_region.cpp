@@ -37,8 +37,8 @@ double support_loss(const model::Parameters& p, double speed, double r) {
   return std::max(p.damping[0], p.damping[1]) * speed * speed * r * r;
 }
 
-// The most that supports and drag can take from a motion at a held speed: the rotor goes round at its largest r, and
-// every ball slips at its greatest rate.
+// The most that supports and drag can take from a motion at a prescribed speed: the rotor goes round at its largest r,
+// and every ball slips at its greatest rate.
 double most_loss(const model::Parameters& p, const Motion& motion) {
   double loss = support_loss(p, motion.speed, motion.r_max);
   for (int i = 0; i < p.balls; ++i) {
@@ -110,25 +110,25 @@ CoastingRegion::Answer CoastingRegion::balances(const double* state, const StopF
   const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
   if (exact_) return approaches(y);
   // Balls that stick leave the unbalance that they then have.
-  const Held held = held_at_present_speed(y);
-  if (system_.events().stick && !stuck_for_good(held.system, held.state, held.psi)) return {};
+  const AtSpeed now = at_present_speed(y);
+  if (system_.events().stick && !stuck_for_good(now.system, now.state, now.psi)) return {};
   const auto motion = lasting_motion(y, stop);
   return {motion && motion_name(system_.parameters(), *motion).id == balanced_id, first_stretch};
 }
 
-CoastingRegion::Held CoastingRegion::held_at_present_speed(const Eigen::VectorXd& state) const {
-  const model::System held(system_.parameters(), system_.speed(state));
-  return {held, state.head(held.dimension()), system_.layout().psi < 0 ? 0.0 : state[system_.layout().psi]};
+CoastingRegion::AtSpeed CoastingRegion::at_present_speed(const Eigen::VectorXd& state) const {
+  const model::System prescribed(system_.parameters(), system_.speed(state));
+  return {prescribed, state.head(prescribed.dimension()), system_.layout().psi < 0 ? 0.0 : state[system_.layout().psi]};
 }
 
 std::optional<Motion> CoastingRegion::lasting_motion(const Eigen::VectorXd& state, const StopFlag* stop) const {
-  const auto [held, own, psi] = held_at_present_speed(state);
-  if (held.speed() == 0.0) return std::nullopt;
+  const auto [prescribed, own, psi] = at_present_speed(state);
+  if (prescribed.speed() == 0.0) return std::nullopt;
   std::optional<Motion> motion;
-  if (const auto end = stuck_for_good(held, own, psi))
-    motion = describe_stuck(held, *end);
-  else if (const auto on_section = at_next_section(without_events(held), own, psi))
-    motion = motion_from(held, *on_section, motion_patience, stop);
+  if (const auto end = stuck_for_good(prescribed, own, psi))
+    motion = describe_stuck(prescribed, *end);
+  else if (const auto on_section = at_next_section(without_events(prescribed), own, psi))
+    motion = motion_from(prescribed, *on_section, motion_patience, stop);
   if (!motion || !motion->stable) return std::nullopt;
   const double left = energy(state.data()) - least_energy_;
   if (!(most_loss(system_.parameters(), *motion) * horizon_ < left)) return std::nullopt;

@@ -32,19 +32,19 @@ class CoastingRegion {
   /// balanced.
   Answer balances(const double* state, const StopFlag* stop = nullptr) const;
 
-  /// The motion that the rotor comes to if its speed is held. Gravity, an off-centre race and stuck balls leave a small
-  /// motion in balance, which keeps taking a little of the speed. Empty if the motion is unstable, or takes so much
-  /// that the rotor may stall within the horizon.
+  /// The motion that the rotor comes to if its speed is prescribed. Gravity, an off-centre race and stuck balls leave a
+  /// small motion in balance, which keeps taking a little of the speed. Empty if the motion is unstable, or takes so
+  /// much that the rotor may stall within the horizon.
   std::optional<Motion> lasting_motion(const Eigen::VectorXd& state, const StopFlag* stop = nullptr) const;
 
  private:
-  /// The same rotor at a held speed, and its state there at angle psi.
-  struct Held {
+  /// The same rotor at a prescribed speed, and its state there at angle psi.
+  struct AtSpeed {
     model::System system;
     Eigen::VectorXd state;
     double psi;
   };
-  Held held_at_present_speed(const Eigen::VectorXd& state) const;
+  AtSpeed at_present_speed(const Eigen::VectorXd& state) const;
   double energy(const double* state) const;
   bool is_near(const double* state) const;
   Answer approaches(const Eigen::VectorXd& state) const;

@@ -46,7 +46,7 @@ class WindowRegion {
 
   int attractor_, balls_;
   double level_ = 0.0, floor_ = 0.0;
-  double between_ = 0.0;  // largest distance along the motion between held states
+  double between_ = 0.0;  // largest distance along the motion between kept states
   double rate_ = 0.0;     // at which states come to the motion, negative
   Eigen::VectorXd inverse_scale_;
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of alike balls

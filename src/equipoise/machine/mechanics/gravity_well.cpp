@@ -110,7 +110,7 @@ Eigen::VectorXd GravityWell::bottom() const {
   return system_.with_angles_reduced(state);
 }
 
-bool held_in_well(const System& system, const double* held, double speed) {
+bool trapped_in_well(const System& system, const double* held, double speed) {
   const auto torque = torque_at_rest(system);
   if (!torque) return false;
   const Twin twin = twin_of(system, held);

@@ -27,7 +27,7 @@ class GravityWell {
   Eigen::VectorXd bottom() const;
 
  private:
-  friend bool held_in_well(const System& system, const double* held, double speed);
+  friend bool trapped_in_well(const System& system, const double* held, double speed);
   GravityWell(const System& system, std::complex<double> moment, double torque, double balls);
   double level(const double* state) const;  // E - tau psi, with psi reduced to the well
 
@@ -41,6 +41,6 @@ class GravityWell {
 
 /// Whether a rotor with held balls (state: machine/model/held_state.hpp) is in such a well and never again as fast as
 /// `speed`.
-bool held_in_well(const System& system, const double* held, double speed);
+bool trapped_in_well(const System& system, const double* held, double speed);
 
 }  // namespace equipoise::model

@@ -27,7 +27,7 @@ std::string quantity(const Study& study, double value, study::Dimension d) {
 
 }  // namespace
 
-std::string held_text(const Study& study) {
+std::string release_text(const Study& study) {
   const double until = study.release_time();
   if (!(until > 0.0)) return "";
   const auto speed = [&] { return quantity(study, *study.release.speed, study::Dimension::speed); };

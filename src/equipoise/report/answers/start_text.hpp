@@ -9,7 +9,7 @@
 namespace equipoise {
 
 /// "balls held until t = 40, the end of the ramp"; empty if they are free from the start.
-std::string held_text(const Study& study);
+std::string release_text(const Study& study);
 
 /// Keys of [initial] that the study states but an ensemble draws: initial.phi, and those in [sampling.box].
 std::vector<std::string> drawn_instead(const Study& study);

@@ -50,7 +50,7 @@ class Text {
   Text(const Explanation& e, const TextStyle& style) : e_(e), style_(style), scales_(e.study.scales) {}
 
   std::string all() {
-    const std::string held = held_text(e_.study);
+    const std::string held = release_text(e_.study);
     text_ = e_.study.name + "\n" + (held.empty() ? "" : held + "\n") + "\n";
     table();
     speeds();

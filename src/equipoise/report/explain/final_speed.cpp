@@ -1,6 +1,6 @@
 // Prescribed speeds, and where a motor's torque and what balance takes are equal.
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
-#include "equipoise/machine/mechanics/held_speed.hpp"
+#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/report/explain/parts.hpp"
 #include "equipoise/report/words/explain.hpp"

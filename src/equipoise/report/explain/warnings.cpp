@@ -211,11 +211,11 @@ class Warnings {
     constexpr std::size_t tried = 8;
     SpunUp starts;
     if (!make_spin_up(with_horizon(study), nullptr)->make(study.sampling.seed, 0, tried, starts)) return;
-    std::vector<UndecidedEnd> held;
+    std::vector<UndecidedEnd> clamped;
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (starts.is_over(i) && !starts.nearest.empty() && std::isfinite(starts.nearest[i]))
-        held.push_back({.what = Restlessness::held, .reached = starts.nearest[i], .asked = *study.release.speed});
-    if (!held.empty()) warn(words::warnings::balls_never_let_go, tried, held.size(), held_text(held));
+        clamped.push_back({.what = Restlessness::clamped, .reached = starts.nearest[i], .asked = *study.release.speed});
+    if (!clamped.empty()) warn(words::warnings::balls_never_let_go, tried, clamped.size(), clamped_text(clamped));
   }
 
   void room() {

@@ -187,7 +187,7 @@ Document page_with(const Study& study, const std::string& answer, const std::opt
   document.sheet = true;
   if (verdict) document.blocks.push_back(*verdict);
   document.blocks.push_back(Paragraph{answer, Tone::plain, true});
-  if (std::string held = held_text(study); !held.empty()) {
+  if (std::string held = release_text(study); !held.empty()) {
     held.front() = 'B';
     document.blocks.push_back(Paragraph{held + "."});
   }

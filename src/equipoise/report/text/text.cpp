@@ -11,7 +11,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
-#include "equipoise/machine/mechanics/held_speed.hpp"
+#include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/words/text.hpp"
@@ -175,7 +175,7 @@ std::string study_heading(const Study& study) {
     text += fmt::format(fmt::runtime(p.tilts() || p.stiffness[0] != p.stiffness[1] ? words::text::unit_of_speed_is
                                                                                    : words::text::critical_speed_is),
                         shown(1.0, Dimension::speed), shown(1.0, Dimension::time));
-  const std::string held = held_text(study);
+  const std::string held = release_text(study);
   return text + more_text(study) + speed_text(study) + "\n" + (held.empty() ? "" : held + "\n") + "\n";
 }
 

@@ -7,7 +7,7 @@
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
-#include "equipoise/simulation/rule/held.hpp"
+#include "equipoise/simulation/rule/release_rule.hpp"
 
 namespace equipoise {
 
@@ -31,6 +31,6 @@ bool run_tilting_batch(const BatchJob& job);
 /// Driven rotors whose balls are held, to the task's end.
 bool advance_held_batch(const BatchJob& job);
 /// Driven rotors whose balls are held, until `rule` ends them.
-bool run_held_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
+bool run_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends);
 
 }  // namespace equipoise

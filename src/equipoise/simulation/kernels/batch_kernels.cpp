@@ -104,8 +104,8 @@ bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::
   return run_batch({task, fates, &rule, pilot});
 }
 
-bool hold_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
-  return run_held_batch(task, rule, ends);
+bool follow_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
+  return run_clamped_batch(task, rule, ends);
 }
 
 int evaluate_derivatives(const model::Parameters& p, double speed, long count, double* checksum) {

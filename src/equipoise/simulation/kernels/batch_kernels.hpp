@@ -9,7 +9,7 @@
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
-#include "equipoise/simulation/rule/held.hpp"
+#include "equipoise/simulation/rule/release_rule.hpp"
 
 namespace equipoise {
 
@@ -25,7 +25,7 @@ bool classify_batch(const BatchTask& task, const ClassificationRule& rule, std::
 
 /// Follows driven rotors whose balls are held (task.held) until they reach the release speed, are steady without
 /// reaching it, or to task.end; ends[i] and states are set. False if stopped early.
-bool hold_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends);
+bool follow_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends);
 
 /// Derivative evaluations alone, for benchmarks: evaluates the equations `count` times in every lane, each from the
 /// result of the one before. Returns the number of lanes.

@@ -7,7 +7,7 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
-#include "equipoise/simulation/rule/hold_balls-inl.hpp"
+#include "equipoise/simulation/rule/clamped_balls-inl.hpp"
 #include "equipoise/simulation/kernels/kernel-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,9 +22,9 @@ const auto held_rotors = [] {
 }();
 
 // One kernel for any number of balls: with the rotor they are one body.
-bool run_held_target(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
+bool run_clamped_target(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
   const auto watch = watch_of(task);
-  const auto observer = std::make_unique<HoldBalls>(task, rule, watch.get(), ends);
+  const auto observer = std::make_unique<ClampedBalls>(task, rule, watch.get(), ends);
   return run_block<HeldFlow<Pack>, 1>(task, HeldFlow<Pack>(*task.system), *observer, held_rotors);
 }
 
@@ -42,15 +42,15 @@ HWY_AFTER_NAMESPACE();
 namespace equipoise {
 
 HWY_EXPORT(run_smooth_target);
-HWY_EXPORT(run_held_target);
+HWY_EXPORT(run_clamped_target);
 HWY_EXPORT(advance_held_target);
 
 bool run_smooth_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_smooth_target)(job); }
 
 bool advance_held_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(advance_held_target)(job); }
 
-bool run_held_batch(const BatchTask& task, const HoldRule& rule, std::vector<HeldEnd>& ends) {
-  return HWY_DYNAMIC_DISPATCH(run_held_target)(task, rule, ends);
+bool run_clamped_batch(const BatchTask& task, const ReleaseRule& rule, std::vector<ClampedEnd>& ends) {
+  return HWY_DYNAMIC_DISPATCH(run_clamped_target)(task, rule, ends);
 }
 
 }  // namespace equipoise

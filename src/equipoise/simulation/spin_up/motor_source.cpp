@@ -1,4 +1,4 @@
-// Takes driven rotors on lanes through their drive, first with balls held, then free.
+// Takes driven rotors on lanes through their drive, first with balls clamped, then free.
 #include "equipoise/simulation/spin_up/motor_source.hpp"
 
 #include <algorithm>
@@ -22,15 +22,15 @@ namespace equipoise {
 
 namespace {
 
-// A rotor with held balls is steady once its speeds in windows, each twice as long as the last, differ by less.
+// A rotor with clamped balls is steady once its speeds in windows, each twice as long as the last, differ by less.
 constexpr double steady = 1e-3;
 // The rule's identifier for the motion of a rotor that never releases its balls.
-constexpr int held_for_good = 1;
+constexpr int clamped_for_good = 1;
 // A speed this close to the release speed, relatively, may still reach it.
 constexpr double nearly_let_go = 1e-3;
 
-HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
-  HoldRule rule;
+ReleaseRule release_rule_of(const model::Parameters& p, const model::Drive& drive) {
+  ReleaseRule rule;
   rule.windows.balls = 1;  // rotor and balls are one body
   rule.windows.sameness = steady;
   rule.windows.repeats_needed = 1;
@@ -41,12 +41,12 @@ HoldRule hold_rule(const model::Parameters& p, const model::Drive& drive) {
   return rule;
 }
 
-class HeldInWell final : public TrappingRegions {
+class TrappedInWell final : public TrappingRegions {
  public:
-  HeldInWell(const model::System& system, double release_speed) : system_(system), speed_(release_speed) {}
+  TrappedInWell(const model::System& system, double release_speed) : system_(system), speed_(release_speed) {}
 
   Caught ask(const double* held, double /*psi*/, const OwnRotor* /*own*/) const override {
-    return {model::held_in_well(system_, held, speed_) ? held_for_good : 0};
+    return {model::trapped_in_well(system_, held, speed_) ? clamped_for_good : 0};
   }
 
  private:
@@ -59,18 +59,18 @@ class HeldInWell final : public TrappingRegions {
 struct MotorSource::Fleet {
   SpunUp& starts;
   TransientTable* transients;
-  std::vector<char> held;
+  std::vector<char> clamped;
   std::size_t size;
 
   double* state(std::size_t i) const { return &starts.states[i * size]; }
   void let_go(std::size_t i, double time) {
-    held[i] = 0;
+    clamped[i] = 0;
     starts.released[i] = time;
   }
   template <class Wanted>
   std::vector<std::size_t> which(Wanted&& wanted) const {
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < held.size(); ++i)
+    for (std::size_t i = 0; i < clamped.size(); ++i)
       if (!starts.is_over(i) && wanted(i)) result.push_back(i);
     return result;
   }
@@ -79,11 +79,11 @@ struct MotorSource::Fleet {
 MotorSource::Machine::Machine(const Study& given)
     : study(given),
       drive(study.drive()),
-      hold(hold_rule(study.parameters, drive)),
-      held_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
+      release_rule(release_rule_of(study.parameters, drive)),
+      clamped_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
       horizon(*study.numerics.horizon) {
   for (const model::DrivePiece& piece : drive.pieces) systems.emplace_back(study.parameters, piece);
-  if (study.numerics.decide == ClassificationMode::horizon) hold.windows.at_horizon = true;
+  if (study.numerics.decide == ClassificationMode::horizon) release_rule.windows.at_horizon = true;
 }
 
 OwnRotor MotorSource::Machine::rotor(std::size_t k) const {
@@ -134,7 +134,8 @@ bool MotorSource::follow_own_rotors(std::span<const OwnRotorStart> starts, const
   std::vector<Machine> machines;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const Machine& m = machines.emplace_back(starts[i].study);
-    groups[{m.systems.size(), m.held_at_first, m.drive.release_speed.has_value(), m.hold.rising}].push_back(i);
+    groups[{m.systems.size(), m.clamped_at_first, m.drive.release_speed.has_value(), m.release_rule.rising}].push_back(
+        i);
   }
   const std::size_t size = machines.front().systems.front().dimension();
   for (const auto& [shape, places] : groups) {
@@ -177,9 +178,9 @@ bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
   starts.nearest.resize(count);
   for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
   if (transients) transients->rows.assign(count, TransientSums{});
-  Fleet fleet{starts, transients, std::vector<char>(count, one.held_at_first), size};
+  Fleet fleet{starts, transients, std::vector<char>(count, one.clamped_at_first), size};
   for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
-    if (one.held_at_first && !hold(k, fleet)) return false;
+    if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
     const bool last = k + 1 == one.drive.pieces.size();
     if (!last && !run_free(k, fleet)) return false;
     if (!last && transients)
@@ -201,15 +202,15 @@ BatchTask MotorSource::task(std::size_t k) const {
 BatchTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
 
 // While the release time or a change of torque is still to come, a steady rotor is no end.
-HoldRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
+ReleaseRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
   const Machine& one = machines_.front();
-  HoldRule rule = one.hold;
+  ReleaseRule rule = one.release_rule;
   for (const std::size_t i : places)
-    if (are_own()) rule.own_speeds.push_back(of(i).hold.release_speed);
+    if (are_own()) rule.own_speeds.push_back(of(i).release_rule.release_speed);
   if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
   else if (!are_own())  // the trapping region knows only one release speed
-    rule.windows.section_regions = std::make_shared<const HeldInWell>(one.systems[k], rule.release_speed);
+    rule.windows.section_regions = std::make_shared<const TrappedInWell>(one.systems[k], rule.release_speed);
   return rule;
 }
 
@@ -248,35 +249,36 @@ bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::
   return true;
 }
 
-// Follows held balls over piece k of the drive, until their release.
-bool MotorSource::hold(std::size_t k, Fleet& fleet) const {
+// Follows clamped balls over piece k of the drive, until their release.
+bool MotorSource::follow_clamped(std::size_t k, Fleet& fleet) const {
   const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
   SpunUp& starts = fleet.starts;
   for (;;) {
-    const auto places = fleet.which([&](std::size_t i) { return fleet.held[i] && starts.begins[i] < until(i, k); });
+    const auto places = fleet.which([&](std::size_t i) { return fleet.clamped[i] && starts.begins[i] < until(i, k); });
     if (places.empty()) break;
-    const HoldRule rule = rule_over(k, places);
+    const ReleaseRule rule = rule_over(k, places);
     std::vector<double> states(places.size() * size);
     for (std::size_t j = 0; j < places.size(); ++j)
       model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
-    std::vector<HeldEnd> ends(places.size());
-    if (!side_by_side(k, true, places, states, fleet, [&](BatchTask& task) { return hold_batch(task, rule, ends); }))
+    std::vector<ClampedEnd> ends(places.size());
+    if (!side_by_side(k, true, places, states, fleet,
+                      [&](BatchTask& task) { return follow_clamped_batch(task, rule, ends); }))
       return false;
-    for (std::size_t j = 0; j < places.size(); ++j) end_hold(k, places[j], ends[j], &states[j * size], fleet);
+    for (std::size_t j = 0; j < places.size(); ++j) end_clamped(k, places[j], ends[j], &states[j * size], fleet);
   }
   // Releases balls whose release time comes by the end of this piece.
-  for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.held[i] != 0; }))
+  for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.clamped[i] != 0; }))
     if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
   return true;
 }
 
-void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const {
+void MotorSource::end_clamped(std::size_t k, std::size_t i, const ClampedEnd& end, double* state, Fleet& fleet) const {
   SpunUp& starts = fleet.starts;
   const Machine& m = of(i);
-  const HoldRule& hold = m.hold;
+  const ReleaseRule& rule = m.release_rule;
   double now = end.fate.time;
   if (end.crossing) {
-    const auto release = find_release(m.systems[k], hold, now, end.crossed_by, state);
+    const auto release = find_release(m.systems[k], rule, now, end.crossed_by, state);
     now = release.value_or(end.crossed_by);
     if (release) fleet.let_go(i, now);
   }
@@ -287,10 +289,10 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
   Fate fate = end.fate;
   const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
   if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
-  const bool may_come = std::fabs(end.nearest - hold.release_speed) < nearly_let_go * std::fabs(hold.release_speed);
+  const bool may_come = std::fabs(end.nearest - rule.release_speed) < nearly_let_go * std::fabs(rule.release_speed);
   const bool hangs = fate.by == DecidedBy::validated;
   if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on with new windows
-  const bool steady_now = fate.outcome == Outcome::attracted || hold.windows.at_horizon;
+  const bool steady_now = fate.outcome == Outcome::attracted || rule.windows.at_horizon;
   if (hangs) fate.mean_speed = 0.0F;
   // A window of the run-up has the mean speed of its time, not the last one.
   if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
@@ -306,7 +308,7 @@ void MotorSource::end_hold(std::size_t k, std::size_t i, const HeldEnd& end, dou
 bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
   SpunUp& starts = fleet.starts;
   const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
-  const auto places = fleet.which([&](std::size_t i) { return !fleet.held[i] && starts.begins[i] < end(i); });
+  const auto places = fleet.which([&](std::size_t i) { return !fleet.clamped[i] && starts.begins[i] < end(i); });
   if (places.empty()) return true;
   std::vector<double> states;
   std::vector<Fate> fates(places.size());

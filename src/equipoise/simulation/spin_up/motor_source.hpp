@@ -7,7 +7,7 @@
 
 #include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/simulation/rule/held.hpp"
+#include "equipoise/simulation/rule/release_rule.hpp"
 #include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
@@ -17,7 +17,7 @@ namespace equipoise {
 
 class MotorSource final : public SpinUp {
  public:
-  /// The study must have its horizon; balls still held at the horizon are not followed further.
+  /// The study must have its horizon; balls still clamped at the horizon are not followed further.
   MotorSource(const Study& study, const StopFlag* stop);
 
   void watch(const TransientSettings&) override {}
@@ -39,8 +39,8 @@ class MotorSource final : public SpinUp {
     Study study;
     model::Drive drive;
     std::vector<model::System> systems;  // over each piece
-    HoldRule hold;
-    bool held_at_first;
+    ReleaseRule release_rule;
+    bool clamped_at_first;
     double horizon;
 
     double settled() const { return drive.pieces.back().begin; }
@@ -55,13 +55,13 @@ class MotorSource final : public SpinUp {
   double until(std::size_t i, std::size_t k) const;
   void add(const Machine& machine, const InitialState& start, SpunUp& starts) const;
   bool advance(SpunUp& starts, TransientTable* transients) const;
-  HoldRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const;
+  ReleaseRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const;
   template <class Run>
   bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, std::vector<double>& states,
                     const Fleet& fleet, Run&& run) const;
-  bool hold(std::size_t k, Fleet& fleet) const;
+  bool follow_clamped(std::size_t k, Fleet& fleet) const;
   bool run_free(std::size_t k, Fleet& fleet) const;
-  void end_hold(std::size_t k, std::size_t i, const HeldEnd& end, double* state, Fleet& fleet) const;
+  void end_clamped(std::size_t k, std::size_t i, const ClampedEnd& end, double* state, Fleet& fleet) const;
   BatchTask task(std::size_t k) const;
 
   std::vector<Machine> machines_;

@@ -42,7 +42,7 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   task.end = rotors.front().end;
   task.held = held;
   if (held || !first.simple()) task.system = &first;
-  // Held balls cost little to follow, and the state at release decides much.
+  // Clamped balls cost little to follow, and the state at release decides much.
   constexpr double held_tolerance = 1e-3;
   task.tolerance = group.front()->tolerance() * (held ? held_tolerance : 1.0);
   task.count = group.size();

@@ -30,7 +30,7 @@ kernels::ErrorScale<Flow::dimension> scale_of(const model::System& system) {
 
 }  // namespace
 
-std::optional<double> find_release(const model::System& system, const HoldRule& rule, double from, double to,
+std::optional<double> find_release(const model::System& system, const ReleaseRule& rule, double from, double to,
                                    double* state) {
   const int place = model::held_layout(system).speed;
   const auto come = [&](const double* y) {

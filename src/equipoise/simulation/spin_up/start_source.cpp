@@ -119,7 +119,7 @@ class TiltingWatch {
 
 }  // namespace
 
-// Held balls load a rotor that tilts by a couple too, so that each start is followed by itself.
+// Clamped balls load a rotor that tilts by a couple too, so that each start is followed by itself.
 void StartSource::place_tilting(const InitialState& start, double* state, TransientSums* sums) const {
   using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
   const model::Parameters& p = study_.parameters;

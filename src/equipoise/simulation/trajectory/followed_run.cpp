@@ -67,7 +67,7 @@ void FollowedRun::record(Trajectory& out) const {
   if (tilt) record_bearings(out, p, shaft_bearings(state_->study), at[layout.psi], at, tilt);
 }
 
-bool FollowedRun::held() const {
+bool FollowedRun::clamped() const {
   return state_->machine([](const auto& machine) { return machine.clamped(); });
 }
 

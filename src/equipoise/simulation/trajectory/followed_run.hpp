@@ -26,7 +26,7 @@ class FollowedRun {
   /// Appends the present state.
   void record(Trajectory& out) const;
   /// Whether the balls are clamped.
-  bool held() const;
+  bool clamped() const;
   const Study& study() const;
 
  private:

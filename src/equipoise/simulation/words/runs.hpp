@@ -95,9 +95,9 @@ inline constexpr char leaves_at[] =
 inline constexpr char leaves_below[] = "a rate below {:.2g} per {} and its median lifetime is above {:.2g}{}";
 inline constexpr char unit_of_time[] = "unit of time", second[] = "second";
 // How near the rotor came to the release.
-inline constexpr char undecided_held[] = "balls of undecided starts are never let go: {}";
+inline constexpr char undecided_clamped[] = "balls of undecided starts are never let go: {}";
 // The same.
-inline constexpr char stalled_held[] = "balls of stalled starts are never let go: {}";
+inline constexpr char stalled_clamped[] = "balls of stalled starts are never let go: {}";
 inline constexpr char keeps_turning[] =
     "the rotor keeps turning, at {:.2g} at least, and never comes to release.speed = 0";
 // A fraction.

@@ -1,4 +1,4 @@
-// The speed at which a motor holds the rotor.
+// The speed that a motor sustains.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace equipoise::model {
 
-/// balanced_speed() if a motor holds it. Empty at a prescribed speed, for a coasting rotor, and for a motor whose last
-/// torque speeds the rotor up for ever.
-inline std::optional<double> held_speed(const System& system) {
+/// balanced_speed() if a motor sustains it. Empty at a prescribed speed, for a coasting rotor, and for a motor whose
+/// last torque speeds the rotor up for ever.
+inline std::optional<double> sustained_speed(const System& system) {
   if (system.prescribed() || system.coasts()) return std::nullopt;
   const DriveSegment& m = system.drive().motor;
   const std::optional<double> speed = balanced_speed(system);
@@ -24,7 +24,7 @@ inline constexpr const char* holds_no_speed = words::mechanics::holds_no_speed;
 
 /// Whether the motor's last torque acts for good and holds no speed: a balanced rotor then speeds up without end.
 inline bool speeds_up_for_ever(const System& system) {
-  return !system.prescribed() && !system.coasts() && !held_speed(system);
+  return !system.prescribed() && !system.coasts() && !sustained_speed(system);
 }
 
 }  // namespace equipoise::model

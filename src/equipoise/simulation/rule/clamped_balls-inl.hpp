@@ -1,10 +1,10 @@
-// The observer of a lane block of driven rotors with held balls. It ends trajectories just before they reach the
+// The observer of a lane block of driven rotors with clamped balls. It ends trajectories just before they reach the
 // release speed, and those that are steady without reaching it. Included once per CPU target.
-#if defined(EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL
-#undef EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL
+#if defined(EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
+#undef EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
 #else
-#define EQUIPOISE_CLASSIFICATION_HOLD_BALLS_INL
+#define EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
 #endif
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 #include "equipoise/simulation/batch/batch_watch-inl.hpp"
 #include "equipoise/simulation/rule/classify-inl.hpp"
-#include "equipoise/simulation/rule/held.hpp"
+#include "equipoise/simulation/rule/release_rule.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -22,11 +22,11 @@ namespace HWY_NAMESPACE {
 // Hooks: see NoObserver in simulation/batch/batch_block-inl.hpp; one group of lanes. A rotor counts as having reached
 // the speed if it has at one of two stages of a step or at its end; dense output later locates the time. `watch` may be
 // null; it does not see the step in which balls are released.
-class HoldBalls {
+class ClampedBalls {
  public:
   static constexpr int lanes = static_cast<int>(pack_lanes);
 
-  HoldBalls(const BatchTask& task, const HoldRule& rule, BatchWatch* watch, std::vector<HeldEnd>& ends)
+  ClampedBalls(const BatchTask& task, const ReleaseRule& rule, BatchWatch* watch, std::vector<ClampedEnd>& ends)
       : task_(task),
         size_(task.dimension()),
         speed_place_(task.layout().speed),
@@ -70,7 +70,7 @@ class HoldBalls {
   }
 
   void end(int slot, std::size_t start, BatchEnd how, double t, const double* z) {
-    HeldEnd& result = ends_[start];
+    ClampedEnd& result = ends_[start];
     result = {};
     result.nearest = sign_ * element(nearest_, slot);
     if (watch_) watch_->end(slot, start, how, element(before_t_, slot));
@@ -94,12 +94,12 @@ class HoldBalls {
   const BatchTask& task_;
   const int size_, speed_place_;
   const double sign_;
-  const HoldRule& rule_;
+  const ReleaseRule& rule_;
   Pack release_;
   std::vector<Fate> fates_;
   ClassifyFate<1, 1, BatchKind::smooth> windows_;
   BatchWatch* const watch_;
-  std::vector<HeldEnd>& ends_;
+  std::vector<ClampedEnd>& ends_;
   static constexpr int largest_held_state = model::dimension(1) + 3;
   Pack first_[largest_held_state], second_[largest_held_state];
   Pack before_[largest_held_state], before_t_, nearest_;

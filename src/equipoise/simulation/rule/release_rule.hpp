@@ -1,4 +1,4 @@
-// Driven rotors whose balls are held until the rotor reaches a speed: the rule of release, and how trajectories end.
+// Driven rotors whose balls are clamped until the rotor reaches a speed: the rule of release, and how trajectories end.
 #pragma once
 
 #include <limits>
@@ -9,15 +9,15 @@
 
 namespace equipoise {
 
-/// When held balls are released, or the trajectory is given up.
-struct HoldRule {
+/// When clamped balls are released, or the trajectory is given up.
+struct ReleaseRule {
   double release_speed = std::numeric_limits<double>::infinity();  ///< infinite: never
   std::vector<double> own_speeds{};  ///< each trajectory's, if they have rotors of their own; else empty
   bool rising = true;                ///< released from that speed on; else from that speed down
   ClassificationRule windows;  ///< only its windows are set: they decide when a rotor that never gets there is steady
 };
 
-struct HeldEnd {
+struct ClampedEnd {
   /// Attracted if steady; undecided at the task's end, or earlier if the rotor runs away.
   Fate fate;
   /// Whether it reached release_speed, or seemed to, in the step from `fate.time` to `crossed_by`. Its state is that at
