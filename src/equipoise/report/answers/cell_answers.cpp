@@ -101,10 +101,6 @@ std::string shown_words(const std::optional<double>& low, const std::optional<do
   return words;
 }
 
-std::string shown_words(const CapacityResult& r, const CapacityCell& cell) {
-  return shown_words(cell.shown_low(r.at_least), cell.shown_high(r.at_least));
-}
-
 // "213 g mm (between 201 and 220)".
 std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
   const auto low = cell.shown_low(r.at_least), high = cell.shown_high(r.at_least);
@@ -112,7 +108,7 @@ std::string capacity_words(const CapacityResult& r, const CapacityCell& cell) {
   if (cell.never) return likely(high == r.from) + (words::answers::less_than + sought_value(r, r.from));
   if (cell.always) return likely(low == r.to) + (words::answers::more_than + sought_value(r, r.to));
   if (low && high) return fmt::format(words::answers::surely_between, sought_value(r, *cell.value), *low, *high);
-  return fmt::format("{} ({})", sought_value(r, *cell.value), shown_words(r, cell));
+  return fmt::format("{} ({})", sought_value(r, *cell.value), shown_words(low, high));
 }
 
 // Also orders capacities beyond the range.
@@ -121,15 +117,18 @@ double rank(const CapacityResult& r, const CapacityCell& cell) {
   return cell.never ? r.from - outside : cell.always ? r.to + outside : *cell.value;
 }
 
+// One of the four sentences, with what is shown of it.
+std::string capacity_sentence(const CapacityResult& r, const char* sentence, double value, const std::string& starts,
+                              const std::optional<double>& low, const std::optional<double>& high) {
+  return fmt::format(fmt::runtime(sentence), key_words(r.key), sought_value(r, value), starts, r.asked(),
+                     shown_words(low, high) + (low || high ? words::answers::confidence : ""));
+}
+
 std::string lone_capacity(const CapacityResult& r, const CapacityCell& cell, const std::string& starts) {
-  const std::string what = key_words(r.key);
-  const std::string shown =
-      shown_words(r, cell) +
-      (cell.shown_low(r.at_least) || cell.shown_high(r.at_least) ? words::answers::confidence : "");
-  if (cell.never) return fmt::format(words::answers::nowhere, what, sought_value(r, r.from), starts, r.asked(), shown);
-  if (cell.always)
-    return fmt::format(words::answers::up_to_the_end, what, sought_value(r, r.to), starts, r.asked(), shown);
-  return fmt::format(words::answers::up_to, what, sought_value(r, *cell.value), starts, r.asked(), shown);
+  const auto low = cell.shown_low(r.at_least), high = cell.shown_high(r.at_least);
+  if (cell.never) return capacity_sentence(r, words::answers::nowhere, r.from, starts, low, high);
+  if (cell.always) return capacity_sentence(r, words::answers::up_to_the_end, r.to, starts, low, high);
+  return capacity_sentence(r, words::answers::up_to, *cell.value, starts, low, high);
 }
 
 // Before any cell is finished.
@@ -139,9 +138,8 @@ std::string open_capacity(const CapacityResult& r, const std::vector<std::string
   if (!r.axes.empty()) return words::answers::no_cell_finished;
   const OpenCapacity& open = **known;
   const std::string text =
-      fmt::format(fmt::runtime(open.low ? words::answers::up_to : words::answers::fewer_from_value), key_words(r.key),
-                  sought_value(r, open.low ? *open.low : *open.high), starts, r.asked(),
-                  shown_words(open.low, open.high) + words::answers::confidence);
+      open.low ? capacity_sentence(r, words::answers::up_to, *open.low, starts, open.low, open.high)
+               : capacity_sentence(r, words::answers::fewer_from_value, *open.high, starts, open.low, open.high);
   return after_what_is_drawn(keys, text + words::answers::stopped_before_found);
 }
 
