@@ -32,13 +32,12 @@ double spread(const Peaks& p, std::size_t count) {
 }
 
 // Of windows of one length. Whether those that differ show a motion that swings, a torus or chaos, or the end of an
-// approach: a deviation that dies out from d1 to d2 leaves d2^2/(d1 - d2) to come.
+// approach.
 bool steady(const Peaks& p, int windows) {
   if (windows >= static_cast<int>(fewest_compared) && spread(p, fewest_compared) <= noise) return true;
   if (windows < static_cast<int>(most_compared) || !(spread(p, most_compared) <= agreement)) return false;
   const double d1 = p[2] - p[1], d2 = p[1] - p[0];
-  if (d1 * d2 <= 0.0) return true;
-  return std::fabs(d2) < std::fabs(d1) && d2 * d2 <= agreement * p[0] * std::fabs(d1 - d2);
+  return d1 * d2 <= 0.0 || has_nearly_arrived(d1, d2, agreement * p[0]);
 }
 
 struct Followed {

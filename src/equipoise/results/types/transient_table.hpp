@@ -101,6 +101,13 @@ struct KnownEnd {
   double wait = 0.0;                     ///< without figures: time after which what is left of the way there is small
 };
 
+/// Whether at most `allowed` is left of an approach: differences that shrink from d1 to d2, one after the other, leave
+/// d2^2/(d1 - d2) to come, or less if they die out faster than 1/t.
+inline bool has_nearly_arrived(double d1, double d2, double allowed) {
+  const double change = std::fabs(d2);
+  return change * change <= allowed * (std::fabs(d1) - change);
+}
+
 /// Whether a trajectory whose outcome is known may end with the window `last`: its figures change no more. `before`:
 /// the windows at the last two powers of two below `windows`, the later first; `windows`: how many there were since the
 /// decision, with `last`; `peak`: largest r^2 from release on.
@@ -110,8 +117,7 @@ struct KnownEnd {
 ///
 /// Else the first, second and fourth windows are compared, then the second, fourth and eighth, and so on. From doubled
 /// time to doubled time the last two must agree to 2 % in peak and in root mean square velocity, and what is left of
-/// the peak's approach must be below 5e-4, a tenth of what three digits show: differences that shrink from d1 to d2
-/// leave d2^2/(d1 - d2) to come, or less if they die out faster than 1/t. A departure from an unstable motion grows
+/// the peak's approach must be below 5e-4, a tenth of what three digits show. A departure from an unstable motion grows
 /// instead. Of chaos 32 windows are enough; figures that go on rising or falling are followed for up to 1024.
 inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
                         const std::array<TransientWindow, 2>& before, const TransientWindow& last, int windows,
@@ -136,7 +142,7 @@ inline bool seen_enough(const TransientSettings& settings, const KnownEnd& end,
   const double d1 = before[0].peak - before[1].peak, d2 = last.peak - before[0].peak;
   const double v1 = mean(before[0]) - mean(before[1]), v2 = mean(last) - mean(before[0]);
   const double change = std::fabs(d2);
-  const bool done = change <= sampling * last.peak || change * change <= digits * last.peak * (std::fabs(d1) - change);
+  const bool done = change <= sampling * last.peak || has_nearly_arrived(d1, d2, digits * last.peak);
   if (done && change <= sameness * last.peak && std::fabs(v2) <= sameness * mean(last)) return true;
   const bool creeps = d1 * d2 > 0.0 && v1 * v2 > 0.0;
   return windows >= (creeps ? most_creeping : most_windows);
