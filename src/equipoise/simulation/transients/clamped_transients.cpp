@@ -123,6 +123,7 @@ ClampedTransients::ClampedTransients(const model::Parameters& p, const std::vect
   if (!proportional_) return;
   const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
   radius_peak_ = radius_.largest(one);
+  radius_place_ = radius_.place_of(one, radius_peak_);
   force_peak_ = force_.largest(one);
 }
 
@@ -178,10 +179,8 @@ TransientSums ClampedTransients::sums(const model::Parameters& p, const double* 
   const double square = ux * ux + uy * uy;
   result.end = settings_.release;
   result.work = work(p, phi, m);
-  const Monomials one{1.0, 1.0, 0.0, 1.0, 0.0, 0.0};
   result.clamped_peak.square = proportional_ ? square * radius_peak_ : radius_.largest(m);
-  const std::size_t there =
-      proportional_ ? radius_.place_of(one, radius_peak_) : radius_.place_of(m, result.clamped_peak.square);
+  const std::size_t there = proportional_ ? radius_place_ : radius_.place_of(m, result.clamped_peak.square);
   result.clamped_peak.time = times_[there];
   result.clamped_peak.speed = speeds_[there];
   result.force_peak = proportional_ ? square * force_peak_ : force_.largest(m);

@@ -68,6 +68,7 @@ class ClampedTransients {
   ClampedBasis begin_;                           // where the first segment begins
   std::vector<Losses> losses_;                   // one each segment, if work is asked for
   double radius_peak_ = 0.0, force_peak_ = 0.0;  // for U = 1, if proportional_
+  std::size_t radius_place_ = 0;                 // then: of the peak
 };
 
 }  // namespace equipoise
