@@ -5,27 +5,23 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/percent_text.hpp"
-#include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
 void note_chaos(BasinResult& result, const EscapeRate& chaos) {
   result.chaos = chaos;
-  result.chaos_watched_from = lasting_chaos;
   const double time = result.study.scales ? result.study.scales->time() : 1.0;
   const std::string unit = result.study.scales ? " s" : "";
   const char* per = result.study.scales ? words::runs::second : words::runs::unit_of_time;
-  const auto number = [](double x) { return plain_number(x, 2); };
   const std::string rate =
       chaos.escapes == 0 ? fmt::format(words::runs::leaves_below, chaos.high / time, per, chaos.least * time, unit)
                          : fmt::format(words::runs::leaves_at, chaos.rate / time, chaos.low / time, chaos.high / time,
                                        per, chaos.median * time, chaos.least * time, chaos.most * time, unit);
-  result.note +=
-      (result.note.empty() ? "" : "; ") + fmt::format(words::runs::chaos_may_end, chaos.trajectories,
-                                                      number(lasting_chaos * time), unit, chaos.escapes, rate);
+  result.note += (result.note.empty() ? "" : "; ") + fmt::format(words::runs::chaos_may_end, chaos.trajectories,
+                                                                 time_words(result.study, chaos.watched_from, 2),
+                                                                 chaos.escapes, rate);
 }
 
 void note_open_starts(BasinResult& result, const Horizon& horizon, const LookAt& undecided, const LookAt& stalled) {

@@ -163,7 +163,10 @@ std::optional<EscapeRate> Tally::chaos(const Catalogue& catalogue) const {
     late += line.late;
     watched += line.late_time;
   }
-  return lasts ? std::optional(escape_rate(escapes, late, watched)) : std::nullopt;
+  if (!lasts) return std::nullopt;
+  EscapeRate result = escape_rate(escapes, late, watched);
+  result.watched_from = lasting_chaos;
+  return result;
 }
 
 std::vector<Share> Tally::shares() const {

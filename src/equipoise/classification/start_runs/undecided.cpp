@@ -66,10 +66,6 @@ double largest_exponent(const model::System& system, const Eigen::VectorXd& stat
   return exponent;
 }
 
-std::string time_words(const Study& study, double time, int digits) {
-  return study.scales ? plain_number(time * study.scales->time(), digits) + " s" : plain_number(time, digits);
-}
-
 std::string speed_words(const Study& study, double speed) {
   constexpr double rpm = pi / 30.0;
   return study.scales ? plain_number(speed * study.scales->frequency / rpm, 3) + " rpm" : plain_number(speed, 3);
@@ -109,6 +105,10 @@ std::string speeding_text(const Study& study, const Horizon& horizon, const std:
 }
 
 }  // namespace
+
+std::string time_words(const Study& study, double time, int digits) {
+  return study.scales ? plain_number(time * study.scales->time(), digits) + " s" : plain_number(time, digits);
+}
 
 std::string slowness_text(const Horizon& h) {
   const double slowest = h.rates.slowest();

@@ -49,6 +49,9 @@ struct UndecidedEnd {
 /// `state`: the state at the horizon, or on the next stroboscopic section if there is one.
 UndecidedEnd look_at_undecided(const model::System& system, const Eigen::VectorXd& state);
 
+/// "0.05 s", or dimensionless without units.
+std::string time_words(const Study& study, double time, int digits);
+
 /// The slowest known rate and the horizon that it asks for.
 std::string slowness_text(const Horizon& horizon);
 

@@ -11,6 +11,7 @@ struct EscapeRate {
   double watched = 0.0;                          ///< time, summed over trajectories; above 0
   double rate = 0.0, low = 0.0, high = 0.0;      ///< with its 95 % interval
   double median = 0.0, least = 0.0, most = 0.0;  ///< lifetime; infinite where the rate may be 0
+  double watched_from = 0.0;                     ///< those that left earlier do not count
 };
 
 /// The largest-likelihood rate for lifetimes some of which are cut off. Its interval is the exact one for a Poisson

@@ -18,6 +18,7 @@
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/words/pages.hpp"
 #include "equipoise/report/words/reports.hpp"
+#include "equipoise/simulation/words/runs.hpp"
 
 namespace equipoise {
 
@@ -89,7 +90,7 @@ class DesignDocument {
     if (!v.spin_up) return fmt::format("{:.4g} to {:.4g}{}", v.low, v.high, unit);
     const std::string slope =
         v.spin_up->slope ? fmt::format(words::pages::slope_at_most, *v.spin_up->slope, unit,
-                                       v.spin_up->time_unit.empty() ? words::pages::unit_of_time : v.spin_up->time_unit)
+                                       v.spin_up->time_unit.empty() ? words::runs::unit_of_time : v.spin_up->time_unit)
                          : "";
     return fmt::format(words::pages::points_from, v.spin_up->points, plural(v.spin_up->points), v.low, v.high,
                        unit, v.spin_up->until, v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);

@@ -38,7 +38,7 @@ Json chaos_json(const BasinResult& r) {
   const EscapeRate& c = *r.chaos;
   const double time = r.study.scales ? r.study.scales->time() : 1.0;
   const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  return {{"undecided_after", r.chaos_watched_from * time},
+  return {{"undecided_after", c.watched_from * time},
           {"starts", c.trajectories},
           {"decided_later", c.escapes},
           {"rate", {{"value", c.rate / time}, {"low", c.low / time}, {"high", c.high / time}}},

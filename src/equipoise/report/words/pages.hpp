@@ -91,7 +91,6 @@ inline constexpr char what_limits_it[] = "What limits it: ";
 inline constexpr char values_from[] = "{} values from {} to {}";
 // Slope, unit of speed, unit of time.
 inline constexpr char slope_at_most[] = ", at most {:.4g}{} a {}";
-inline constexpr char unit_of_time[] = "unit of time";
 // Points, plural, lowest, highest speed, unit, last time, unit, slope.
 inline constexpr char points_from[] = "{} point{} from {:.4g} to {:.4g}{} within {:.4g}{}{}{}";
 inline constexpr char what_for_what[] = "Trade-offs";

@@ -47,7 +47,6 @@ struct BasinResult : OtherShares {
   std::optional<Share> met;
   /// How starts leave the chaos that some are still in at the horizon; times are dimensionless.
   std::optional<EscapeRate> chaos;
-  double chaos_watched_from = 0.0;            ///< with `chaos`: starts decided earlier were never in it long
   std::optional<TransientResult> transients;  ///< if they were gathered
   /// With `transients`, unless stopped before it was known or not asked (BasinOptions::without_balls).
   std::optional<WithoutBalls> without_balls;

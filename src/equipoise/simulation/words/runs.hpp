@@ -84,9 +84,9 @@ inline constexpr char unknown_end[] =
     "no torque acts in the end, and the speed that the rotor then keeps is not known beforehand";
 // Share, why.
 inline constexpr char many_undecided[] = "{} are undecided: {}";
-// Starts, a time and its unit, how many of them left, a rate and a lifetime.
+// Starts, a time, how many of them left, a rate and a lifetime.
 inline constexpr char chaos_may_end[] =
-    "long-lived chaos may end: of the {} starts that were in it, or on a slow approach, after {}{}, {} came to "
+    "long-lived chaos may end: of the {} starts that were in it, or on a slow approach, after {}, {} came to "
     "something else later, so they leave it at {}";
 // Rate, its interval, unit of time; lifetime, its interval and its unit.
 inline constexpr char leaves_at[] =
