@@ -103,6 +103,7 @@ class Journey : Stretches {
   std::optional<Motion> restless(MotionKind kind, const std::vector<double>& exponents);
   bool statistics_repeat(double share_of_extremes, double share_of_means) const;
   bool comes_back() const;
+  bool may_creep_balanced() const;
   bool creeps() const;
   bool creeps_balanced(const Motion& motion) const;
 
@@ -196,8 +197,7 @@ std::optional<Motion> Journey::continuum() {
 
 // Near the rest of a continuum of balanced states under gravity, and creeping along it.
 std::optional<Motion> Journey::creep() {
-  if (!on_section() || p_.gravity == 0.0 || p_.balls <= 2 || !ContinuumOfEquilibria::is_of(system_))
-    return std::nullopt;
+  if (!may_creep_balanced() || !ContinuumOfEquilibria::is_of(system_)) return std::nullopt;
   const ContinuumOfEquilibria continuum(system_);
   std::optional<ContinuumMember> end = continuum.destination(state_);
   if (!end || !(end->rate < 0.0)) return std::nullopt;
@@ -326,8 +326,10 @@ bool Journey::comes_back() const {
 }
 
 // Under gravity a continuum of balanced states leaves a motion along it that never comes back.
+bool Journey::may_creep_balanced() const { return on_section() && p_.gravity != 0.0 && p_.balls > 2; }
+
 bool Journey::creeps_balanced(const Motion& motion) const {
-  if (!on_section() || p_.gravity == 0.0 || p_.balls <= 2 || motion.kind != MotionKind::quasi_periodic) return false;
+  if (!may_creep_balanced() || motion.kind != MotionKind::quasi_periodic) return false;
   const auto creeps = [&](double drift) { return std::fabs(drift) * motion.duration < 0.5 * pi; };
   return std::all_of(motion.drift.begin(), motion.drift.begin() + p_.balls, creeps) &&
          relaxes_to_balance(system_, motion.state);
@@ -392,8 +394,7 @@ std::optional<Motion> Journey::persistence() {
   const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
   repeats_ = tight ? repeats_ + 1 : 0;
   ahead_ = 0.0;
-  // A state that creeps along a continuum of balanced states under gravity does not come back either.
-  if (!on_section() && !comes_back()) return std::nullopt;
+  if (!may_creep_balanced() && !comes_back()) return std::nullopt;
   if (last_.duration < 1000.0 || !(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
   if (periodic_ || (chaotic_ && !is_over())) return std::nullopt;
   MotionKind kind = MotionKind::chaotic;
