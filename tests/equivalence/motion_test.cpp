@@ -328,4 +328,14 @@ TEST(SlowDrift, IsMeasuredAndNamed) {
   }
 }
 
+// On unequal supports states are compared once a turn. The forces on a hundred-millionth of the rotor's mass turn its
+// balls by a hundredth of a radian in the time that a motion is given to show.
+TEST(SlowDrift, OfNearlyMasslessBallsOnUnequalSupportsIsNoTorus) {
+  model::Parameters p = base_rotor(2, 0.163, 2.06e-8);
+  p.eccentricity = 1.41e-8;
+  p.stiffness = {0.85, 1.15};
+  p.damping = {0.19, 0.119};
+  EXPECT_FALSE(motion_from({p, 1.65}, at_rest({3.936538012193493, 4.814674071464357})));
+}
+
 }  // namespace motion_test
