@@ -30,7 +30,7 @@ WORDS = ["src/equipoise/report/", "src/equipoise/extras/charts/",
 DEPENDS = {
     "cli": [*PROGRAM, "tests/cli/", "tests/snapshots/"],
     "published": PROGRAM,
-    "python": ["src/", "python/", "studies/", *BUILT_BY],
+    "python": ["src/", "python/", "studies/", "docs/evidence/publications.md", *BUILT_BY],
     "types": ["python/equipoise/", "pyproject.toml"],
     "audit": ["src/", "tests/audit/", *BUILT_BY],
     "fuzz": ["tests/fuzz/", "studies/", "src/equipoise/study/", "src/equipoise/core/"],

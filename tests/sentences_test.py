@@ -17,9 +17,6 @@ LEAST = 4  # words
 TABLES = {
     "src/equipoise/results/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
     "src/equipoise/extras/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
-    "src/equipoise/extras/publications/publication_table.cpp": "an entry a publication, in which a row is a number of it",
-    "src/equipoise/extras/publications/rodrigues_2008.cpp": "entries of that table",
-    "src/equipoise/extras/publications/rodrigues_table.cpp": "entries of that table",
     "src/equipoise/results/result_files/share_columns.hpp": "a row a column",
     "src/equipoise/results/result_files/start_columns.cpp": "a row a column",
     "src/equipoise/extras/planes/stability_plane.hpp": "a row a column",

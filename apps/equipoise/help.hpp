@@ -160,10 +160,8 @@ inline constexpr char output[] = "page to write: one file that needs nothing els
 }  // namespace report_page
 
 namespace reproduce {
-inline constexpr char about[] = "what Wright and Peng (2019) or others published, computed again and judged";
-inline constexpr char what[] =
-    "any of {} (default: all), or names of other publications (see --list), separated by blanks or commas";
-inline constexpr char list[] = "show what can be reproduced, and stop";
+inline constexpr char about[] = "what Wright and Peng (2019) published, computed again and judged";
+inline constexpr char what[] = "any of {} (default: all), separated by blanks or commas";
 inline constexpr char starts[] = "starts per ensemble (default: as many as the paper used)";
 inline constexpr char law[] = "speed law of ramps (default: both)";
 inline constexpr char report[] = "one page with everything (HTML), or Markdown with pictures beside it";

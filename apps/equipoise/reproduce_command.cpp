@@ -1,11 +1,9 @@
-// equipoise reproduce: what Wright and Peng (2019) and other publications printed, computed again and judged.
+// equipoise reproduce: what Wright and Peng (2019) printed, computed again and judged.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,10 +12,8 @@
 #include "commands.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/publications/publication_verdicts.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
-#include "equipoise/report/drawing/document.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "reproduce_files.hpp"
@@ -36,25 +32,10 @@ struct ReproduceArguments : ComputingArguments {
   std::vector<std::string> what;
   std::optional<std::string> starts, pixels;
   std::string law = "both", output, report, explorer;
-  bool json = false, list = false;
+  bool json = false;
 };
 
-// Names of publications, if that is what is asked for; each WHAT may be several, separated by commas.
-std::vector<std::string> publications_in(const ReproduceArguments& a) {
-  std::vector<std::string> names;
-  std::size_t parts = 0;
-  for (const std::string& name : a.what) {
-    if (name == "publications")
-      for (const Publication& p : publications()) names.emplace_back(p.name);
-    else if (find_publication(name))
-      names.push_back(name);
-    else if (++parts; !names.empty())
-      throw InputError("reproduce", "", name, words::publications_alone);
-  }
-  if (parts > 0 && !names.empty()) throw InputError("reproduce", "", names.front(), words::publications_alone);
-  return names;
-}
-
+// Each WHAT may be several, separated by commas.
 std::vector<std::string> split(const std::vector<std::string>& what) {
   std::vector<std::string> names;
   for (const std::string& list : what)
@@ -95,45 +76,9 @@ void check_paths(const ReproduceArguments& a) {
   require_writable("--report", a.report);
 }
 
-int run_publications(const ReproduceArguments& a, const std::vector<std::string>& names) {
-  for (const auto& [option, given] : {std::pair{"--starts", a.starts.has_value()},
-                                      {"--pixels", a.pixels.has_value()},
-                                      {"--law", a.law != "both"},
-                                      {"--output", !a.output.empty()},
-                                      {"--explorer", !a.explorer.empty()}})
-    if (given) throw InputError(option, "", names.front(), words::only_of_the_paper);
-  if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
-    throw InputError("--report", "", a.report, fmt::format(words::ends_in_either, ".html", ".md"));
-  require_writable("--report", a.report);
-  ProgressLine progress(a.quiet);
-  RunOptions options;
-  options.threads = threads_option(a.threads);
-  options.stop = &stop_flag();
-  progress.listen(options);
-  JudgedPublications r = judge_publications(names, options);
-  progress.finish();
-  r.command = command_line(a);
-  if (!a.report.empty() && !r.partial) {
-    const Document page = publications_document(r);
-    write_file(a.report, a.report.ends_with(".md") ? document_markdown(page, "") : document_html(page));
-  }
-  put(a.json ? publications_json(r) : publications_text(r));
-  std::optional<WorkLeft> left = progress.left();
-  if (left && left->total > 0) {
-    left->what = words::rows;
-    left->seconds.reset();  // a row takes a moment or minutes
-  }
-  return r.partial ? ended_early(left, nullptr, "") : r.differs() ? check_failed : done;
-}
-
 int run_reproduce(ReproduceArguments& a) {
-  if (a.list) {
-    put(publications_list(reproducible()));
-    return done;
-  }
   begin_computing(a);
   a.what = split(a.what);
-  if (const auto names = publications_in(a); !names.empty()) return run_publications(a, names);
   ReproduceOptions options = options_from(a);
   check_paths(a);
   const std::string folder = picture_folder(a.output, a.report);
@@ -156,7 +101,6 @@ Command add_reproduce(CLI::App& app) {
   const auto a = std::make_shared<ReproduceArguments>();
   app.add_option("what", a->what, fmt::format(help::reproduce::what, fmt::join(reproducible(), ", ")))
       ->type_name("WHAT");
-  app.add_flag("--list", a->list, help::reproduce::list);
   app.add_option("--starts", a->starts, help::reproduce::starts)->type_name("N");
   app.add_option("--law", a->law, help::reproduce::law)->type_name("LAW");
   app.add_option("--report", a->report, help::reproduce::report)->type_name("FILE.html|.md");

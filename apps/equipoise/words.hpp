@@ -70,9 +70,6 @@ inline constexpr char no_more_threads[] = "the system makes no more threads for 
 // Options that do not go together.
 inline constexpr char along_only[] = "goes with --along KEY=FROM:TO:STEP only";
 inline constexpr char cost_only[] = "goes with --cost only: nothing else takes time here";
-inline constexpr char publications_alone[] =
-    "name either parts of Wright and Peng or other publications: each are judged by their own rules";
-inline constexpr char only_of_the_paper[] = "goes with Wright and Peng alone, not with other publications";
 inline constexpr char report_only[] = "goes with --report";
 inline constexpr char page_of_an_ensemble[] =
     "a page reports an ensemble, not one start; must be left out with --start-index";

@@ -1,8 +1,5 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
-  extras/publications/measures.cpp extras/publications/publication_table.cpp
-    extras/publications/publication_verdicts.cpp extras/publications/rodrigues_2008.cpp
-    extras/publications/rodrigues_table.cpp extras/publications/shaft_measures.cpp
   extras/literature/conclusions.cpp extras/literature/published_tables.cpp extras/literature/reproduction.cpp
   extras/reproduction/open_questions.cpp extras/reproduction/paper_figures.cpp extras/reproduction/reproduce.cpp
     extras/reproduction/reproduction.cpp extras/reproduction/reproduction_document.cpp
@@ -35,11 +32,6 @@ endforeach()
 foreach(path IN LISTS studies)
   get_filename_component(name ${path} NAME)
   list(APPEND paper_files studies/${name}=${path})
-endforeach()
-file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/publications/*.toml)
-foreach(path IN LISTS studies)
-  get_filename_component(name ${path} NAME)
-  list(APPEND paper_files publications/${name}=${path})
 endforeach()
 list(APPEND paper_files
   evidence/table-7-candidates.csv=${PROJECT_SOURCE_DIR}/docs/evidence/table-7-candidates.csv)

@@ -1,14 +1,11 @@
 // The paper's front door (CMake target equipoise::paper): Wright and Peng (2019), what they printed, and all of it
-// computed again; and numbers of other publications.
+// computed again.
 #pragma once
 
 #include "equipoise/equipoise.hpp"
 #include "equipoise/extras/literature/conclusions.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/extras/literature/reproduction.hpp"
-#include "equipoise/extras/publications/measures.hpp"
-#include "equipoise/extras/publications/publication.hpp"
-#include "equipoise/extras/publications/publication_verdicts.hpp"
 #include "equipoise/extras/reproduction/open_questions.hpp"
 #include "equipoise/extras/reproduction/paper_figures.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"

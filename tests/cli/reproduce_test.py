@@ -185,32 +185,8 @@ class Refusals(Case):
         self.refused("reproduce", "table-7", "--law", "kinematic", "--starts", "50", "-o", self.folder, "--quiet",
                      words=["table-7-t0-100-t1-300", "something other"])
 
-
-class OtherPublications(Case):
-    def test_are_listed(self):
-        done = run("reproduce", "--list")
-        self.assertEqual(done.returncode, 0)
-        for name in ("table-7", "jeffcott-1919", "rodrigues-2008", "mirkov-2026"):
-            self.assertIn(name, done.stdout)
-        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
-
-    def test_are_judged_by_a_list_of_names(self):
-        done = run("reproduce", "jeffcott-1919,rodrigues-enoc", "sommerfeld-1902", "--quiet")
-        self.assertEqual(done.returncode, 0)
-        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
-        self.assertIn("20 of 22 numbers agree, 2 differ, each for a reason that is known", done.stdout)
-        data = json.loads(run("reproduce", "sommerfeld-1902", "--json", "--quiet").stdout)
-        self.assertFalse(data["differs"])
-        (publication,) = data["publications"]
-        for row in publication["rows"]:
-            away = abs(row["published"]["value"] - row["computed"]["value"])
-            self.assertEqual(row["verdict"], "agrees")
-            self.assertLessEqual(away, row["published"]["error"] + row["computed"]["error"])
-
-    def test_refuse_what_belongs_to_the_paper(self):
-        self.refused("reproduce", "jeffcott-1919", "table-1", "--quiet", words=["parts of Wright and Peng"])
-        self.refused("reproduce", "jeffcott-1919", "--starts", "4", "--quiet", words=["Wright and Peng alone"])
-        self.refused("reproduce", "nobody-1900", "--quiet", words=["--list"])
+    def test_names_of_other_publications_are_refused_with_the_script_that_has_them(self):
+        self.refused("reproduce", "rodrigues-2008", "--quiet", words=["must be among table-1", "studies/publications/judge.py"])
 
 
 if __name__ == "__main__":

@@ -24,7 +24,6 @@ LONG = {
     "chart": ("chart", ROW, "--x", "speed.final=0.5:6", "--y", "balancer.drag=0.001:0.1", "--size", "16x16", "--cycles"),
     "simulate": ("simulate", ROW, "--until", "1e9", "--every", "1e6"),
     "reproduce": ("reproduce", "table-3", "--law", "published"),
-    "publication": ("reproduce", "mirkov-2026"),
 }
 OUT_OF_TIME = 4
 
@@ -49,11 +48,6 @@ class Within(unittest.TestCase):
                 if name != "simulate":
                     self.assertIn("PARTIAL", done.stdout)
                     self.assertTrue(json.loads(limited(0.3, *arguments, "--json")[0].stdout)["partial"])
-
-    @slow
-    def test_nothing_is_said_of_the_rest_where_it_is_not_counted(self):
-        done, _ = limited(2, *LONG["publication"])
-        self.assertRegex(done.stderr, "1 of 8 rows are done; how long the rest takes is not known")
 
     def test_what_ends_before_its_time_says_nothing_of_it(self):
         done = run("basin", *EASY, "--starts", "200", "--within", "1h", "--quiet")

@@ -10,12 +10,14 @@
 #include <random>
 #include <vector>
 
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/publications/measures.hpp"
-#include "equipoise/extras/publications/publication.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace reversed_sign_test {
+
+const char* const published_machine = EQUIPOISE_SOURCE_DIR "/studies/publications/mirkov-2026.toml";
 
 enum class Coupling { right = 1, published = -1 };
 
@@ -167,8 +169,7 @@ TEST(ReversedSign, MakesEnergyThatNothingSupplies) {
 
 // What the mapping of symbols says: with the right sign these are the program's equations.
 TEST(ReversedSign, IsAllThatDiffersFromTheProgram) {
-  const equipoise::Publication& mirkov = *equipoise::find_publication("mirkov-2026");
-  equipoise::Study study = study_of(mirkov, mirkov.rows.front());
+  equipoise::Study study = equipoise::read_study(published_machine);
   study.initial.phi = {0.3, 2.5};
   const Machine m;
   const Turning z = advanced(start(0.3, 2.5), 5.0, 2e-4, [&](const Turning& at) { return flow(m, 12.0, at); });
@@ -193,10 +194,13 @@ TEST(ReversedSign, TurnsTheRatesNearBalanceRound) {
   EXPECT_NEAR(published[0], 0.0015294, 5e-8);
   EXPECT_NEAR(published[1], 0.012229, 5e-7);
   // The program has the right ones.
-  const equipoise::Publication& mirkov = *equipoise::find_publication("mirkov-2026");
-  const equipoise::Study study = study_of(mirkov, mirkov.rows.front());
-  for (int k = 0; k < 2; ++k)
-    EXPECT_NEAR(equipoise::measures::rate_near_balance(study, k).value, right[static_cast<std::size_t>(k)], 2e-8);
+  const equipoise::Study study = equipoise::read_study(published_machine);
+  const equipoise::model::System system = study.system();
+  const auto angles = equipoise::balanced_angles(equipoise::model::balanced_states(system), study.parameters);
+  ASSERT_TRUE(angles);
+  const auto rates = equipoise::balanced_rates(system, *angles, false);
+  ASSERT_TRUE(rates);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(rates->rates[k].real() * study.scales->frequency, right[k], 2e-8);
 }
 
 // Six pairs of the sixty: all of them by 95 % of shares above 61 %.

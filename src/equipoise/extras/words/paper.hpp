@@ -46,7 +46,8 @@ inline constexpr char release_caption[] =
 inline constexpr char data_of_figure[] =
     "# r: distance of the rotor's centre from the axis, in race radii; t in 1/omega_c. Long curves are thinned to "
     "their envelope.\n";
-inline constexpr char known_parts[] = "must be among {}, or another publication (equipoise reproduce --list)";
+inline constexpr char known_parts[] =
+    "must be among {}; studies/publications/judge.py has the numbers of other publications";
 inline constexpr char known_figures[] = "must be one of paper_figure_ids()";
 
 // Names of studies and maps of the paper's open questions.
