@@ -322,17 +322,6 @@ def test_pixels_without_an_outcome_are_white():
     assert np.allclose(picture[0], [to_rgb(_core.colour_of(1)), (1, 1, 1), to_rgb(_core.colour_of(0))])
 
 
-def test_a_map_that_was_filled_in_is_not_shaded(plane):
-    time = np.where(plane.outcome == 1, np.nan, plane.time)
-    fields = ("x_edges", "y_edges", "x_key", "y_key", "names", "aliases", "shares")
-    filled = SimpleNamespace(outcome=plane.outcome, time=time, **{name: getattr(plane, name) for name in fields})
-    picture = np.asarray(eq.plot.map(filled).get_images()[0].get_array())
-    assert np.allclose(picture[plane.outcome == 3], to_rgb(_core.colour_of(3)))
-
-
-# --- branches ---------------------------------------------------------------------------------------------------------
-
-
 def some_branches():
     value = np.array([2.0, 2.1, 2.2, 2.3, 2.7, 2.8])
     lost = SimpleNamespace(
