@@ -8,7 +8,6 @@
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/words/chart.hpp"
-#include "equipoise/machine/model/system.hpp"
 #include "plane_command.hpp"
 #include "words.hpp"
 
@@ -25,7 +24,7 @@ struct ChartArguments : PlaneArguments {
 int run_chart(const ChartArguments& a) {
   return run_plane(
       a, ChartSettings(),
-      [&](const Study&, ChartSettings& settings) {
+      [&](ChartSettings& settings) {
         if (!(a.undecided > 0.0 && a.undecided < 100.0))
           throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
         settings.undecided = 0.01 * a.undecided;

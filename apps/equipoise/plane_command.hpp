@@ -37,7 +37,7 @@ inline void add_plane_forms(CLI::App& app, PlaneArguments& a, const PlaneWords& 
   add_computing(app, a);
 }
 
-/// Reads the study, computes and puts out. `set(study, settings)` sets what the command has besides axes;
+/// Reads the study, computes and puts out. `set(settings)` sets what the command has besides axes;
 /// `compute(study, settings)` gives the result, which knows its study and whether it is complete; `forms(result)`
 /// makes its FormMakers, which may refer to it.
 template <class Settings, class Set, class Compute, class Forms>
@@ -47,7 +47,7 @@ int run_plane(const PlaneArguments& a, Settings settings, Set set, Compute compu
   const ReadAxes axes = read_axes(study, a);
   settings.x = axes.x;
   settings.y = axes.y;
-  set(study, settings);
+  set(settings);
   check_forms(a);
   settings.output = a.output;
   settings.threads = threads_option(a.threads);

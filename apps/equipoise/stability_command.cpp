@@ -13,7 +13,7 @@ namespace {
 
 int run_stability(const PlaneArguments& a) {
   return run_plane(
-      a, StabilitySettings(), [](const Study&, StabilitySettings&) {},
+      a, StabilitySettings(), [](StabilitySettings&) {},
       [](const Study& study, const StabilitySettings& settings) { return stability(study, settings); },
       [](const StabilityPlane& plane) {
         return FormMakers{[&] { return stability_text(plane, text_style()); },

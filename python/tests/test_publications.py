@@ -1,4 +1,4 @@
-"""studies/publications: its tables, its verdicts, its page, and its numbers beside those of other programs."""
+"""studies/publications: its tables, its verdicts, its page, and its numbers next to those of other programs."""
 
 from __future__ import annotations
 

@@ -29,7 +29,6 @@ namespace equipoise::web {
 
 namespace {
 
-Study sampled(const Study& study) { return as_sampled(study, study.sampling.method.value_or(SamplingMethod::random)); }
 
 Fate fate_of(int code, double speed) {
   Fate fate;
@@ -150,7 +149,7 @@ Json told_rows(const std::vector<Fate>& fates, const std::vector<TransientRow>& 
 }
 
 Json one_body(const Json& args, Bulk& bulk) {
-  const Study study = sampled(study_of(args.at(0)));
+  const Study study = as_sampled(study_of(args.at(0)));
   const bool balls = args.at(1).get<bool>();
   const auto first = args.at(2).get<std::uint64_t>(), count = args.at(3).get<std::uint64_t>();
   const Sampler sampler = sampler_of(study);
@@ -181,12 +180,12 @@ Json try_change(const Json& args, Bulk& bulk) {
 
 Json judge(const Json& args) {
   const Study uncertain = study_of(args.at(0));
-  const BasinResult r = counted(sampled(uncertain), args.at(1), args.at(2), args.at(3));
+  const BasinResult r = counted(as_sampled(uncertain), args.at(1), args.at(2), args.at(3));
   std::vector<TriedChange> tried;
   const std::vector<Change> changes = args.at(4).empty() ? std::vector<Change>() : usual_changes(uncertain);
   for (const Json& one : args.at(4)) {
     const Change& change = changes.at(one.at("change").get<std::size_t>());
-    const BasinResult with_it = counted(sampled(change.study), one, one.at("bare"), Json());
+    const BasinResult with_it = counted(as_sampled(change.study), one, one.at("bare"), Json());
     if (auto judged = tried_change(change.words, with_it)) tried.push_back(*std::move(judged));
   }
   Json json = {{"starts", r.starts}, {"verdict", nullptr}, {"changes", nullptr}, {"possible", Json::array()}};

@@ -244,7 +244,7 @@ class MapRun {
   SliceNames names_;
   std::vector<bool> known_;  // pixels, row by row
   std::uint64_t known_count_ = 0;
-  std::size_t next_ = 0;  // all before it are known or were asked for
+  std::size_t next_ = 0;  // all before it are known or were requested
   std::optional<StartPixels> start_pixels_;
 };
 

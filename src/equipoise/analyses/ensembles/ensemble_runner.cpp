@@ -13,8 +13,8 @@
 
 namespace equipoise {
 
-Study as_sampled(Study study, SamplingMethod method) {
-  study.sampling.method = method;
+Study as_sampled(Study study) {
+  study.sampling.method = study.sampling.method.value_or(SamplingMethod::random);
   return with_horizon(std::move(study));
 }
 
@@ -48,11 +48,6 @@ AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSe
           .few_starts = options.few_starts,
           .warm_start_levels = options.warm_start_levels ? *options.warm_start_levels : WarmStartLevels{},
           .notes = options.notes};
-}
-
-std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
-                                             AttractorSearchCache& searches) {
-  return std::make_unique<StartRunner>(study, search_settings(options, &searches), gathers_transients(study, options));
 }
 
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,

@@ -10,8 +10,8 @@
 
 namespace equipoise {
 
-/// The study as basin() completes it before it makes its runner.
-Study as_sampled(Study study, SamplingMethod method);
+/// The study with its horizon, and with random starts if it names no way of sampling.
+Study as_sampled(Study study);
 
 /// Checks options.initial, and makes the study's starts those. Throws InputError.
 void take_given_starts(const BasinOptions& options, Study& study);
@@ -19,13 +19,9 @@ void take_given_starts(const BasinOptions& options, Study& study);
 /// What the options of basin() ask of the attractor search. `searches` may be null.
 AttractorSearchSettings search_settings(const BasinOptions& options, AttractorSearchCache* searches);
 
-/// The study must have its horizon and method. Of `options` those of the search and of transients count.
-std::unique_ptr<StartRunner> ensemble_runner(const Study& study, const BasinOptions& options,
-                                             AttractorSearchCache& searches);
-
 /// A runner that keeps deciding after the stop flag and callbacks of its search are gone. It searches with `options`
-/// first and finds the result again in `found`. Study as above; `few_starts`: AttractorSearchSettings. Throws RunError
-/// if stopped.
+/// first and finds the result again in `found`. The study must have its horizon and method; `few_starts`:
+/// AttractorSearchSettings. Throws RunError if stopped.
 std::unique_ptr<StartRunner> lasting_runner(const Study& study, const RunOptions& options, bool transients,
                                             AttractorSearchCache& found, bool few_starts = false);
 

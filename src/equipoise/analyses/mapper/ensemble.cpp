@@ -37,7 +37,7 @@ void check_angles(const Study& study, const std::vector<double>& phi) {
 Ensemble::Ensemble(const Study& study, const EnsembleOptions& options) : gathers_(options.transients) {
   const ChosenCpuTarget chosen(options.cpu_target);
   check_runnable(study, gathers_);
-  study_ = as_sampled(study, study.sampling.method.value_or(SamplingMethod::random));
+  study_ = as_sampled(study);
   AttractorSearchCache own;
   runner_ = reported(static_cast<const RunOptions&>(options), [&](const RunOptions& o) {
     return lasting_runner(study_, o, gathers_, options.searches ? *options.searches : own, options.few_starts);
