@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+namespace equipoise {
+struct Dataset;
+}
+
 namespace equipoise::io {
 
 /// One open NetCDF file, closed on destruction.
@@ -75,5 +79,7 @@ std::string flag_word(const std::string& name);
 /// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written all. Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
+/// The same with what a Dataset (results/columns/dataset.hpp) holds.
+void write_netcdf_file(const std::string& path, const Dataset& data);
 
 }  // namespace equipoise::io

@@ -1,7 +1,6 @@
 // Trajectories as CSV and NetCDF.
 #include "equipoise/results/result_files/trajectory_file.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -9,10 +8,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/version.hpp"
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/words/files.hpp"
@@ -53,47 +51,20 @@ void write_csv_file(const std::string& path, const Trajectory& trajectory) {
   place.commit();
 }
 
-namespace {
-
-void fill_file(io::NetcdfFile& file, const Trajectory& r, const std::string& study) {
-  const std::size_t rows = r.t.size(), balls = r.phi.size();
-  const int time = file.dimension("t", rows);
-  const int ball = file.dimension("ball", balls);
-  const int bearing = r.bearing_radial.empty() ? -1 : file.dimension("bearing", r.bearing_radial.size());
-  std::vector<int> ids;
-  for (const TrajectoryColumn& c : trajectory_columns) {
-    const int one = c.of == TrajectoryColumn::Of::bearing ? bearing : ball;
-    ids.push_back(!c.is_in(r) ? -1
-                              : file.variable(c.name, NC_DOUBLE, c.each ? std::vector{time, one} : std::vector{time},
-                                              c.cf_units(), c.long_name()));
-  }
-  file.attribute(NC_GLOBAL, "Conventions", "CF-1.8");
-  file.attribute(NC_GLOBAL, "title", words::files::trajectory);
-  file.attribute(NC_GLOBAL, "source", fmt::format("equipoise {}", version_string));
-  file.attribute(NC_GLOBAL, "study", study);
-  file.end_definitions();
-  if (rows == 0) return;
-  for (std::size_t c = 0; c < ids.size(); ++c) {
-    const TrajectoryColumn& column = trajectory_columns[c];
-    if (!column.is_in(r)) continue;
-    if (column.values) {
-      file.write(ids[c], {0}, {rows}, (r.*column.values).data());
-      continue;
-    }
-    std::vector<double> by_time;
-    for (std::size_t k = 0; k < rows; ++k)
-      for (const std::vector<double>& of_one : r.*column.each) by_time.push_back(of_one[k]);
-    file.write(ids[c], {0, 0}, {rows, (r.*column.each).size()}, by_time.data());
-  }
-}
-
-}  // namespace
-
 void write_netcdf(const std::string& path, const Trajectory& r, const std::string& study) {
-  using Mode = io::NetcdfFile::Mode;
-  const bool large = r.t.size() * std::max<std::size_t>(r.phi.size(), 1) * sizeof(double) >= std::size_t{1} << 31;
-  io::write_netcdf_file(
-      path, [&](io::NetcdfFile& file) { fill_file(file, r, study); }, large ? Mode::create_large : Mode::create);
+  Dataset data(words::files::trajectory);
+  const std::size_t time = data.dimension("t", r.t.size()), ball = data.dimension("ball", r.phi.size());
+  const std::size_t bearing = r.bearing_radial.empty() ? ball : data.dimension("bearing", r.bearing_radial.size());
+  for (const TrajectoryColumn& c : trajectory_columns) {
+    if (!c.is_in(r)) continue;
+    if (c.values)
+      data.add(c, {time}, [&values = r.*c.values](std::size_t k) { return values[k]; });
+    else
+      data.add(c, {time, c.of == TrajectoryColumn::Of::bearing ? bearing : ball},
+               [&each = r.*c.each](std::size_t k) { return each[k % each.size()][k / each.size()]; });
+  }
+  data.say("study", study);
+  io::write_netcdf_file(path, data);
 }
 
 }  // namespace equipoise

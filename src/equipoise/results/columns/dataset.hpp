@@ -1,0 +1,57 @@
+// A result as columns over named dimensions, with attributes: all that a file holds, whatever its format.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "equipoise/results/columns/column.hpp"
+
+namespace equipoise {
+
+using TextAttributes = std::vector<std::pair<std::string, std::string>>;
+
+struct DataColumn {
+  enum class Type { text, byte, small, integer, single, real };
+  /// By place, the last dimension running fastest; of texts a character. Asked when values are written.
+  using Values = std::function<double(std::size_t place)>;
+
+  std::string name, units, long_name;  ///< units: as CF has them, "1" of a pure number
+  std::vector<std::size_t> along;      ///< places of its dimensions
+  Values values;                       ///< empty: nothing is known, and every place stays filled
+  Type type = Type::real;
+  std::optional<double> fill{};  ///< stands where a value is missing
+  std::vector<int> flags{};      ///< the values whose names the attribute flag_meanings has
+  TextAttributes attributes{};   ///< in addition to units and long_name
+};
+
+/// Its columns refer to the result of which it was made.
+struct Dataset {
+  struct Dimension {
+    std::string name;
+    std::size_t length;
+  };
+  /// With the attributes of every file.
+  explicit Dataset(const std::string& title);
+
+  /// Its place.
+  std::size_t dimension(const std::string& name, std::size_t length);
+  DataColumn& add(const std::string& name, const std::string& units, const std::string& long_name,
+                  const std::vector<std::size_t>& along, const DataColumn::Values& values,
+                  DataColumn::Type type = DataColumn::Type::real);
+  DataColumn& add(const Column& told, const std::vector<std::size_t>& along, const DataColumn::Values& values,
+                  DataColumn::Type type = DataColumn::Type::real);
+  DataColumn& add_texts(const std::string& name, std::size_t along, const std::vector<std::string>& texts,
+                        const std::string& long_name);
+  void say(const std::string& attribute, const std::string& text) { attributes.emplace_back(attribute, text); }
+
+  std::vector<Dimension> dimensions;
+  std::vector<DataColumn> columns;
+  TextAttributes attributes;
+  bool filled = true;  ///< places are filled before values are written
+};
+
+}  // namespace equipoise
