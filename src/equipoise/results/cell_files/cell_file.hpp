@@ -21,7 +21,7 @@ struct CellFileKind {
 };
 
 /// Two files, as for an ensemble (basin_file.hpp). The results, `path`, are NetCDF, sealed; besides what others read
-/// they hold each cell's record (cell_netcdf.hpp). Until then `path`.part holds records, one or more per cell.
+/// they hold each cell's record (cell_dataset.hpp). Until then `path`.part holds records, one or more per cell.
 class CellFile {
  public:
   using Take = std::function<void(std::size_t cell, const std::vector<std::uint8_t>& record)>;

@@ -1,15 +1,16 @@
 // Designs: one record an ensemble.
 #include "equipoise/results/cell_files/design_file.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
-#include "equipoise/results/cell_files/cell_netcdf.hpp"
+#include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/words/files.hpp"
 
@@ -27,78 +28,50 @@ std::string variable_of(const std::string& figure) {
   return name.front() == '_' ? "less" + name : name;
 }
 
-class DesignWriter {
- public:
-  DesignWriter(io::NetcdfFile& file, const std::string& identity, const DesignResult& result,
-               const KeptSamples& samples, const io::CellRecords& records)
-      : file_(file), identity_(identity), result_(result), samples_(samples), table_(file, {}, records) {}
-
-  void write() {
-    const std::size_t count = std::max<std::size_t>(samples_.size(), 1);
-    const int ensemble = file_.dimension("ensemble", count);
-    std::vector<std::string> names;
-    std::vector<const DesignSample*> all, front;
-    for (const auto& [number, kept] : samples_) {
-      names.push_back(kept.name);
-      all.push_back(&kept.sample);
-    }
-    names.resize(count);
-    const int candidate = file_.text_variable("candidate", ensemble, names, words::files::candidate);
-    file_.attribute(candidate, "units", "1");
-    add_figures("", ensemble, all, "of the ensemble");
-    if (!result_.front.empty()) {
-      const int member = file_.dimension("front", result_.front.size());
-      for (const DesignCandidate& c : result_.front) front.push_back(&c.best_known());
-      add_figures("front_", member, front,
-                  result_.partial ? words::files::front_of_search : words::files::front_held_out);
-    }
-    table_.define_records();
-    io::define_cell_attributes(file_, "design", words::files::design, identity_, result_.study, !result_.partial);
-    file_.attribute(NC_GLOBAL, "best_study", result_.best_study);
-    file_.end_definitions();
-    table_.write();
-    file_.write_texts(candidate, names);
-    for (const auto& [variable, values] : columns_) file_.write(variable, {0}, {values.size()}, values.data());
+// The columns refer to `samples`.
+void add_figures(Dataset& data, const DesignResult& result, const std::string& prefix, std::size_t along,
+                 const std::vector<const DesignSample*>& samples, const std::string& of) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning,
+                       const std::function<double(const DesignSample&)>& value) {
+    const auto of_sample = [&samples, value](std::size_t k) { return k < samples.size() ? value(*samples[k]) : none; };
+    data.add(name, unit.empty() ? "1" : unit, meaning, {along}, of_sample).fill = none;
+  };
+  add(prefix + "starts", "1", "starts " + of, [](const DesignSample& s) { return static_cast<double>(s.starts); });
+  add(prefix + "undecided", "1", "undecided share " + of, [](const DesignSample& s) { return s.undecided.value; });
+  for (std::size_t k = 0; k < result.figures.size(); ++k) {
+    const DesignFigure& figure = result.figures[k];
+    const std::string name = prefix + variable_of(figure.name);
+    const auto part = [k](double DesignEstimate::*end) {
+      return [k, end](const DesignSample& s) { return s.figures.empty() ? none : s.figures[k].*end; };
+    };
+    add(name, figure.unit, figure.name + " " + of, part(&DesignEstimate::value));
+    add(name + "_low", figure.unit, words::files::lower_end, part(&DesignEstimate::low));
+    add(name + "_high", figure.unit, words::files::upper_end, part(&DesignEstimate::high));
   }
+}
 
- private:
-  void add(const std::string& name, int dimension, const std::string& unit, const std::string& meaning,
-           const std::vector<const DesignSample*>& samples, const std::function<double(const DesignSample&)>& value) {
-    const int variable = file_.variable(name, NC_DOUBLE, {dimension}, unit.empty() ? "1" : unit, meaning);
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    file_.fill(variable, &none);
-    std::vector<double> values;
-    for (const DesignSample* s : samples) values.push_back(value(*s));
-    columns_.emplace_back(variable, std::move(values));
+void write_design(const std::string& path, const std::string& identity, const DesignResult& result,
+                  const KeptSamples& samples, const io::CellRecords& records) {
+  io::CellDataset data(words::files::design, {}, records);
+  const std::size_t count = std::max<std::size_t>(samples.size(), 1), ensemble = data.dimension("ensemble", count);
+  std::vector<std::string> names;
+  std::vector<const DesignSample*> all, front;
+  for (const auto& [number, kept] : samples) {
+    names.push_back(kept.name);
+    all.push_back(&kept.sample);
   }
-
-  void add_figures(const std::string& prefix, int dimension, const std::vector<const DesignSample*>& samples,
-                   const std::string& of) {
-    add(prefix + "starts", dimension, "1", "starts " + of, samples,
-        [](const DesignSample& s) { return static_cast<double>(s.starts); });
-    add(prefix + "undecided", dimension, "1", "undecided share " + of, samples,
-        [](const DesignSample& s) { return s.undecided.value; });
-    for (std::size_t k = 0; k < result_.figures.size(); ++k) {
-      const DesignFigure& figure = result_.figures[k];
-      const std::string name = prefix + variable_of(figure.name);
-      const auto part = [k](double DesignEstimate::*end) {
-        return [k, end](const DesignSample& s) {
-          return s.figures.empty() ? std::numeric_limits<double>::quiet_NaN() : s.figures[k].*end;
-        };
-      };
-      add(name, dimension, figure.unit, figure.name + " " + of, samples, part(&DesignEstimate::value));
-      add(name + "_low", dimension, figure.unit, words::files::lower_end, samples, part(&DesignEstimate::low));
-      add(name + "_high", dimension, figure.unit, words::files::upper_end, samples, part(&DesignEstimate::high));
-    }
-  }
-
-  io::NetcdfFile& file_;
-  const std::string& identity_;
-  const DesignResult& result_;
-  const KeptSamples& samples_;
-  io::CellTable table_;
-  std::vector<std::pair<int, std::vector<double>>> columns_;
-};
+  names.resize(count);
+  data.add_texts("candidate", ensemble, names, words::files::candidate).attributes.emplace_back("units", "1");
+  add_figures(data, result, "", ensemble, all, "of the ensemble");
+  for (const DesignCandidate& c : result.front) front.push_back(&c.best_known());
+  if (!front.empty())
+    add_figures(data, result, "front_", data.dimension("front", front.size()), front,
+                result.partial ? words::files::front_of_search : words::files::front_held_out);
+  data.add_records("design", identity, result.study, !result.partial);
+  data.say("best_study", result.best_study);
+  io::write_netcdf_file(path, data);
+}
 
 }  // namespace
 
@@ -125,9 +98,7 @@ void DesignFile::finish(const DesignResult& result) {
       const auto at = samples_.find(number);
       return at == samples_.end() ? std::vector<std::uint8_t>{} : io::bytes_of(at->second);
     });
-    io::write_netcdf_file(
-        path, [&](io::NetcdfFile& file) { DesignWriter(file, identity, result, samples_, records).write(); },
-        records.mode());
+    write_design(path, identity, result, samples_, records);
   };
   file_.finish(write, result.partial ? io::CellFile::Rest::all : io::CellFile::Rest::nothing);
 }

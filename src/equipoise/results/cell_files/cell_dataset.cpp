@@ -1,0 +1,76 @@
+// Coordinates, columns and records of cells.
+#include "equipoise/results/cell_files/cell_dataset.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "equipoise/results/commands/branches_result.hpp"
+#include "equipoise/results/words/files.hpp"
+
+namespace equipoise::io {
+
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+std::string variable_name(const std::string& key) {
+  std::string name = key;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+}  // namespace
+
+CellRecords::CellRecords(std::size_t cells, const std::function<std::vector<std::uint8_t>(std::size_t)>& record) {
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const std::vector<std::uint8_t> of_cell = record(cell);
+    bytes.insert(bytes.end(), of_cell.begin(), of_cell.end());
+    ends.push_back(static_cast<double>(bytes.size()));
+  }
+}
+
+CellDataset::CellDataset(const std::string& title, const std::vector<SweepAxis>& axes, const CellRecords& records)
+    : Dataset(title), records_(records) {
+  for (const SweepAxis& axis : axes) {
+    const bool zipped = axis.parameters.size() > 1;
+    axes_.push_back(dimension(zipped ? "step" : variable_name(axis.parameters.front().key), axis.size()));
+    for (const SweepParameter& p : axis.parameters) {
+      add(variable_name(p.key), p.unit.empty() ? "1" : p.unit, fmt::format("{}: {}", p.key, parameter_label(p.key)),
+          {axes_.back()}, [&p](std::size_t k) { return p.values[k]; });
+      if (zipped) coordinates_ += (coordinates_.empty() ? "" : " ") + variable_name(p.key);
+    }
+  }
+}
+
+void CellDataset::by_cell(const std::string& name, const std::string& units, const std::string& meaning,
+                          const CellValues& values, const std::vector<std::size_t>& along) {
+  std::vector<std::size_t> all = axes_;
+  all.insert(all.end(), along.begin(), along.end());
+  const std::size_t width = along.empty() ? 1 : dimensions[along.front()].length;
+  const auto value = [&records = records_, values, width](std::size_t place) {
+    const std::size_t cell = place / width;
+    return records.has(cell) ? values(cell, place % width) : no_value;
+  };
+  DataColumn& column = add(name, units, meaning, all, value);
+  column.fill = no_value;
+  if (!coordinates_.empty()) column.attributes.emplace_back("coordinates", coordinates_);
+}
+
+void CellDataset::add_records(const std::string& kind, const std::string& identity, const Study& study, bool complete) {
+  const std::vector<std::uint8_t>& bytes = records_.bytes;
+  const std::size_t byte = dimension("record_byte", std::max<std::size_t>(bytes.size(), 1));
+  const std::size_t cell = dimension("cell", records_.ends.size());
+  DataColumn::Values values;
+  if (!bytes.empty()) values = [&bytes](std::size_t k) { return static_cast<std::int8_t>(bytes[k]); };
+  add("record", "1", words::files::records_of_cells, {byte}, values, DataColumn::Type::byte);
+  add("record_end", "1", words::files::ends_of_records, {cell},
+      [&ends = records_.ends](std::size_t k) { return ends[k]; });
+  say("kind", kind);
+  say("identity", identity);
+  say("study", to_toml(study));
+  say("complete", complete ? "yes" : "no");
+}
+
+}  // namespace equipoise::io
