@@ -62,7 +62,7 @@ void CellDataset::add_records(const std::string& kind, const std::string& identi
   const std::vector<std::uint8_t>& bytes = records_.bytes;
   const std::size_t byte = dimension("record_byte", std::max<std::size_t>(bytes.size(), 1));
   const std::size_t cell = dimension("cell", records_.ends.size());
-  DataColumn::Values values;
+  DataValues values;
   if (!bytes.empty()) values = [&bytes](std::size_t k) { return static_cast<std::int8_t>(bytes[k]); };
   add("record", "1", words::files::records_of_cells, {byte}, values, DataColumn::Type::byte);
   add("record_end", "1", words::files::ends_of_records, {cell},

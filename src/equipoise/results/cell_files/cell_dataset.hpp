@@ -1,5 +1,4 @@
-// What the files of sweeps, capacities and designs share: parameters as coordinates, values by cell, each cell's
-// record.
+// What the files of sweeps, capacities and designs share: parameters, values by cell, each cell's record.
 #pragma once
 
 #include <cstddef>

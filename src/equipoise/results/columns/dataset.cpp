@@ -19,12 +19,11 @@ std::size_t Dataset::dimension(const std::string& name, std::size_t length) {
 }
 
 DataColumn& Dataset::add(const std::string& name, const std::string& units, const std::string& long_name,
-                         const std::vector<std::size_t>& along, const DataColumn::Values& values,
-                         DataColumn::Type type) {
+                         const std::vector<std::size_t>& along, const DataValues& values, DataColumn::Type type) {
   return columns.emplace_back(DataColumn{name, units, long_name, along, values, type});
 }
 
-DataColumn& Dataset::add(const Column& told, const std::vector<std::size_t>& along, const DataColumn::Values& values,
+DataColumn& Dataset::add(const Column& told, const std::vector<std::size_t>& along, const DataValues& values,
                          DataColumn::Type type) {
   return add(told.name, told.cf_units(), told.long_name(), along, values, type);
 }
@@ -33,7 +32,7 @@ DataColumn& Dataset::add_texts(const std::string& name, std::size_t along, const
                                const std::string& long_name) {
   std::size_t width = 1;
   for (const std::string& text : texts) width = std::max(width, text.size());
-  const auto character = [texts, width](std::size_t place) -> double {
+  const auto character = [texts, width](std::size_t place) {
     const std::string& text = texts[place / width];
     return place % width < text.size() ? text[place % width] : '\0';
   };

@@ -1,6 +1,7 @@
 // A result as columns over named dimensions, with attributes: all that a file holds, whatever its format.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -14,14 +15,32 @@ namespace equipoise {
 
 using TextAttributes = std::vector<std::pair<std::string, std::string>>;
 
+/// The values of a column by place, the last dimension running fastest; of texts characters. Either a function of the
+/// place, or one that puts `count` values from the place `first` on into `to`: whole rows along the first dimension.
+class DataValues {
+ public:
+  DataValues() = default;  ///< nothing is known
+  template <std::invocable<std::size_t> Of>
+  DataValues(Of of)
+      : read_([of = std::move(of)](std::size_t first, std::size_t count, double* to) {
+          for (std::size_t k = 0; k < count; ++k) to[k] = static_cast<double>(of(first + k));
+        }) {}
+  template <std::invocable<std::size_t, std::size_t, double*> Of>
+  DataValues(Of of) : read_(std::move(of)) {}
+
+  bool known() const { return static_cast<bool>(read_); }
+  void read(std::size_t first, std::size_t count, double* to) const { read_(first, count, to); }
+
+ private:
+  std::function<void(std::size_t, std::size_t, double*)> read_;
+};
+
 struct DataColumn {
   enum class Type { text, byte, small, integer, single, real };
-  /// By place, the last dimension running fastest; of texts a character. Asked when values are written.
-  using Values = std::function<double(std::size_t place)>;
 
   std::string name, units, long_name;  ///< units: as CF has them, "1" of a pure number
   std::vector<std::size_t> along;      ///< places of its dimensions
-  Values values;                       ///< empty: nothing is known, and every place stays filled
+  DataValues values;                   ///< not known: every place stays filled
   Type type = Type::real;
   std::optional<double> fill{};  ///< stands where a value is missing
   std::vector<int> flags{};      ///< the values whose names the attribute flag_meanings has
@@ -40,9 +59,9 @@ struct Dataset {
   /// Its place.
   std::size_t dimension(const std::string& name, std::size_t length);
   DataColumn& add(const std::string& name, const std::string& units, const std::string& long_name,
-                  const std::vector<std::size_t>& along, const DataColumn::Values& values,
+                  const std::vector<std::size_t>& along, const DataValues& values,
                   DataColumn::Type type = DataColumn::Type::real);
-  DataColumn& add(const Column& told, const std::vector<std::size_t>& along, const DataColumn::Values& values,
+  DataColumn& add(const Column& told, const std::vector<std::size_t>& along, const DataValues& values,
                   DataColumn::Type type = DataColumn::Type::real);
   DataColumn& add_texts(const std::string& name, std::size_t along, const std::vector<std::string>& texts,
                         const std::string& long_name);

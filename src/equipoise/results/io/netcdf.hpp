@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace equipoise {
-struct Dataset;
-}
+#include "equipoise/results/columns/dataset.hpp"
 
 namespace equipoise::io {
 
@@ -73,13 +71,15 @@ class NetcdfFile {
   int id_ = -1;
 };
 
+int netcdf_type(DataColumn::Type type);
+
 /// The name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
 
 /// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written all. Throws RunError.
 void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
                        NetcdfFile::Mode mode = NetcdfFile::Mode::create);
-/// The same with what a Dataset (results/columns/dataset.hpp) holds.
+/// The same with what `data` holds.
 void write_netcdf_file(const std::string& path, const Dataset& data);
 
 }  // namespace equipoise::io

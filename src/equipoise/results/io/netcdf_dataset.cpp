@@ -6,7 +6,6 @@
 
 #include <netcdf.h>
 
-#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 
 namespace equipoise::io {
@@ -19,9 +18,9 @@ constexpr std::size_t most_bytes = (std::size_t{1} << 31) - 4;
 
 // Calls visit(type as NetCDF has it, a value of that type).
 template <class Visit>
-void with_type(const DataColumn& column, const Visit& visit) {
+void with_type(DataColumn::Type stored, const Visit& visit) {
   using Type = DataColumn::Type;
-  switch (column.type) {
+  switch (stored) {
     case Type::text:
       return visit(NC_CHAR, char{});
     case Type::byte:
@@ -51,11 +50,10 @@ std::size_t product(const std::vector<std::size_t>& lengths, std::size_t from) {
 int define(NetcdfFile& file, const DataColumn& column, const std::vector<int>& dimensions) {
   std::vector<int> along;
   for (const std::size_t place : column.along) along.push_back(dimensions[place]);
-  int variable = -1;
-  with_type(column, [&]<class T>(int type, T) {
-    variable = file.variable(column.name, type, along, column.units, column.long_name);
+  const int variable = file.variable(column.name, netcdf_type(column.type), along, column.units, column.long_name);
+  with_type(column.type, [&]<class T>(int, T fill) {
     if (!column.fill) return;
-    const T fill = static_cast<T>(*column.fill);
+    fill = static_cast<T>(*column.fill);
     file.fill(variable, &fill);
   });
   const std::vector<int>& flags = column.flags;
@@ -70,15 +68,17 @@ int define(NetcdfFile& file, const DataColumn& column, const std::vector<int>& d
 void write(NetcdfFile& file, int variable, const DataColumn& column, std::vector<std::size_t> shape) {
   const std::size_t width = product(shape, 1), rows = shape.empty() ? 1 : shape.front();
   const std::size_t at_once = std::max<std::size_t>(values_at_once / std::max<std::size_t>(width, 1), 1);
-  with_type(column, [&]<class T>(int, T) {
+  with_type(column.type, [&]<class T>(int, T) {
+    std::vector<double> numbers;
     std::vector<T> values;
     std::vector<std::size_t> start(shape.size(), 0);
     for (std::size_t first = 0; first < rows; first += at_once) {
       const std::size_t end = std::min(first + at_once, rows);
       if (!shape.empty()) start.front() = first, shape.front() = end - first;
+      numbers.resize((end - first) * width);
+      column.values.read(first * width, numbers.size(), numbers.data());
       values.clear();
-      for (std::size_t place = first * width; place < end * width; ++place)
-        values.push_back(static_cast<T>(column.values(place)));
+      for (const double number : numbers) values.push_back(static_cast<T>(number));
       file.write(variable, start, shape, values.data());
     }
   });
@@ -86,11 +86,17 @@ void write(NetcdfFile& file, int variable, const DataColumn& column, std::vector
 
 bool is_large(const DataColumn& column, const Dataset& data) {
   bool large = false;
-  with_type(column, [&]<class T>(int, T) { large = product(shape_of(column, data), 0) > most_bytes / sizeof(T); });
+  with_type(column.type, [&]<class T>(int, T) { large = product(shape_of(column, data), 0) > most_bytes / sizeof(T); });
   return large;
 }
 
 }  // namespace
+
+int netcdf_type(DataColumn::Type type) {
+  int there = NC_NAT;
+  with_type(type, [&](int of_type, auto) { there = of_type; });
+  return there;
+}
 
 void write_netcdf_file(const std::string& path, const Dataset& data) {
   const auto define_and_write = [&](NetcdfFile& file) {
@@ -101,7 +107,7 @@ void write_netcdf_file(const std::string& path, const Dataset& data) {
     if (!data.filled) file.leave_unfilled();
     file.end_definitions();
     for (std::size_t k = 0; k < variables.size(); ++k)
-      if (const DataColumn& c = data.columns[k]; c.values) write(file, variables[k], c, shape_of(c, data));
+      if (const DataColumn& c = data.columns[k]; c.values.known()) write(file, variables[k], c, shape_of(c, data));
   };
   const bool large = std::any_of(data.columns.begin(), data.columns.end(),
                                  [&](const DataColumn& column) { return is_large(column, data); });

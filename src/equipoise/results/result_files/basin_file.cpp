@@ -103,7 +103,7 @@ void BasinFile::State::read_results() {
   for (const io::StartColumn& c : columns) {
     std::vector<std::size_t> shape{finished};
     if (!c.along.empty()) shape.push_back(c.width);
-    variables.push_back(file->variable(c.name, c.type, shape));
+    variables.push_back(file->variable(c.name, io::netcdf_type(c.type), shape));
   }
   discoveries.assign(file->length("discovery"), std::vector<double>(state_size()));
   if (!discoveries.empty()) {

@@ -21,10 +21,10 @@ namespace {
 using study::Dimension;
 
 template <class T>
-constexpr int netcdf_type = std::is_same_v<T, double>  ? NC_DOUBLE
-                            : std::is_same_v<T, float> ? NC_FLOAT
-                            : std::is_same_v<T, short> ? NC_SHORT
-                                                       : NC_BYTE;
+constexpr DataColumn::Type data_type = std::is_same_v<T, double>  ? DataColumn::Type::real
+                                       : std::is_same_v<T, float> ? DataColumn::Type::single
+                                       : std::is_same_v<T, short> ? DataColumn::Type::small
+                                                                  : DataColumn::Type::byte;
 
 // `of`: the value of one of the array's entries.
 template <class Entry, class Of>
@@ -39,7 +39,7 @@ StartColumn of_each(const Column& told, const Entry* StartBatch::*entries, const
       bytes.insert(bytes.end(), from, from + sizeof value);
     }
   };
-  return {told, netcdf_type<T>, sizeof(T), put};
+  return {told, data_type<T>, sizeof(T), put};
 }
 
 StartColumn as_given(const Column& told, const double* StartBatch::*values, std::size_t width = 1,
@@ -48,7 +48,7 @@ StartColumn as_given(const Column& told, const double* StartBatch::*values, std:
     const char* from = reinterpret_cast<const char*>(batch.*values);
     bytes.insert(bytes.end(), from, from + batch.count * width * sizeof(double));
   };
-  return {told, NC_DOUBLE, sizeof(double), put, width, along};
+  return {told, DataColumn::Type::real, sizeof(double), put, width, along};
 }
 
 const char* outcome_meaning() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
 
@@ -29,7 +30,7 @@ struct StartBatch {
 namespace io {
 
 struct StartColumn : Column {
-  int type = 0;           ///< of NetCDF
+  DataColumn::Type type = DataColumn::Type::real;
   std::size_t value = 8;  ///< bytes of one
   /// Puts the batch's values behind `bytes`.
   std::function<void(std::vector<char>& bytes, const StartBatch&)> put;
