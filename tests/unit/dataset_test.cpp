@@ -8,8 +8,7 @@
 #include <netcdf.h>
 #include <unistd.h>
 
-#include "equipoise/results/columns/dataset.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {
 namespace dataset_test {

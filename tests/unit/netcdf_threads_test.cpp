@@ -9,21 +9,17 @@
 #include <netcdf.h>
 #include <unistd.h>
 
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise::io {
 namespace netcdf_threads_test {
 
 // A file with `number` a hundred times, and its text.
 void write(const std::string& path, double number) {
-  const std::vector<double> values(100, number);
-  write_netcdf_file(path, [&](NetcdfFile& file) {
-    const int length = file.dimension("place", values.size());
-    const int variable = file.variable("value", NC_DOUBLE, {length}, "1", "a value");
-    file.attribute(NC_GLOBAL, "number", std::to_string(number));
-    file.end_definitions();
-    file.write(variable, {0}, {values.size()}, values.data());
-  });
+  Dataset data("numbers");
+  data.add("value", "1", "a value", {data.dimension("place", 100)}, [=](std::size_t) { return number; });
+  data.say("number", std::to_string(number));
+  write_netcdf_file(path, data);
 }
 
 bool reads_back(const std::string& path, double number) {

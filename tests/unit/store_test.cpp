@@ -17,6 +17,7 @@
 #include "../support/files.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/checksum.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/journal.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/io/replacement.hpp"
@@ -451,13 +452,9 @@ TEST_F(Files, AFileIsReplacedWholeOrNotAtAll) {
 
 TEST_F(Files, ANetcdfFileThatCannotBeWrittenLeavesTheOldOne) {
   const auto write = [&](double value, std::size_t count) {
-    io::write_netcdf_file(path_, [&](io::NetcdfFile& file) {
-      const int n = file.dimension("n", count);
-      const int variable = file.variable("v", 6 /* double */, {n}, "1", "values");
-      file.end_definitions();
-      const std::vector<double> values(count, value);
-      file.write(variable, {0}, {count}, values.data());
-    });
+    Dataset data("values");
+    data.add("v", "1", "values", {data.dimension("n", count)}, [=](std::size_t) { return value; });
+    io::write_netcdf_file(path_, data);
   };
   write(1.0, 10);
   const std::string before = content(path_);

@@ -230,7 +230,7 @@ class MapRun {
         [&](const std::string& path) {
           io::SliceWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
           assembly.run([&](int first, int rows, const SlicePixel* pixels) { writer.write_rows(first, rows, pixels); });
-          writer.finish(map_.codes);
+          writer.finish();
         },
         complete_);
   }

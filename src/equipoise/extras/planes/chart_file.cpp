@@ -10,7 +10,7 @@
 
 #include "equipoise/extras/planes/stability_file.hpp"
 #include "equipoise/extras/words/chart.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise {
 

@@ -9,7 +9,7 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/extras/words/stability.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/words/files.hpp"
 

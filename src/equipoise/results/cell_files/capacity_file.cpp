@@ -9,7 +9,7 @@
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/words/files.hpp"
 
 namespace equipoise {

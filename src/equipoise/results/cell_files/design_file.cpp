@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/results/cell_files/cell_dataset.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/words/files.hpp"
 
 namespace equipoise {

@@ -12,7 +12,7 @@
 #include "equipoise/results/cell_files/cell_dataset.hpp"
 #include "equipoise/results/cell_files/cell_file.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
 #include "equipoise/results/words/files.hpp"

@@ -1,7 +1,6 @@
 // Checked calls of the NetCDF C library, one at a time.
 #include "equipoise/results/io/netcdf.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <mutex>
@@ -13,8 +12,6 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/netcdf_header.hpp"
-#include "equipoise/results/io/replacement.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {
@@ -121,16 +118,6 @@ int NetcdfFile::dimensions(const std::string& name) const {
   return dimensions;
 }
 
-int NetcdfFile::text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
-                              const std::string& long_name) {
-  std::size_t width = 1;
-  for (const std::string& text : texts) width = std::max(width, text.size());
-  const int characters = this->dimension(name + "_characters", width);
-  const int variable = this->variable(name, NC_CHAR, {dimension, characters}, "", long_name);
-  attribute(variable, "_Encoding", "utf-8");
-  return variable;
-}
-
 void NetcdfFile::fill(int variable, const void* value) {
   check(call(nc_def_var_fill, id_, variable, NC_FILL, value), "fill value");
 }
@@ -173,18 +160,6 @@ void NetcdfFile::write(int variable, const std::vector<std::size_t>& start, cons
   check(call(nc_put_vara, id_, variable, start.data(), count.data(), data), "cannot be written");
 }
 
-void NetcdfFile::write_texts(int variable, const std::vector<std::string>& texts) {
-  int dimensions[2] = {-1, -1};
-  std::size_t width = 0;
-  check(call(nc_inq_vardimid, id_, variable, dimensions), "texts");
-  check(call(nc_inq_dimlen, id_, dimensions[1], &width), "texts");
-  for (std::size_t k = 0; k < texts.size(); ++k) {
-    std::string text = texts[k];
-    text.resize(width, '\0');
-    write(variable, {k, 0}, {1, width}, text.data());
-  }
-}
-
 void NetcdfFile::read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
                       void* data) const {
   check(call(nc_get_vara, id_, variable, start.data(), count.data(), data), "reading");
@@ -220,16 +195,6 @@ std::string flag_word(const std::string& name) {
   }
   while (word.ends_with('_')) word.pop_back();
   return word.empty() ? "unnamed" : word;
-}
-
-void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
-                       NetcdfFile::Mode mode) {
-  Replacement place(path);
-  NetcdfFile file(place.file(), mode, path);
-  define_and_write(file);
-  file.close();
-  seal(place.file(), path);
-  place.commit();
 }
 
 }  // namespace equipoise::io

@@ -8,11 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
-
-#include "equipoise/results/columns/dataset.hpp"
 
 namespace equipoise::io {
 
@@ -39,9 +36,6 @@ class NetcdfFile {
   /// Throws RunError unless the variable exists with exactly this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
   int dimensions(const std::string& variable) const;  ///< how many it has
-  /// A variable with room for `texts`; write_texts() writes them after the definitions.
-  int text_variable(const std::string& name, int dimension, const std::vector<std::string>& texts,
-                    const std::string& long_name);
   /// _FillValue; `value` has the variable's type.
   void fill(int variable, const void* value);
   /// Skips filling: every value will be written.
@@ -54,7 +48,6 @@ class NetcdfFile {
   void end_definitions();
   void write(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
              const void* data);
-  void write_texts(int variable, const std::vector<std::string>& texts);
   void read(int variable, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
             void* data) const;
   /// As display_text() leaves it.
@@ -71,15 +64,7 @@ class NetcdfFile {
   int id_ = -1;
 };
 
-int netcdf_type(DataColumn::Type type);
-
 /// The name as one word for the attribute flag_meanings.
 std::string flag_word(const std::string& name);
-
-/// Replaces `path` with a sealed file (sealed_file.hpp) once `define_and_write` has written all. Throws RunError.
-void write_netcdf_file(const std::string& path, const std::function<void(NetcdfFile&)>& define_and_write,
-                       NetcdfFile::Mode mode = NetcdfFile::Mode::create);
-/// The same with what `data` holds.
-void write_netcdf_file(const std::string& path, const Dataset& data);
 
 }  // namespace equipoise::io

@@ -24,11 +24,11 @@ std::string folder_of(const std::string& path) {
 }
 
 // Creates a file next to `path` under a new name: existing files belong to others.
-std::string create_beside(const std::string& path, const std::string& ending, DiskFile& file, int& error) {
+std::string create_beside(const std::string& path, DiskFile& file, int& error) {
   constexpr int most = 1000;
   std::string name;
   for (int k = 1; k <= most; ++k) {
-    name = fmt::format("{}.new-{}-{}{}", path, process_number(), k, ending);
+    name = fmt::format("{}.new-{}-{}", path, process_number(), k);
     error = file.open(name, DiskFile::Open::create);
     if (error != EEXIST) break;
   }
@@ -74,7 +74,7 @@ std::string why_not_writable(const std::string& path) {
   if (!fs::is_directory(folder, error)) return fmt::format(words::files::is_no_folder, folder_of(path));
   DiskFile file;
   int refused = 0;
-  const std::string trial = create_beside(target, "", file, refused);
+  const std::string trial = create_beside(target, file, refused);
   if (refused) return error_text(refused);
   (void)remove_file(trial);
   return {};
@@ -86,7 +86,7 @@ int to_disk(const std::string& path) {
   return file.to_disk(true);
 }
 
-Replacement::Replacement(const std::string& path, const std::string& ending) : path_(resolved(path)) {
+Replacement::Replacement(const std::string& path) : path_(resolved(path)) {
   const Existing old = existing(path_);
   beside_ = (!old.there || old.regular) && !names_open_file(path_);
   if (!beside_) {
@@ -95,7 +95,7 @@ Replacement::Replacement(const std::string& path, const std::string& ending) : p
   }
   DiskFile file;
   int error = 0;
-  file_ = create_beside(path_, ending, file, error);
+  file_ = create_beside(path_, file, error);
   if (error) {
     beside_ = false;  // nothing to remove
     fail(path_, error);

@@ -22,9 +22,8 @@ int to_disk(const std::string& path);
 /// even after a crash or on a full disk. A path that is no regular file (a terminal, a pipe) is written directly.
 class Replacement {
  public:
-  /// Throws RunError if the file cannot be created. `ending`: of the new file's name, which
-  /// nothing has had so far.
-  explicit Replacement(const std::string& path, const std::string& ending = {});
+  /// Throws RunError if the file cannot be created.
+  explicit Replacement(const std::string& path);
   ~Replacement();
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;

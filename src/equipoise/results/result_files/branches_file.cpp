@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/commands/motion_table.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/words/files.hpp"
 
 namespace equipoise {

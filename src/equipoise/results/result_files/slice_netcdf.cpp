@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,6 +40,40 @@ std::string links_text(const std::vector<AngleLink>& links) {
   return text;
 }
 
+// Columns before those of pixels.
+constexpr std::size_t first_of_pixels = 2;
+
+void add_pixels(Dataset& data, const std::vector<std::size_t>& along, const SliceFileHeader& header,
+                const std::vector<OutcomeShare>& codes) {
+  DataColumn& outcome =
+      data.add("outcome", "1", words::files::outcome_of_pixel, along, DataValues{}, DataColumn::Type::small);
+  outcome.fill = not_computed_code;
+  for (const OutcomeShare& c : codes) outcome.flags.push_back(c.id);
+  outcome.attributes.emplace_back("flag_meanings", slice_flag_meanings(codes));
+  for (const PixelNumber& n : pixel_numbers) {
+    const bool one = header.one_rotor && n.of_rotor;
+    const DataValues of_rotor = [&](std::size_t) { return header.rotor.*n.value; };
+    data.add(n, one ? std::vector<std::size_t>{} : along, one ? of_rotor : DataValues{}, DataColumn::Type::single)
+        .fill = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void say_attributes(Dataset& data, const SliceFileHeader& header, bool complete) {
+  const auto range = [](const SliceAxis& a) { return fmt::format("{} {}", a.low, a.high); };
+  const auto axis = [](const SliceAxis& a) {
+    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
+  };
+  data.say("identity", identity_of(header));
+  data.say("x_key", header.x.key);
+  data.say("y_key", header.y.key);
+  data.say("x_range", range(header.x));
+  data.say("y_range", range(header.y));
+  data.say("axes", fmt::format("{}; {}", axis(header.x), axis(header.y)));
+  data.say("links", links_text(header.links));
+  data.say("study", header.study);
+  data.say("complete", complete ? "yes" : "no");
+}
+
 }  // namespace
 
 std::string identity_of(const SliceFileHeader& h) {
@@ -49,117 +84,50 @@ std::string identity_of(const SliceFileHeader& h) {
       range(h.y));
 }
 
+Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
+                              const std::vector<std::vector<double>>& discoveries, bool complete) {
+  Dataset data(words::files::over_a_plane);
+  data.filled = false;
+  const std::size_t y = data.dimension("y", static_cast<std::size_t>(header.y.pixels));
+  const std::size_t x = data.dimension("x", static_cast<std::size_t>(header.x.pixels));
+  const std::size_t kind = data.dimension("outcome_kind", codes.size());
+  for (const auto& [name, along, axis] : {std::tuple{"x", x, &header.x}, {"y", y, &header.y}})
+    data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
+             [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
+  add_pixels(data, {y, x}, header, codes);
+  std::vector<std::string> names, aliases;
+  for (const OutcomeShare& c : codes) {
+    names.push_back(c.name);
+    aliases.push_back(c.alias);
+  }
+  const auto code = [&codes](std::size_t k) { return codes[k].id; };
+  data.add("code", "1", "value of outcome", {kind}, code, DataColumn::Type::small);
+  data.add_texts("name", kind, names, words::files::name_of_outcome);
+  data.add_texts("alias", kind, aliases, words::files::name_by_wright_and_peng);
+  data.add("share", "1", words::files::share_of_pixels, {kind},
+           [&codes](std::size_t k) { return codes[k].share.share; });
+  if (!discoveries.empty()) {
+    const std::size_t met = data.dimension("discovery", discoveries.size()), width = discoveries.front().size();
+    data.add("discovery_state", "1", words::files::state_met_at_pixel, {met, data.dimension("component", width)},
+             [&discoveries, width](std::size_t k) { return discoveries[k / width][k % width]; });
+  }
+  say_attributes(data, header, complete);
+  return data;
+}
+
 SliceWriter::SliceWriter(const std::string& path, const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
                          const std::vector<std::vector<double>>& discoveries, bool complete)
-    : header_(header), path_(path), place_(path, ".new"), file_(place_.file(), NetcdfFile::Mode::create, path) {
-  for (const OutcomeShare& c : codes) {
-    names_.push_back(c.name);
-    aliases_.push_back(c.alias);
-  }
-  define(codes, discoveries, complete);
-  write_axis(x_, header.x);
-  write_axis(y_, header.y);
-  for (std::size_t k = 0; k < codes.size(); ++k) {
-    const auto code = static_cast<short>(codes[k].id);
-    file_.write(code_, {k}, {1}, &code);
-  }
-  file_.write_texts(name_, names_);
-  file_.write_texts(alias_, aliases_);
-  for (std::size_t k = 0; k < discoveries.size(); ++k)
-    file_.write(discovery_, {k, 0}, {1, discoveries[k].size()}, discoveries[k].data());
-  for (std::size_t k = 0; k < numbers_.size(); ++k)
-    if (header.one_rotor && pixel_numbers[k].of_rotor)
-      file_.write(numbers_[k], {}, {}, &(header.rotor.*pixel_numbers[k].value));
-}
-
-void SliceWriter::define(const std::vector<OutcomeShare>& codes, const std::vector<std::vector<double>>& discoveries,
-                         bool complete) {
-  const int y = file_.dimension("y", static_cast<std::size_t>(header_.y.pixels));
-  const int x = file_.dimension("x", static_cast<std::size_t>(header_.x.pixels));
-  const int kind = file_.dimension("outcome_kind", codes.size());
-  const auto axis = [&](const char* name, int dimension, const SliceAxis& a) {
-    return file_.variable(name, NC_DOUBLE, {dimension}, a.angle() ? "radian" : "1", a.key);
-  };
-  x_ = axis("x", x, header_.x);
-  y_ = axis("y", y, header_.y);
-  define_pixels(y, x, codes);
-  code_ = file_.variable("code", NC_SHORT, {kind}, "1", "value of outcome");
-  name_ = file_.text_variable("name", kind, names_, words::files::name_of_outcome);
-  alias_ = file_.text_variable("alias", kind, aliases_, words::files::name_by_wright_and_peng);
-  share_ = file_.variable("share", NC_DOUBLE, {kind}, "1", words::files::share_of_pixels);
-  if (!discoveries.empty()) {
-    const int met = file_.dimension("discovery", discoveries.size());
-    const int component = file_.dimension("component", discoveries.front().size());
-    discovery_ = file_.variable("discovery_state", NC_DOUBLE, {met, component}, "1", words::files::state_met_at_pixel);
-  }
-  define_attributes(complete);
-  file_.leave_unfilled();
-  file_.end_definitions();
-}
-
-void SliceWriter::define_pixels(int y, int x, const std::vector<OutcomeShare>& codes) {
-  outcome_ = file_.variable("outcome", NC_SHORT, {y, x}, "1", words::files::outcome_of_pixel);
-  file_.fill(outcome_, &not_computed_code);
-  std::vector<short> values;
-  for (const OutcomeShare& c : codes) values.push_back(static_cast<short>(c.id));
-  file_.attribute(outcome_, "flag_values", values);
-  file_.attribute(outcome_, "flag_meanings", slice_flag_meanings(codes));
-  const float none = std::numeric_limits<float>::quiet_NaN();
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
-    const PixelNumber& n = pixel_numbers[k];
-    const bool one = header_.one_rotor && n.of_rotor;
-    numbers_[k] =
-        file_.variable(n.name, NC_FLOAT, one ? std::vector<int>{} : std::vector<int>{y, x}, "1", n.long_name());
-    file_.fill(numbers_[k], &none);
-  }
-}
-
-void SliceWriter::define_attributes(bool complete) {
-  const auto say = [&](const char* name, const std::string& text) { file_.attribute(NC_GLOBAL, name, text); };
-  const auto range = [](const SliceAxis& a) { return fmt::format("{} {}", a.low, a.high); };
-  const auto axis = [](const SliceAxis& a) {
-    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
-  };
-  say("Conventions", "CF-1.8");
-  say("title", words::files::over_a_plane);
-  say("source", fmt::format("equipoise {}", version_string));
-  say("identity", identity_of(header_));
-  say("x_key", header_.x.key);
-  say("y_key", header_.y.key);
-  say("x_range", range(header_.x));
-  say("y_range", range(header_.y));
-  say("axes", fmt::format("{}; {}", axis(header_.x), axis(header_.y)));
-  say("links", links_text(header_.links));
-  say("study", header_.study);
-  say("complete", complete ? "yes" : "no");
-}
-
-void SliceWriter::write_axis(int variable, const SliceAxis& axis) {
-  std::vector<double> centres;
-  for (int k = 0; k < axis.pixels; ++k) centres.push_back(axis.centre(k));
-  file_.write(variable, {0}, {centres.size()}, centres.data());
-}
-
-template <class T>
-void SliceWriter::write_column(int variable, int first, int rows, const SlicePixel* pixels, T SlicePixel::*value) {
-  const std::size_t columns = static_cast<std::size_t>(header_.x.pixels);
-  std::vector<T> column;
-  for (std::size_t k = 0; k < columns * static_cast<std::size_t>(rows); ++k) column.push_back(pixels[k].*value);
-  file_.write(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
-}
+    : header_(header), data_(contents(header_, codes, discoveries, complete)), file_(path, data_) {}
 
 void SliceWriter::write_rows(int first, int rows, const SlicePixel* pixels) {
-  write_column(outcome_, first, rows, pixels, &SlicePixel::code);
-  visit_pixel_numbers(header_.one_rotor, [&](std::size_t k, float SlicePixel::*value) {
-    write_column(numbers_[k], first, rows, pixels, value);
-  });
-}
-
-void SliceWriter::finish(const std::vector<OutcomeShare>& codes) {
-  for (std::size_t k = 0; k < codes.size(); ++k) file_.write(share_, {k}, {1}, &codes[k].share.share);
-  file_.close();
-  seal(place_.file(), path_);
-  place_.commit();
+  std::vector<double> numbers(static_cast<std::size_t>(header_.x.pixels) * static_cast<std::size_t>(rows));
+  const auto write = [&](std::size_t column, auto SlicePixel::*value) {
+    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = pixels[k].*value;
+    file_.write_rows(column, static_cast<std::size_t>(first), static_cast<std::size_t>(rows), numbers.data());
+  };
+  write(first_of_pixels, &SlicePixel::code);
+  visit_pixel_numbers(header_.one_rotor,
+                      [&](std::size_t k, float SlicePixel::*value) { write(first_of_pixels + 1 + k, value); });
 }
 
 SliceReader::SliceReader(const std::string& path) try : file_(whole_map_file(path), NetcdfFile::Mode::read) {
@@ -252,7 +220,7 @@ void write_map_file(const std::string& path, const BasinSlice& map) {
     }
     writer.write_rows(y, 1, row.data());
   }
-  writer.finish(map.codes);
+  writer.finish();
 }
 
 }  // namespace equipoise

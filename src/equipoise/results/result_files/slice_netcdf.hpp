@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "equipoise/results/commands/basin_slice.hpp"
-#include "equipoise/results/io/netcdf.hpp"
-#include "equipoise/results/io/replacement.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 
 namespace equipoise::io {
 
@@ -29,32 +28,21 @@ std::string identity_of(const SliceFileHeader& header);
 /// Writes a new file, which finish() puts in its place.
 class SliceWriter {
  public:
-  /// `codes`: all codes that pixels may have except not_computed_code; their shares are not known yet. Throws RunError
-  /// if the file cannot be written, as do the other members.
+  /// `codes`: all codes that pixels may have except not_computed_code; their shares are needed in the end. Throws
+  /// RunError if the file cannot be written, as do the other members. Refers to the arguments.
   SliceWriter(const std::string& path, const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
               const std::vector<std::vector<double>>& discoveries, bool complete);
   /// Every row must be written once.
   void write_rows(int first, int rows, const SlicePixel* pixels);
-  /// Codes as before, with shares.
-  void finish(const std::vector<OutcomeShare>& codes);
+  void finish() { file_.finish(); }
 
  private:
-  void define(const std::vector<OutcomeShare>& codes, const std::vector<std::vector<double>>& discoveries,
-              bool complete);
-  void define_pixels(int y, int x, const std::vector<OutcomeShare>& codes);
-  void define_attributes(bool complete);
-  void write_axis(int variable, const SliceAxis& axis);
-  template <class T>
-  void write_column(int variable, int first, int rows, const SlicePixel* pixels, T SlicePixel::*value);
+  static Dataset contents(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
+                          const std::vector<std::vector<double>>& discoveries, bool complete);
 
   const SliceFileHeader header_;
-  std::string path_;
-  Replacement place_;
-  NetcdfFile file_;
-  std::vector<std::string> names_, aliases_;
-  int x_ = -1, y_ = -1, outcome_ = -1;
-  std::array<int, pixel_numbers.size()> numbers_{};
-  int code_ = -1, name_ = -1, alias_ = -1, share_ = -1, discovery_ = -1;
+  const Dataset data_;
+  DatasetFile file_;
 };
 
 /// Reads a file that a SliceWriter finished.

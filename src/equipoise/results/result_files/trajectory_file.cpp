@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/columns/dataset.hpp"
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/replacement.hpp"
 #include "equipoise/results/words/files.hpp"
 

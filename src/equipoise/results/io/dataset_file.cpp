@@ -1,4 +1,6 @@
 // A Dataset as NetCDF: definitions in its order, then values, some rows at a time.
+#include "equipoise/results/io/dataset_file.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -6,7 +8,7 @@
 
 #include <netcdf.h>
 
-#include "equipoise/results/io/netcdf.hpp"
+#include "equipoise/results/io/sealed_file.hpp"
 
 namespace equipoise::io {
 
@@ -65,29 +67,12 @@ int define(NetcdfFile& file, const DataColumn& column, const std::vector<int>& d
   return variable;
 }
 
-void write(NetcdfFile& file, int variable, const DataColumn& column, std::vector<std::size_t> shape) {
-  const std::size_t width = product(shape, 1), rows = shape.empty() ? 1 : shape.front();
-  const std::size_t at_once = std::max<std::size_t>(values_at_once / std::max<std::size_t>(width, 1), 1);
-  with_type(column.type, [&]<class T>(int, T) {
-    std::vector<double> numbers;
-    std::vector<T> values;
-    std::vector<std::size_t> start(shape.size(), 0);
-    for (std::size_t first = 0; first < rows; first += at_once) {
-      const std::size_t end = std::min(first + at_once, rows);
-      if (!shape.empty()) start.front() = first, shape.front() = end - first;
-      numbers.resize((end - first) * width);
-      column.values.read(first * width, numbers.size(), numbers.data());
-      values.clear();
-      for (const double number : numbers) values.push_back(static_cast<T>(number));
-      file.write(variable, start, shape, values.data());
-    }
-  });
-}
-
-bool is_large(const DataColumn& column, const Dataset& data) {
+NetcdfFile::Mode mode_for(const Dataset& data) {
   bool large = false;
-  with_type(column.type, [&]<class T>(int, T) { large = product(shape_of(column, data), 0) > most_bytes / sizeof(T); });
-  return large;
+  for (const DataColumn& c : data.columns)
+    with_type(c.type,
+              [&]<class T>(int, T) { large = large || product(shape_of(c, data), 0) > most_bytes / sizeof(T); });
+  return large ? NetcdfFile::Mode::create_large : NetcdfFile::Mode::create;
 }
 
 }  // namespace
@@ -98,20 +83,45 @@ int netcdf_type(DataColumn::Type type) {
   return there;
 }
 
-void write_netcdf_file(const std::string& path, const Dataset& data) {
-  const auto define_and_write = [&](NetcdfFile& file) {
-    std::vector<int> dimensions, variables;
-    for (const auto& [name, length] : data.dimensions) dimensions.push_back(file.dimension(name, length));
-    for (const DataColumn& c : data.columns) variables.push_back(define(file, c, dimensions));
-    for (const auto& [name, text] : data.attributes) file.attribute(NC_GLOBAL, name, text);
-    if (!data.filled) file.leave_unfilled();
-    file.end_definitions();
-    for (std::size_t k = 0; k < variables.size(); ++k)
-      if (const DataColumn& c = data.columns[k]; c.values.known()) write(file, variables[k], c, shape_of(c, data));
-  };
-  const bool large = std::any_of(data.columns.begin(), data.columns.end(),
-                                 [&](const DataColumn& column) { return is_large(column, data); });
-  write_netcdf_file(path, define_and_write, large ? NetcdfFile::Mode::create_large : NetcdfFile::Mode::create);
+DatasetFile::DatasetFile(const std::string& path, const Dataset& data)
+    : path_(path), data_(data), place_(path), file_(place_.file(), mode_for(data), path) {
+  std::vector<int> dimensions;
+  for (const auto& [name, length] : data.dimensions) dimensions.push_back(file_.dimension(name, length));
+  for (const DataColumn& c : data.columns) variables_.push_back(define(file_, c, dimensions));
+  for (const auto& [name, text] : data.attributes) file_.attribute(NC_GLOBAL, name, text);
+  if (!data.filled) file_.leave_unfilled();
+  file_.end_definitions();
+}
+
+void DatasetFile::write_rows(std::size_t column, std::size_t first, std::size_t rows, const double* numbers) {
+  std::vector<std::size_t> count = shape_of(data_.columns[column], data_), start(count.size(), 0);
+  if (!count.empty()) start.front() = first, count.front() = rows;
+  with_type(data_.columns[column].type, [&]<class T>(int, T) {
+    std::vector<T> values(product(count, 0));
+    std::transform(numbers, numbers + values.size(), values.begin(), [](double v) { return static_cast<T>(v); });
+    file_.write(variables_[column], start, count, values.data());
+  });
+}
+
+void DatasetFile::write_known(std::size_t column) {
+  const std::vector<std::size_t> shape = shape_of(data_.columns[column], data_);
+  const std::size_t width = product(shape, 1), rows = shape.empty() ? 1 : shape.front();
+  const std::size_t at_once = std::max<std::size_t>(values_at_once / std::max<std::size_t>(width, 1), 1);
+  std::vector<double> numbers;
+  for (std::size_t first = 0; first < rows; first += at_once) {
+    const std::size_t count = std::min(at_once, rows - first);
+    numbers.resize(count * width);
+    data_.columns[column].values.read(first * width, numbers.size(), numbers.data());
+    write_rows(column, first, count, numbers.data());
+  }
+}
+
+void DatasetFile::finish() {
+  for (std::size_t k = 0; k < data_.columns.size(); ++k)
+    if (data_.columns[k].values.known()) write_known(k);
+  file_.close();
+  seal(place_.file(), path_);
+  place_.commit();
 }
 
 }  // namespace equipoise::io
