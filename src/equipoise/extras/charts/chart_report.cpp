@@ -18,6 +18,7 @@
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/extras/words/chart.hpp"
 #include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/reports.hpp"
@@ -234,22 +235,17 @@ std::string chart_notes(const BifurcationChart& chart) {
 
 using ChartJson = nlohmann::ordered_json;
 
-ChartJson chart_number(double value) { return std::isfinite(value) ? ChartJson(value) : ChartJson(nullptr); }
-
+// What is not a number is written as null.
 ChartJson curve_json(const ChartCurve& c) {
   ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}, {"of", c.of}};
   for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
   json["error"] = c.error;
-  for (const char* name : {"x", "y", "frequency", "lyapunov", "others"}) json[name] = ChartJson::array();
-  for (const CurvePoint& p : c.points) {
-    json["x"].push_back(p.x);
-    json["y"].push_back(p.y);
-    json["frequency"].push_back(chart_number(p.frequency));
-    json["lyapunov"].push_back(chart_number(p.lyapunov));
-    json["others"].push_back(p.others);
+  for (const CurveNumber& n : curve_numbers) {
+    if (n.of_cycles && !is_of_cycles(c.kind)) continue;
+    ChartJson& numbers = json[n.name] = ChartJson::array();
+    for (const CurvePoint& p : c.points)
+      numbers.push_back(n.whole ? ChartJson(static_cast<int>(n.value(p))) : ChartJson(n.value(p)));
   }
-  if (is_of_cycles(c.kind))
-    for (const CurvePoint& p : c.points) json["swing"].push_back(chart_number(p.swing));
   return json;
 }
 
@@ -339,14 +335,15 @@ std::string chart_json(const BifurcationChart& chart) {
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
       chart.complete ? "" : fmt::format(words::chart::csv_partial, version_string, words::reports::csv_partial_early);
-  text +=
-      fmt::format("curve,kind,of,{},{},frequency,lyapunov,others,swing\n", chart.plane.x.key, chart.plane.y.key);
+  text += fmt::format("curve,kind,of,{},{}", chart.plane.x.key, chart.plane.y.key);
+  for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += std::string(",") + curve_numbers[n].name;
+  text += "\n";
   for (std::size_t k = 0; k < chart.curves.size(); ++k)
     for (const CurvePoint& p : chart.curves[k].points) {
-      const auto number = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", k + 1,
-                     curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)], chart.curves[k].of, p.x, p.y,
-                     number(p.frequency), number(p.lyapunov), p.others, number(p.swing));
+      text += fmt::format("{},{},{}", k + 1, curve_kind_names[static_cast<std::size_t>(chart.curves[k].kind)],
+                          chart.curves[k].of);
+      for (const CurveNumber& n : curve_numbers) text += "," + csv_number(n.value(p));
+      text += "\n";
     }
   return text;
 }

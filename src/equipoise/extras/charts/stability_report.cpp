@@ -15,6 +15,7 @@
 #include "equipoise/extras/words/stability.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/computed.hpp"
+#include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -120,12 +121,11 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
 
 using PlaneJson = nlohmann::ordered_json;
 
-PlaneJson number_json(double value) { return std::isfinite(value) ? PlaneJson(value) : PlaneJson(nullptr); }
-
+// What is not a number is written as null.
 PlaneJson point_json(const BalancePoint& p) {
   PlaneJson json;
   for (const PointNumber& n : point_numbers)
-    json[n.name] = n.whole ? PlaneJson(static_cast<int>(n.value(p))) : number_json(n.value(p));
+    json[n.name] = n.whole ? PlaneJson(static_cast<int>(n.value(p))) : PlaneJson(n.value(p));
   return json;
 }
 
@@ -290,13 +290,7 @@ std::string stability_csv(const StabilityPlane& plane) {
   for (int row = 0; row < plane.y.pixels; ++row)
     for (int column = 0; column < plane.x.pixels; ++column) {
       fmt::format_to(std::back_inserter(text), "{},{}", plane.x.centre(column), plane.y.centre(row));
-      for (const PointNumber& n : point_numbers) {
-        const double value = n.value(plane.points[plane.at(column, row)]);
-        if (std::isfinite(value))
-          fmt::format_to(std::back_inserter(text), ",{}", value);
-        else
-          text += ",";
-      }
+      for (const PointNumber& n : point_numbers) text += "," + csv_number(n.value(plane.points[plane.at(column, row)]));
       text += "\n";
     }
   return text;

@@ -47,6 +47,24 @@ struct CurvePoint {
   std::vector<std::complex<double>> rates;
 };
 
+/// The numbers of a point: as CSV and JSON name them, those of cycles only there.
+struct CurveNumber : Column {
+  double (*value)(const CurvePoint&);
+  bool whole = false, of_cycles = false;
+};
+inline constexpr std::array<CurveNumber, 6> curve_numbers{{
+    {{"x", "parameter x of the point"}, [](const CurvePoint& p) { return p.x; }},
+    {{"y", "parameter y of the point"}, [](const CurvePoint& p) { return p.y; }},
+    {{"frequency", "of the pair or the cycle, omega_c"}, [](const CurvePoint& p) { return p.frequency; }},
+    {{"lyapunov", "growth rate per square of the swing, omega_c/rad^2"},
+     [](const CurvePoint& p) { return p.lyapunov; }},
+    {{"others", "other unstable eigenvalues"}, [](const CurvePoint& p) { return static_cast<double>(p.others); }, true},
+    {{"swing", "half of what the ball of a cycle covers that swings most, rad"},
+     [](const CurvePoint& p) { return p.swing; },
+     false,
+     true},
+}};
+
 /// Why a curve ends. The values stand in files.
 enum class CurveEnd : signed char {
   plane = 0,        ///< at the plane's edge

@@ -68,17 +68,12 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     return name == chart.locked.end() ? 0 : name - chart.locked.begin() + 1;
   };
   Dataset data(words::chart::file_title);
-  add_over<NumberedPoint>(
-      data, "point", points,
-      {{"point_curve", "number of the curve, from 0", [](const auto& p) { return p.curve; }},
-       {"point_x", "parameter x of the point", [](const auto& p) { return p.point.x; }},
-       {"point_y", "parameter y of the point", [](const auto& p) { return p.point.y; }},
-       {"frequency", "of the pair or the cycle, omega_c", [](const auto& p) { return p.point.frequency; }},
-       {"lyapunov", "growth rate per square of the swing, omega_c/rad^2",
-        [](const auto& p) { return p.point.lyapunov; }},
-       {"others", "other unstable eigenvalues", [](const auto& p) { return p.point.others; }},
-       {"swing", "half of what the ball of a cycle covers that swings most, rad",
-        [](const auto& p) { return p.point.swing; }}});
+  std::vector<ChartNumber<NumberedPoint>> of_point{
+      {"point_curve", "number of the curve, from 0", [](const auto& p) { return p.curve; }}};
+  for (const CurveNumber& n : curve_numbers)
+    of_point.push_back({of_point.size() <= 2 ? std::string("point_") + n.name : n.name, n.long_name(),
+                        [&n](const auto& p) { return n.value(p.point); }});
+  add_over(data, "point", points, of_point);
   add_over<ChartCurve>(
       data, "curve", chart.curves,
       {{"curve_kind", numbered(curve_kind_names), [](const auto& c) { return static_cast<int>(c.kind); }},

@@ -11,7 +11,6 @@
 #include "equipoise/extras/words/stability.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/results/words/files.hpp"
 
 namespace equipoise {
 
@@ -22,11 +21,8 @@ PlaneIdentity stability_identity(const StabilityPlane& plane) { return {"stabili
 }  // namespace
 
 PlaneIdentity::PlaneIdentity(const char* attribute, const Study& study, const StabilityPlane& plane) : name(attribute) {
-  const auto axis = [](const SliceAxis& a) {
-    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
-  };
-  text = fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n", to_toml(study), version_string, axis(plane.x),
-                     axis(plane.y));
+  text = fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n", to_toml(study), version_string,
+                     io::axis_text(plane.x), io::axis_text(plane.y));
 }
 
 void PlaneIdentity::require_at(const std::string& path, const std::string& none, const std::string& allowed,
@@ -44,10 +40,7 @@ void PlaneIdentity::require_at(const std::string& path, const std::string& none,
 
 void PlaneIdentity::say(Dataset& data, const StabilityPlane& plane) const {
   data.say(name, text);
-  data.say("x_key", plane.x.key);
-  data.say("y_key", plane.y.key);
-  data.say("x_range", fmt::format("{} {}", plane.x.low, plane.x.high));
-  data.say("y_range", fmt::format("{} {}", plane.y.low, plane.y.high));
+  io::say_axes(data, plane.x, plane.y);
 }
 
 void check_stability_file(const std::string& path, const StabilityPlane& plane) {

@@ -91,17 +91,14 @@ class SweepColumns {
     for (const auto& [code, of_code] : kinds) codes_.push_back(code);
     // Attractors first, as in lists.
     std::stable_partition(codes_.begin(), codes_.end(), [](int code) { return code > 0; });
-    std::vector<std::string> names, aliases;
-    for (const int code : codes_) {
-      names.push_back(kinds.at(code).first);
-      aliases.push_back(kinds.at(code).second);
-    }
     outcome_ = data_.dimension("outcome", codes_.size());
     data_.add(
         "outcome", "1", words::files::code_of_attractor, {outcome_}, [this](std::size_t k) { return codes_[k]; },
         DataColumn::Type::integer);
-    data_.add_texts("name", outcome_, names, words::files::name_of_outcome);
-    data_.add_texts("alias", outcome_, aliases, words::files::name_by_wright_and_peng);
+    const auto name = [&](int code) { return kinds.at(code).first; };
+    data_.add_texts("name", outcome_, codes_, name, words::files::name_of_outcome);
+    const auto alias = [&](int code) { return kinds.at(code).second; };
+    data_.add_texts("alias", outcome_, codes_, alias, words::files::name_by_wright_and_peng);
   }
 
   void column(const std::string& name, const char* units, const std::string& meaning,

@@ -65,6 +65,14 @@ struct Dataset {
                   DataColumn::Type type = DataColumn::Type::real);
   DataColumn& add_texts(const std::string& name, std::size_t along, const std::vector<std::string>& texts,
                         const std::string& long_name);
+  /// A text of each of the items.
+  template <class Items, class Text>
+  DataColumn& add_texts(const std::string& name, std::size_t along, const Items& items, const Text& text,
+                        const std::string& long_name) {
+    std::vector<std::string> texts;
+    for (const auto& item : items) texts.emplace_back(std::invoke(text, item));
+    return add_texts(name, along, texts, long_name);
+  }
   void say(const std::string& attribute, const std::string& text) { attributes.emplace_back(attribute, text); }
 
   std::vector<Dimension> dimensions;

@@ -104,20 +104,14 @@ void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c)
 
 void add_kinds(Dataset& data, const BasinContents& c) {
   const std::size_t kind = data.dimension("outcome_kind", c.summary.size());
-  std::vector<std::string> names, aliases, intervals;
-  for (const OutcomeShare& s : c.summary) {
-    names.push_back(s.name);
-    aliases.push_back(s.alias);
-    intervals.emplace_back(interval_names[static_cast<std::size_t>(s.share.by)]);
-  }
   const auto add = [&](const std::string& name, const char* meaning, const auto& of, Type type) {
     data.add(
         name, "1", meaning, {kind}, [&c, of](std::size_t k) { return of(c.summary[k]); }, type);
   };
   add(
       "kind_code", "value of outcome", [](const OutcomeShare& s) { return s.id; }, Type::small);
-  data.add_texts("kind_name", kind, names, words::files::name_of_outcome);
-  data.add_texts("kind_alias", kind, aliases, words::files::name_by_wright_and_peng);
+  data.add_texts("kind_name", kind, c.summary, &OutcomeShare::name, words::files::name_of_outcome);
+  data.add_texts("kind_alias", kind, c.summary, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
   const auto count = [](const OutcomeShare& s) { return s.share.count; };
   add("kind_count", words::files::starts_with_outcome, count, count_type(c));
   for (const ShareColumn& s : share_columns)
@@ -126,7 +120,8 @@ void add_kinds(Dataset& data, const BasinContents& c) {
         [value = s.value](const OutcomeShare& o) { return o.share.*value; }, Type::real);
   if (c.header.sticks) add_left_unbalance(data, kind, c);
   if (c.header.method == SamplingMethod::random) return;  // random starts need no more than their counts
-  data.add_texts("kind_interval", kind, intervals, words::files::interval_from);
+  const auto interval = [](const OutcomeShare& s) { return interval_names[static_cast<std::size_t>(s.share.by)]; };
+  data.add_texts("kind_interval", kind, c.summary, interval, words::files::interval_from);
   const auto effective = [](const OutcomeShare& s) { return s.share.effective_starts; };
   add("kind_effective_starts", words::files::effective_starts, effective, Type::real);
 }

@@ -30,15 +30,10 @@ const Motion* motion_at(const BranchesResult& r, std::size_t place) {
 void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
   const auto balls = static_cast<std::size_t>(r.study.parameters.balls);
   const std::size_t attractor = data.dimension("attractor", r.branches.size()), ball = data.dimension("ball", balls);
-  std::vector<std::string> names, aliases;
-  for (const Branch& branch : r.branches) {
-    names.push_back(branch.name);
-    aliases.push_back(branch.alias);
-  }
   const auto id = [&r](std::size_t k) { return static_cast<double>(r.branches[k].id); };
   data.add("id", "1", words::files::id_along_range, {attractor}, id, Type::integer);
-  data.add_texts("name", attractor, names, words::files::name_of_attractor);
-  data.add_texts("alias", attractor, aliases, words::files::name_by_wright_and_peng);
+  data.add_texts("name", attractor, r.branches, &Branch::name, words::files::name_of_attractor);
+  data.add_texts("alias", attractor, r.branches, &Branch::alias, words::files::name_by_wright_and_peng);
   const auto add_flag = [&](const char* name, const char* meaning, int (*of)(const Motion&), std::vector<int> flags,
                             const char* meanings) {
     const auto flag = [&r, of](std::size_t k) -> double {
@@ -75,18 +70,15 @@ void add_branches(Dataset& data, std::size_t value, const BranchesResult& r) {
 void add_events(Dataset& data, const std::vector<const BranchEvent*>& events) {
   if (events.empty()) return;
   const std::size_t event = data.dimension("event", events.size());
-  std::vector<std::string> changes, types;
-  for (const BranchEvent* e : events) {
-    changes.emplace_back(name_of(e->change));
-    types.emplace_back(name_of(e->cause));
-  }
   const auto add = [&](const char* name, const char* meaning, auto BranchEvent::*member, Type type) {
     const auto number = [events, member](std::size_t k) { return static_cast<double>(events[k]->*member); };
     data.add(name, "1", meaning, {event}, number, type);
   };
   add("event_id", words::files::attractor_of_event, &BranchEvent::id, Type::integer);
-  data.add_texts("event_change", event, changes, "what happens");
-  data.add_texts("event_type", event, types, words::files::type_of_bifurcation);
+  const auto change = [](const BranchEvent* e) { return name_of(e->change); };
+  data.add_texts("event_change", event, events, change, "what happens");
+  const auto cause = [](const BranchEvent* e) { return name_of(e->cause); };
+  data.add_texts("event_type", event, events, cause, words::files::type_of_bifurcation);
   add("event_low", words::files::above_parameter, &BranchEvent::low, Type::real);
   add("event_high", words::files::below_parameter, &BranchEvent::high, Type::real);
 }

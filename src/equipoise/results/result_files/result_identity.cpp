@@ -66,6 +66,17 @@ std::vector<std::string> IdentityLines::over() const {
   return parameters;
 }
 
+std::string axis_text(const SliceAxis& axis) {
+  return fmt::format(words::files::axis_of_map, axis.key, axis.low, axis.high, axis.pixels);
+}
+
+void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y) {
+  data.say("x_key", x.key);
+  data.say("y_key", y.key);
+  data.say("x_range", fmt::format("{} {}", x.low, x.high));
+  data.say("y_range", fmt::format("{} {}", y.low, y.high));
+}
+
 std::string difference(const std::string& there, const std::string& here) {
   const auto old_values = values_of(there), values = values_of(here);
   auto all = old_values;

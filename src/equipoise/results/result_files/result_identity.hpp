@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
+#include "equipoise/results/commands/basin_slice.hpp"
+
 namespace equipoise {
 
 struct BasinFileHeader;
@@ -33,6 +36,11 @@ std::string difference(const std::string& there, const std::string& here);
 /// `allowed`: what such a file must be.
 void require_same(const std::string& there, const std::string& here, const std::string& of, const std::string& results,
                   const std::string& allowed);
+
+/// "speed.final from 1 to 3 in 200 pixels".
+std::string axis_text(const SliceAxis& axis);
+/// Keys and ranges of a plane's axes as attributes.
+void say_axes(Dataset& data, const SliceAxis& x, const SliceAxis& y);
 
 /// The path of results asked for at `path`, with links followed. Throws InputError unless it can be written, and is a
 /// regular file or does not exist yet.

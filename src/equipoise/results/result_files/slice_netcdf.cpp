@@ -12,6 +12,7 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/results/words/files.hpp"
 #include "equipoise/results/result_files/slice_netcdf.hpp"
@@ -59,16 +60,9 @@ void add_pixels(Dataset& data, const std::vector<std::size_t>& along, const Slic
 }
 
 void say_attributes(Dataset& data, const SliceFileHeader& header, bool complete) {
-  const auto range = [](const SliceAxis& a) { return fmt::format("{} {}", a.low, a.high); };
-  const auto axis = [](const SliceAxis& a) {
-    return fmt::format(words::files::axis_of_map, a.key, a.low, a.high, a.pixels);
-  };
   data.say("identity", identity_of(header));
-  data.say("x_key", header.x.key);
-  data.say("y_key", header.y.key);
-  data.say("x_range", range(header.x));
-  data.say("y_range", range(header.y));
-  data.say("axes", fmt::format("{}; {}", axis(header.x), axis(header.y)));
+  say_axes(data, header.x, header.y);
+  data.say("axes", axis_text(header.x) + "; " + axis_text(header.y));
   data.say("links", links_text(header.links));
   data.say("study", header.study);
   data.say("complete", complete ? "yes" : "no");
@@ -95,15 +89,10 @@ Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<O
     data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
              [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
   add_pixels(data, {y, x}, header, codes);
-  std::vector<std::string> names, aliases;
-  for (const OutcomeShare& c : codes) {
-    names.push_back(c.name);
-    aliases.push_back(c.alias);
-  }
   const auto code = [&codes](std::size_t k) { return codes[k].id; };
   data.add("code", "1", "value of outcome", {kind}, code, DataColumn::Type::small);
-  data.add_texts("name", kind, names, words::files::name_of_outcome);
-  data.add_texts("alias", kind, aliases, words::files::name_by_wright_and_peng);
+  data.add_texts("name", kind, codes, &OutcomeShare::name, words::files::name_of_outcome);
+  data.add_texts("alias", kind, codes, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
   data.add("share", "1", words::files::share_of_pixels, {kind},
            [&codes](std::size_t k) { return codes[k].share.share; });
   if (!discoveries.empty()) {
