@@ -21,6 +21,7 @@
 #include "equipoise/results/io/kept_search_log.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
 #include "equipoise/results/result_files/basin_netcdf.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
@@ -337,20 +338,14 @@ void BasinFile::State::read_share(std::size_t k, Share& share) const {
 std::vector<OutcomeShare> BasinFile::summary() const {
   if (!state_->file) return {};
   const io::NetcdfFile& f = *state_->file;
-  std::vector<OutcomeShare> lines(f.length("outcome_kind"));
+  std::vector<OutcomeShare> lines = io::read_outcome_kinds(f, "kind_");
   const bool few = state_->finished <= static_cast<std::uint64_t>(std::numeric_limits<int>::max());
-  const int codes = f.variable("kind_code", NC_SHORT, {lines.size()});
   const int counts = f.variable("kind_count", few ? NC_INT : NC_DOUBLE, {lines.size()});
   for (std::size_t k = 0; k < lines.size(); ++k) {
     OutcomeShare& s = lines[k];
-    short code = 0;
     int small = 0;
     double large = 0.0;
-    f.read(codes, {k}, {1}, &code);
     f.read(counts, {k}, {1}, few ? static_cast<void*>(&small) : &large);
-    s.id = code;
-    s.name = f.read_text("kind_name", k);
-    s.alias = f.read_text("kind_alias", k);
     s.share =
         wilson_share(few ? static_cast<std::uint64_t>(small) : static_cast<std::uint64_t>(large), state_->finished);
     if (state_->header.method != SamplingMethod::random) state_->read_share(k, s.share);

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "equipoise/results/io/dataset_file.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
 #include "equipoise/results/words/files.hpp"
@@ -46,15 +47,6 @@ DataValues stored(const BasinContents& c, std::size_t k) {
                                 : stored_as<signed char>(c, k);
 }
 
-void describe_outcomes(DataColumn& column, const std::vector<OutcomeShare>& summary) {
-  std::vector<std::string> words;
-  for (const OutcomeShare& s : summary) {
-    column.flags.push_back(s.id);
-    words.push_back(flag_word(s.name));
-  }
-  column.attributes.emplace_back("flag_meanings", fmt::format("{}", fmt::join(words, " ")));
-}
-
 void describe_grounds(DataColumn& column) {
   for (int k = 0; k < decided_by_count; ++k) column.flags.push_back(k);
   column.attributes.emplace_back("flag_meanings", fmt::format("{}", fmt::join(decided_by_names, " ")));
@@ -81,7 +73,7 @@ void add_starts(Dataset& data, const BasinContents& c) {
     DataColumn& column = data.add(of_start, {start}, stored(c, k), of_start.type);
     if (!of_start.along.empty()) column.along.push_back(along.at(of_start.along));
     if (column.type == Type::single) column.fill = missing_figure;
-    if (column.name == "outcome") describe_outcomes(column, c.summary);
+    if (column.name == "outcome") add_outcome_flags(column, c.summary);
     if (column.name == "decided_by") describe_grounds(column);
   }
 }
@@ -103,15 +95,11 @@ void add_left_unbalance(Dataset& data, std::size_t kind, const BasinContents& c)
 }
 
 void add_kinds(Dataset& data, const BasinContents& c) {
-  const std::size_t kind = data.dimension("outcome_kind", c.summary.size());
+  const std::size_t kind = add_outcome_kinds(data, "kind_", c.summary);
   const auto add = [&](const std::string& name, const char* meaning, const auto& of, Type type) {
     data.add(
         name, "1", meaning, {kind}, [&c, of](std::size_t k) { return of(c.summary[k]); }, type);
   };
-  add(
-      "kind_code", "value of outcome", [](const OutcomeShare& s) { return s.id; }, Type::small);
-  data.add_texts("kind_name", kind, c.summary, &OutcomeShare::name, words::files::name_of_outcome);
-  data.add_texts("kind_alias", kind, c.summary, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
   const auto count = [](const OutcomeShare& s) { return s.share.count; };
   add("kind_count", words::files::starts_with_outcome, count, count_type(c));
   for (const ShareColumn& s : share_columns)

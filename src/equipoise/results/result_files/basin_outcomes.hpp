@@ -1,4 +1,4 @@
-// The outcome of every start of an ensemble, and nothing else, for comparison with another.
+// Outcomes in files of results: of every start, for comparison with another ensemble, and the kinds of them.
 #pragma once
 
 #include <array>
@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -28,4 +30,17 @@ struct BasinOutcomes {
 /// Reads a file that basin() finished. Throws InputError, naming the file, for other or damaged files.
 BasinOutcomes read_basin_outcomes(const std::string& path);
 
+namespace io {
+
+class NetcdfFile;
+
+/// Dimension outcome_kind with code, name and alias of each; `before`: of their names, "kind_" in files of starts.
+/// Returns the dimension's place. The columns refer to `kinds`.
+std::size_t add_outcome_kinds(Dataset& data, const std::string& before, const std::vector<OutcomeShare>& kinds);
+/// flag_values and flag_meanings of a column of such codes.
+void add_outcome_flags(DataColumn& column, const std::vector<OutcomeShare>& kinds);
+/// Their identifiers, names and aliases. Throws RunError if the file has no such columns.
+std::vector<OutcomeShare> read_outcome_kinds(const NetcdfFile& file, const std::string& before);
+
+}  // namespace io
 }  // namespace equipoise

@@ -17,6 +17,7 @@
 #include "equipoise/results/io/journal.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/words/files.hpp"
 
@@ -42,18 +43,9 @@ std::string kind_of(const io::NetcdfFile& file) {
 
 // `before`: prefix of their variables' names.
 void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
-  const std::size_t kinds = file.length("outcome_kind");
-  const int codes = file.variable(before + "code", NC_SHORT, {kinds}),
-            shares = file.variable(before + "share", NC_DOUBLE, {kinds});
-  for (std::size_t k = 0; k < kinds; ++k) {
-    short code = 0;
-    OutcomeShare outcome;
-    file.read(codes, {k}, {1}, &code);
-    file.read(shares, {k}, {1}, &outcome.share.share);
-    outcome.id = code;
-    outcome.name = file.read_text(before + "name", k);
-    i.outcomes.push_back(outcome);
-  }
+  i.outcomes = io::read_outcome_kinds(file, before);
+  const int shares = file.variable(before + "share", NC_DOUBLE, {i.outcomes.size()});
+  for (std::size_t k = 0; k < i.outcomes.size(); ++k) file.read(shares, {k}, {1}, &i.outcomes[k].share.share);
 }
 
 void count_cells(const io::NetcdfFile& file, Inspection& i) {

@@ -12,6 +12,7 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/results/words/files.hpp"
@@ -25,13 +26,6 @@ const std::string& whole_map_file(const std::string& path) {
   if (const std::string damage = why_not_whole(path); !damage.empty())
     throw InputError(path, "", "", fmt::format("{}; {}", damage, words::files::map_file));
   return path;
-}
-
-// flag_meanings are words separated by blanks.
-std::string slice_flag_meanings(const std::vector<OutcomeShare>& codes) {
-  std::string text;
-  for (const OutcomeShare& c : codes) text += (text.empty() ? "" : " ") + flag_word(c.name);
-  return text;
 }
 
 std::string links_text(const std::vector<AngleLink>& links) {
@@ -49,8 +43,7 @@ void add_pixels(Dataset& data, const std::vector<std::size_t>& along, const Slic
   DataColumn& outcome =
       data.add("outcome", "1", words::files::outcome_of_pixel, along, DataValues{}, DataColumn::Type::small);
   outcome.fill = not_computed_code;
-  for (const OutcomeShare& c : codes) outcome.flags.push_back(c.id);
-  outcome.attributes.emplace_back("flag_meanings", slice_flag_meanings(codes));
+  add_outcome_flags(outcome, codes);
   for (const PixelNumber& n : pixel_numbers) {
     const bool one = header.one_rotor && n.of_rotor;
     const DataValues of_rotor = [&](std::size_t) { return header.rotor.*n.value; };
@@ -84,15 +77,11 @@ Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<O
   data.filled = false;
   const std::size_t y = data.dimension("y", static_cast<std::size_t>(header.y.pixels));
   const std::size_t x = data.dimension("x", static_cast<std::size_t>(header.x.pixels));
-  const std::size_t kind = data.dimension("outcome_kind", codes.size());
   for (const auto& [name, along, axis] : {std::tuple{"x", x, &header.x}, {"y", y, &header.y}})
     data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
              [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
   add_pixels(data, {y, x}, header, codes);
-  const auto code = [&codes](std::size_t k) { return codes[k].id; };
-  data.add("code", "1", "value of outcome", {kind}, code, DataColumn::Type::small);
-  data.add_texts("name", kind, codes, &OutcomeShare::name, words::files::name_of_outcome);
-  data.add_texts("alias", kind, codes, &OutcomeShare::alias, words::files::name_by_wright_and_peng);
+  const std::size_t kind = add_outcome_kinds(data, "", codes);
   data.add("share", "1", words::files::share_of_pixels, {kind},
            [&codes](std::size_t k) { return codes[k].share.share; });
   if (!discoveries.empty()) {
@@ -147,14 +136,8 @@ SliceAxis SliceReader::read_axis(const std::string& letter) const {
 }
 
 std::vector<OutcomeShare> SliceReader::codes() const {
-  std::vector<OutcomeShare> codes;
-  const std::size_t kinds = file_.length("outcome_kind");
-  const int variable = file_.variable("code", NC_SHORT, {kinds});
-  for (std::size_t k = 0; k < kinds; ++k) {
-    short code = 0;
-    file_.read(variable, {k}, {1}, &code);
-    if (code > 0) codes.push_back({code, file_.read_text("name", k), file_.read_text("alias", k)});
-  }
+  std::vector<OutcomeShare> codes = read_outcome_kinds(file_, "");
+  std::erase_if(codes, [](const OutcomeShare& c) { return c.id <= 0; });
   return codes;
 }
 
