@@ -10,7 +10,6 @@
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
-#include "equipoise/classification/rotor_family/direct_values.hpp"
 #include "equipoise/classification/rotor_family/drawn_source.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
@@ -124,23 +123,6 @@ const std::string drawing =
     "[rotor]\neccentricity = { uniform = [0.006, 0.014] }\ndamping = { uniform = [0.4, 0.6] }\n"
     "[balancer]\nballs = 2\nmass = 0.05\ndrag = 0.05\n"
     "[speed]\nprofile = \"constant\"\nspeed = 2.4\n";
-
-TEST(StudyFamily, FindsValuesThatStandAsTheyAre) {
-  const Study study = with_horizon(parse_study(drawing, "study"));
-  const auto make = [&](std::span<const double> values) { return drawn_study(study, values); };
-  const auto direct = DirectValues::of(make, {{0.01, 0.5}, {0.007, 0.41}, {0.0123, 0.59}});
-  ASSERT_TRUE(direct);
-  for (const std::vector<double>& values : {std::vector<double>{0.0081, 0.52}, {0.0139, 0.4}})
-    EXPECT_EQ(to_toml(direct->at(values)), to_toml(drawn_study(study, values)));
-  // In physical units a mass affects everything.
-  const Study heavy = parse_study(
-      "[rotor]\nmass = { uniform = [\"3 kg\", \"5 kg\"] }\nstiffness = \"10 kN/m\"\ndamping_ratio = 0.05\n"
-      "unbalance = \"300 g mm\"\n[balancer]\nballs = 2\nrace_radius = \"60 mm\"\nmass = \"5 g\"\n"
-      "drag = \"2e-5 N m s\"\n[speed]\nprofile = \"constant\"\nspeed = \"1500 rpm\"\n",
-      "study");
-  const auto make_heavy = [&](std::span<const double> values) { return drawn_study(heavy, values); };
-  EXPECT_FALSE(DirectValues::of(make_heavy, {{4.0}, {3.1}, {4.7}}));
-}
 
 // V falls at every state within the level, for rotors that its fit has not seen.
 TEST(FamilyRegions, FallsForEveryRotorOfThePart) {

@@ -11,7 +11,6 @@
 #include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
-#include "equipoise/classification/rotor_family/direct_values.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
@@ -96,19 +95,6 @@ TEST(TiltFamilies, PixelsOfASmallMapComeToWhatTheirRotorsComeTo) {
       names.insert(at->name);
     }
   EXPECT_GE(names.size(), 2u);
-}
-
-// Values of the tilt that stand in the study as they are need not be read anew for each rotor. (An inertia that is not
-// stated follows from them.)
-TEST(TiltFamilies, ValuesOfTheTiltStandAsTheyAre) {
-  const Study study =
-      with_horizon(long_rotor_with({"rotor.inertia=0.5", "rotor.tilt.transverse_inertia={ uniform = [3, 4] }",
-                                    "rotor.eccentricity_angle={ uniform = [0, 1] }"}));
-  const auto make = [&](std::span<const double> values) { return drawn_study(study, values); };
-  const auto direct = DirectValues::of(make, {{0.5, 3.2}, {0.1, 3.7}, {0.9, 3.4}});
-  ASSERT_TRUE(direct);
-  const std::vector<double> values{0.3, 3.9};
-  EXPECT_EQ(to_toml(direct->at(values)), to_toml(drawn_study(study, values)));
 }
 
 }  // namespace tilt_families_test

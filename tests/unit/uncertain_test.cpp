@@ -13,6 +13,7 @@
 #include "../support/studies.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "../support/study_difference.hpp"
@@ -183,6 +184,74 @@ TEST(Uncertain, ADrawIsTheStudyOfItsValues) {
   const std::array values{0.012, 2.0};
   const Study draw = drawn_study(study, values);
   EXPECT_EQ(first_difference(draw, study_with({"rotor.eccentricity=0.012", "speed.speed=2.0"})), "");
+}
+
+// Of a rotor that tilts, with places for whatever tables and keys are to be drawn.
+const std::string tilting = R"([rotor]
+eccentricity = 0.01
+damping = 0.5
+gravity = 0.01
+tilt = { transverse_inertia = 3.0, polar_inertia = 1.0, stiffness = [0.0, 3.0], damping = [0.0, 1.5] }
+[balancer]
+balls = 2
+mass = 0.05
+drag = 0.05
+plane = [-0.5, 0.5]
+[speed]
+profile = "constant"
+speed = 2.4
+)";
+const std::string motor =
+    rotor_and_balancer + "[speed]\nprofile = \"torque\"\ntorque = { stall = 0.2, no_load_speed = 3.0 }\n";
+
+// No draw is read, and each is what reading its values gives: also what follows from them by default.
+TEST(Uncertain, ADrawIsWhatReadingItsValuesGives) {
+  struct Case {
+    std::string toml, key, drawn, other;
+  };
+  const std::vector<Case> cases{{constant_speed, "rotor.damping", "0.5, 0.6", "0.55"},
+                                {constant_speed, "balancer.mass", "0.05, 0.06", "0.0525"},
+                                {constant_speed, "balancer.rolling", "0.001, 0.002", "0.0015"},
+                                {ramp_speed, "speed.duration", "400, 600", "450.0"},
+                                {tilting, "rotor.gravity", "0.0, 0.02", "0.015"},
+                                {tilting, "rotor.tilt.polar_inertia", "1, 2", "1.5"},
+                                {tilting, "rotor.eccentricity_angle", "0, 1", "0.25"},
+                                {motor, "speed.torque.stall", "0.1, 0.2", "0.15"},
+                                {motor, "speed.load.constant", "0.0, 0.02", "0.015"},
+                                {motor, "speed.load.constant", "0.0, 0.0, 0.02", "0.015"}};
+  for (const auto& [toml, key, drawn, other] : cases) {
+    const std::vector<std::string> inertia{toml == motor ? "rotor.inertia=0.5" : "rotor.stiffness=1.0"};
+    const auto with_value = [&](const std::string& value) {
+      return parse_study(toml, "study", {inertia[0], fmt::format("{}={}", key, value)});
+    };
+    const Study study = with_value(fmt::format("{{ values = [{}] }}", drawn));
+    const std::array values{number_in(other)};
+    EXPECT_EQ(first_difference(drawn_study(study, values), with_value(other)), "") << key;
+    EXPECT_NO_THROW(check(study)) << key;
+    EXPECT_EQ(to_toml(parse_study(to_toml(study), "echo")), to_toml(study)) << key;
+  }
+}
+
+TEST(Uncertain, PercentagesAreDrawnAsPercentages) {
+  const Study study = study_with({"balancer.restitution={uniform=['40 %', '60 %']}"});
+  EXPECT_EQ(drawn_study(study, std::array{45.0}).parameters.restitution, 0.45);
+}
+
+TEST(Uncertain, DrawsBeyondTheEndsThatMakeNoStudyAreRefused) {
+  const auto refusal = [](const Study& study, double value) {
+    try {
+      drawn_study(study, std::array{value});
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(study_with({"rotor.eccentricity={normal=[0.01, 0.001]}"}), -0.001),
+            "study: rotor.eccentricity = -0.001: must be a finite number at least 0");
+  EXPECT_NE(refusal(study_with({"balancer.rolling={normal=[0.01, 0.001]}", "balancer.stiction=0.02"}), 0.03), "");
+  EXPECT_NE(refusal(parse_study(tilting, "t", {"rotor.tilt.polar_inertia={normal=[1, 0.1]}"}), 7.0), "");
+  EXPECT_NE(refusal(parse_study(tilting, "t", {"rotor.tilt.transverse_inertia={normal=[3, 0.1]}"}), 0.0), "");
+  EXPECT_NE(refusal(parse_study(ramp_speed, "r", {"release.speed={normal=[2, 0.01]}"}), 2.5), "");
 }
 
 TEST(Uncertain, AQuantityChangesAllThatFollowsFromIt) {

@@ -13,6 +13,7 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/words/machine.hpp"
 #include "equipoise/analyses/words/sweeps.hpp"
@@ -119,28 +120,24 @@ void refuse_if_derived(const Study& study, const std::string& key) {
 
 Study study_with(const Study& original, const std::string& key, double value) {
   refuse_if_derived(original, key);
-  Study study = original;
+  Study study = with_medians(original);
   if (key.starts_with("initial.phi_"))  // of one ball: no key of a study file
     if (double* initial = initial_value(study.initial, study.parameters.balls, key)) {
       *initial = value;
       check(study);
       return study;
     }
-  if (key != "speed.final") {
-    StudyValue tree = to_tree(study);
-    // release.speed and release.time replace each other.
-    if (StudyValue* release = tree.find("release"); release && key.starts_with("release."))
-      release->erase(key == "release.speed" ? "time" : "speed");
-    return study_from(tree, study.name, {key + "=" + study::number_text(value)});
+  const study::NumberAt number{key, value};
+  if (study::put_valid_numbers(study, {&number, 1})) return study;
+  if (key == "speed.final") {
+    check(study);
+    return study;
   }
-  if (study.speed.profile == Profile::constant)
-    study.speed.speed = value;
-  else if (study.speed.profile == Profile::points)
-    study.speed.speeds.back() = value;
-  else
-    study.speed.final = value;
-  check(study);
-  return study;
+  StudyValue tree = to_tree(with_medians(original));
+  // release.speed and release.time replace each other.
+  if (StudyValue* release = tree.find("release"); release && key.starts_with("release."))
+    release->erase(key == "release.speed" ? "time" : "speed");
+  return study_from(tree, study.name, {key + "=" + study::number_text(value)});
 }
 
 Study ParameterLine::study_at(double value) const { return study_with(study_, key_, value); }

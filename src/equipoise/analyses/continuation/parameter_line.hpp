@@ -17,8 +17,9 @@ inline constexpr std::size_t most_line_values = 2000;
 /// x_dot, y_dot, psi. Null for other keys.
 double* initial_value(InitialState& start, int balls, const std::string& key);
 
-/// `study` with another value of a number, as --set would give it. Also takes speed.final, the final speed whatever the
-/// profile, and keys of one ball's initial angle or rate (initial_value()). Throws InputError if the result is invalid.
+/// `study` at its medians, with another value of a number, as --set would give it. Also takes speed.final, the final
+/// speed whatever the profile, and keys of one ball's initial angle or rate (initial_value()). Throws InputError if the
+/// result is invalid.
 Study study_with(const Study& study, const std::string& key, double value);
 
 class ParameterLine {

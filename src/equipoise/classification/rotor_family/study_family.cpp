@@ -1,7 +1,6 @@
 // Draws and corners of families.
 #include "equipoise/classification/rotor_family/study_family.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -52,21 +51,6 @@ std::vector<double> FamilyBox::centre() const { return at(std::vector<double>(lo
 
 StudyFamily::StudyFamily(const Study& study)
     : StudyFamily(quantiles_of(study), [study](std::span<const double> values) { return drawn_study(study, values); }) {
-}
-
-StudyFamily::StudyFamily(std::vector<Quantile> values, Make make) : values_(std::move(values)), make_(std::move(make)) {
-  // A few places all over the family show whether its values are parameters of the study.
-  constexpr std::array places{0.5, 0.211, 0.833, 0.417};
-  std::vector<std::vector<double>> some;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    std::vector<double> fractions;
-    for (std::size_t k = 0; k < size(); ++k) fractions.push_back(places[(i + k) % places.size()]);
-    some.push_back(values_at(fractions));
-  }
-  try {
-    direct_ = DirectValues::of(make_, some);
-  } catch (const InputError&) {  // not a study everywhere
-  }
 }
 
 std::vector<FamilyBox> StudyFamily::parts() const {

@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "equipoise/classification/rotor_family/direct_values.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -42,12 +41,12 @@ class StudyFamily {
 
   /// From the uncertain values of `study`, which must have its horizon.
   explicit StudyFamily(const Study& study);
-  StudyFamily(std::vector<Quantile> values, Make make);
+  StudyFamily(std::vector<Quantile> values, Make make) : values_(std::move(values)), make_(std::move(make)) {}
 
   std::size_t size() const { return values_.size(); }
   /// The whole family, cut where values jump.
   std::vector<FamilyBox> parts() const;
-  Study at(std::span<const double> values) const { return direct_ ? direct_->at(values) : make_(values); }
+  Study at(std::span<const double> values) const { return make_(values); }
   std::vector<double> values_at(std::span<const double> fractions) const;
   /// How far each value has gone from one end of a box to the other; 0 to 1 within the box.
   std::vector<double> coordinates(const FamilyBox& box, std::span<const double> fractions) const;
@@ -66,7 +65,6 @@ class StudyFamily {
  private:
   std::vector<Quantile> values_;
   Make make_;
-  std::optional<DirectValues> direct_;
 };
 
 /// The part of a study that its attractors depend on, with its horizon filled in. Of a prescribed speed only the final

@@ -12,7 +12,7 @@ namespace equipoise {
 
 const Study* BalancePlane::study_at(const Eigen::VectorXd& at) const {
   try {
-    studies_.put(x(at), y(at), study_);
+    study_ = studies_.at(x(at), y(at));
   } catch (const InputError&) {
     return nullptr;
   }

@@ -78,9 +78,8 @@ class LockedSearch {
     for (std::size_t begin = 0; begin < count && !is_set(stop_); begin += found.size()) {
       const std::size_t end = std::min(count, begin + found.size());
       in_parallel(threads_, (end - begin + points_of_chunk - 1) / points_of_chunk, [&](std::size_t chunk) {
-        Study study = chart_.study;
         const std::size_t first = begin + chunk * points_of_chunk, last = std::min(end, first + points_of_chunk);
-        for (std::size_t k = first; k < last && !is_set(stop_); ++k) found[k - begin] = pattern_at(k, study);
+        for (std::size_t k = first; k < last && !is_set(stop_); ++k) found[k - begin] = pattern_at(k);
       });
       for (std::size_t k = begin; k < end; ++k) {
         const auto [place, fresh] = numbers.try_emplace(found[k - begin], static_cast<int>(patterns_.size()));
@@ -90,11 +89,11 @@ class LockedSearch {
     }
   }
 
-  RegionPattern pattern_at(std::size_t k, Study& study) const {
+  RegionPattern pattern_at(std::size_t k) const {
     RegionPattern pattern{grid_.points[k].kind, {}};
     const auto columns = static_cast<std::size_t>(grid_.x.pixels);
-    studies_.put(grid_.x.centre(static_cast<int>(k % columns)), grid_.y.centre(static_cast<int>(k / columns)), study);
-    const model::System system = study.system();
+    const double x = grid_.x.centre(static_cast<int>(k % columns)), y = grid_.y.centre(static_cast<int>(k / columns));
+    const model::System system = studies_.at(x, y).system();
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
       pattern.unstable.emplace_back();
       for (const LockedPoint& point : points_of(system, kind)) pattern.unstable.back().push_back(point.unstable);

@@ -37,7 +37,6 @@ using Coordinates = std::array<std::optional<int>, parameters_of_proof>;
 // changes.
 std::optional<Coordinates> coordinates_of(const PlaneStudies& studies, const StabilityPlane& plane) {
   constexpr int looks = 7;
-  if (!studies.direct()) return std::nullopt;
   const auto part = [](const SliceAxis& axis, int k) { return axis.low + (axis.high - axis.low) * (k + 0.5) / looks; };
   const ProofParameters first = parameters_of(studies.at(part(plane.x, 0), part(plane.y, 0)));
   Coordinates result;

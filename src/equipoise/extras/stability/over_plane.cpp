@@ -143,12 +143,11 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
       std::clamp<std::size_t>(points / (8 * static_cast<std::size_t>(plane.threads)), 1, points_at_once);
   in_parallel(plane.threads, (points + at_once - 1) / at_once, [&](std::size_t chunk) {
     const std::size_t first = chunk * at_once, last = std::min(points, first + at_once);
-    Study study = plane.study;
     for (std::size_t k = first; k < last; ++k) {
       if (is_set(settings.stop)) return;
       const auto columns = static_cast<std::size_t>(plane.x.pixels);
-      studies.put(plane.x.centre(static_cast<int>(k % columns)), plane.y.centre(static_cast<int>(k / columns)), study);
-      plane.points[k] = balance_at(study, settings.stop);
+      const double x = plane.x.centre(static_cast<int>(k % columns)), y = plane.y.centre(static_cast<int>(k / columns));
+      plane.points[k] = balance_at(studies.at(x, y), settings.stop);
     }
     const std::lock_guard lock(telling);
     told += last - first;

@@ -1,4 +1,4 @@
-// Puts values into the members of the table of keys, where that gives the same studies as reading them.
+// Checks the axes and makes the studies.
 #include "equipoise/extras/stability/plane_studies.hpp"
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,43 +15,11 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/words/stability.hpp"
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/reading/rules.hpp"
 
 namespace equipoise {
 
 namespace {
-
-// The numbers of a study that a dimensionless key sets, all to one value. Empty for other keys.
-std::vector<double*> places_of(Study& study, const std::string& key) {
-  if (key == "speed.final") {
-    if (study.speed.profile == Profile::constant) return {&study.speed.speed};
-    if (study.speed.profile == Profile::points) return {&study.speed.speeds.back()};
-    return {&study.speed.final};
-  }
-  const std::size_t dot = std::min(key.rfind('.'), key.size());
-  const study::KeyTable* table = study::find_keys(key.substr(0, dot));
-  const study::Key* found = table && dot < key.size() ? table->find(key.substr(dot + 1), false) : nullptr;
-  if (!found) return {};
-  const auto count = static_cast<std::size_t>(study.parameters.balls);
-  return std::visit(
-      [&](auto member) -> std::vector<double*> {
-        using M = decltype(member);
-        std::vector<double*> places;
-        if constexpr (std::is_same_v<M, double*>)
-          places = {member};
-        else if constexpr (std::is_same_v<M, std::optional<double>*>)
-          places = *member ? std::vector<double*>{&**member} : std::vector<double*>{};
-        else if constexpr (std::is_same_v<M, std::array<double, 2>*>)
-          places = {&(*member)[0], &(*member)[1]};
-        else if constexpr (std::is_same_v<M, std::array<double, model::max_balls>*>)
-          for (std::size_t i = 0; i < count; ++i) places.push_back(&(*member)[i]);
-        return places;
-      },
-      found->member(study));
-}
-
-void put_value(Study& study, const std::string& key, double value) {
-  for (double* place : places_of(study, key)) *place = value;
-}
 
 void check_axis(const SliceAxis& axis) {
   const auto reject = [&](const std::string& value, const std::string& problem) {
@@ -97,18 +64,12 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
   check_key(x.key);
   check_key(y.key);
   if (x.key == y.key) throw InputError("stability", x.key, "", words::sweeps::same_key_twice);
-  direct_ = !places_of(study_, x.key).empty() && !places_of(study_, y.key).empty();
   std::vector<std::string> corners;
   for (const double at_y : {y.centre(0), y.centre(y.pixels - 1)})
     for (const double at_x : {x.centre(0), x.centre(x.pixels - 1)}) {
       const Study there = checked_with(checked_with(study_, x.key, at_x), y.key, at_y);
       if (check) check(there);
       corners.push_back(to_toml(there));
-      if (!direct_) continue;
-      Study put_there = study_;
-      put_value(put_there, x.key, at_x);
-      put_value(put_there, y.key, at_y);
-      direct_ = to_toml(put_there) == corners.back();
     }
   if (x.pixels > 1 && corners[0] == corners[1])
     throw InputError("stability", x.key, "", fmt::format(words::sweeps::set_by_other_axis, y.key));
@@ -116,13 +77,11 @@ PlaneStudies::PlaneStudies(const Study& study, const SliceAxis& x, const SliceAx
 
 Study PlaneStudies::read(double x, double y) const { return study_with(study_with(study_, x_.key, x), y_.key, y); }
 
-void PlaneStudies::put(double x, double y, Study& study) const {
-  if (direct_) {
-    put_value(study, x_.key, x);
-    put_value(study, y_.key, y);
-  } else {
-    study = read(x, y);
-  }
+Study PlaneStudies::at(double x, double y) const {
+  const std::array<study::NumberAt, 2> numbers{{{x_.key, x}, {y_.key, y}}};
+  Study study = study_;
+  if (study::put_numbers(study, numbers)) return study;
+  return read(x, y);
 }
 
 bool PlaneStudies::valid(double x, double y) const {
@@ -134,15 +93,9 @@ bool PlaneStudies::valid(double x, double y) const {
   return true;
 }
 
-Study PlaneStudies::at(double x, double y) const {
-  Study study = study_;
-  put(x, y, study);
-  return study;
-}
-
 std::optional<double> PlaneStudies::own(const std::string& key) const {
   Study study = study_;
-  const std::vector<double*> places = places_of(study, key);
+  const std::vector<double*> places = study::numbers_of(study, key).places;
   const auto differs = [&](const double* place) { return *place != *places.front(); };
   if (places.empty() || std::any_of(places.begin(), places.end(), differs)) return std::nullopt;
   return *places.front();

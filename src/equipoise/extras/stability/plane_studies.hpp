@@ -19,15 +19,12 @@ class PlaneStudies {
   PlaneStudies(const Study& study, const SliceAxis& x, const SliceAxis& y,
                const std::function<void(const Study&)>& check = {});
 
-  /// Turns `study`, a copy of the given one or of another of this plane's, into that of these values.
-  void put(double x, double y, Study& study) const;
+  /// Unchecked if both keys are numbers of the study: a derivative at the end of a range looks beyond it.
   Study at(double x, double y) const;
 
   const Study& study() const { return study_; }  ///< as given
   /// Whether a study can have these values.
   bool valid(double x, double y) const;
-  /// Whether values are put into their places, as study_with() would, instead of reading a study anew for each.
-  bool direct() const { return direct_; }
   /// The given study's own values; none if one of them is no single number.
   std::optional<double> own_x() const { return own(x_.key); }
   std::optional<double> own_y() const { return own(y_.key); }
@@ -38,7 +35,6 @@ class PlaneStudies {
 
   Study study_;
   SliceAxis x_, y_;
-  bool direct_ = false;
 };
 
 }  // namespace equipoise

@@ -124,11 +124,32 @@ struct KeyEcho {
   }
 };
 
+// Balls that touch have room in the race.
+Range range_in(const Study& study, const Key& key) {
+  Range range = key.range;
+  if (key.name == std::string_view("contact_angle")) range.high /= study.parameters.balls;
+  return range;
+}
+
+// Whether a study with such a rotor, balls and drive may state the key of a table from which starts draw.
+bool may_state(const Study& study, const KeyTable& table, const Key& key) {
+  const SpeedSetting& speed = study.speed;
+  const std::string_view name = key.name;
+  if (table.name == "speed") return !key.variants() || key.variants() & variant_of(speed.profile);
+  if (table.name == "speed.torque") return speed.driven() && key.variants() & variants_of(speed.torque);
+  if (table.name == "speed.torque.target") return false;  // its keys name members of [speed]
+  if (table.name == "speed.load") return speed.driven();
+  if (table.name == "rotor.tilt" || name == "plane" || name == "eccentricity_angle") return study.parameters.tilts();
+  return table.drawn() && (name != "ball_radius" || study.parameters.rolls);
+}
+
 }  // namespace
 
 void read_key(TableReader& reader, const Key& key, Study& study) {
+  Key here = key;
+  here.range = range_in(study, key);
   if (reader.has(key.name) || key.has(Key::required))
-    std::visit(KeyReading{reader, key, study.parameters.balls}, key.member(study));
+    std::visit(KeyReading{reader, here, study.parameters.balls}, key.member(study));
 }
 
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
@@ -138,6 +159,33 @@ void read_keys(TableReader& reader, const char* table, unsigned variants, Study&
 std::optional<StudyValue> value_of(const Key& key, const Study& study) {
   const Member member = key.member(const_cast<Study&>(study));  // only read here
   return std::visit([&](const auto& v) { return KeyEcho{study.parameters.balls}(v); }, member);
+}
+
+Numbers numbers_of(Study& study, std::string_view dotted) {
+  SpeedSetting& speed = study.speed;
+  if (dotted == "speed.final" && speed.profile == Profile::constant) return {{&speed.speed}};
+  if (dotted == "speed.final" && speed.profile == Profile::points) return {{&speed.speeds.back()}};
+  if (dotted == "speed.final") return {{&speed.final}};
+  const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
+  const KeyTable* table = find_keys(dotted.substr(0, dot));
+  const Key* key = table && dot < dotted.size() ? table->find(dotted.substr(dot + 1), false) : nullptr;
+  if (!key || key->has(Key::pair) || !may_state(study, *table, *key)) return {};
+  const auto balls = static_cast<std::size_t>(study.parameters.balls);
+  Numbers numbers{{}, range_in(study, *key)};
+  std::visit(
+      [&](auto member) {
+        using M = decltype(member);
+        if constexpr (std::is_same_v<M, double*>)
+          numbers.places = {member};
+        else if constexpr (std::is_same_v<M, std::optional<double>*>)
+          numbers.places = *member ? std::vector<double*>{&**member} : std::vector<double*>{};
+        else if constexpr (std::is_same_v<M, std::array<double, 2>*>)
+          numbers.places = {&(*member)[0], &(*member)[1]};
+        else if constexpr (std::is_same_v<M, std::array<double, model::max_balls>*>)
+          for (std::size_t i = 0; i < balls; ++i) numbers.places.push_back(&(*member)[i]);
+      },
+      key->member(study));
+  return numbers;
 }
 
 }  // namespace equipoise::study

@@ -57,10 +57,7 @@ constexpr std::nullopt_t bare = std::nullopt;  // no quantity
 bool tilts(const Study& study) { return study.parameters.tilts(); }
 bool has_bearings(const Study& study) { return !study.bearings.empty(); }
 bool has_bearing_supports(const Study& study) { return !study.bearings_stiffness.empty(); }
-bool has_inertia(const Study& study) {
-  const P& p = study.parameters;
-  return p.inertia != (p.tilts() ? model::axial_inertia(p.tilt) : 0.0);
-}
+bool has_inertia(const Study& study) { return study.parameters.inertia != usual_inertia(study.parameters); }
 bool off_centre(const Study& study) { return !study.parameters.race_is_centred(); }
 bool resisted(const Study& study) {
   const P& p = study.parameters;

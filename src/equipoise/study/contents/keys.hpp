@@ -90,6 +90,8 @@ inline const KeyTable& key_table(std::string_view name) { return *find_keys(name
 const Key* find_quantity(std::string_view table, std::string_view key);
 /// The range of a quantity before conversion: only its sign.
 Range quantity_range(const Key& key);
+/// The inertia of a rotor that states none.
+inline double usual_inertia(const model::Parameters& p) { return p.tilts() ? model::axial_inertia(p.tilt) : 0.0; }
 /// Whether physical.cpp, not replace_quantities(), reads the table's quantities.
 inline bool is_machine(std::string_view table) {
   return table.starts_with("rotor") || table.starts_with("balancer") || table == "place";
@@ -104,6 +106,15 @@ void read_key(TableReader& reader, const Key& key, Study& study);
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
 /// The member as written in a study; empty if it is not set.
 std::optional<StudyValue> value_of(const Key& key, const Study& study);
+
+struct Numbers {
+  std::vector<double*> places;
+  Range range = any_number;
+};
+/// Where a study keeps what a dotted key of rotor, balancer, speed or release sets to one number: at one place, at two
+/// for both directions, or at one per ball. speed.final is the final speed whatever the profile. No places for keys
+/// that the study has not, and for those that hold something else.
+Numbers numbers_of(Study& study, std::string_view dotted);
 
 /// Where a study has tables of this dotted name: there, or at each entry of an array of tables, "place.1", "place.2".
 std::vector<std::string> paths_of(const StudyValue& root, const std::string& name);

@@ -35,6 +35,8 @@ struct UncertainValue {
   /// standard deviations away: one draw in two million lies beyond.
   std::array<double, 2> ends() const;
 
+  /// The value as a study without units has it: 0.12 for "12 %".
+  double plain(double number) const { return unit.empty() ? number : number / 100.0; }
   StudyValue written(double number) const;  ///< a value of the key: a number, or a quantity
   StudyValue written() const;               ///< the distribution: { uniform = [0.005, 0.015] }
   std::string text(double number) const;    ///< "0.012", "300 g mm"

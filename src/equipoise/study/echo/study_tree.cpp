@@ -46,7 +46,10 @@ StudyValue tree_with_medians(const Study& study) {
     if (name == "speed") {
       move_to_end(table, "law");
       if (study.speed.driven()) table.set("torque", torque_table(study.speed.torque, study));
-      if (study.speed.driven() && (!study.speed.load.is_none() || study.speed.load.at))
+      const auto of_load = [](const UncertainValue& value) { return value.key.starts_with("speed.load."); };
+      const std::vector<UncertainValue>& drawn = study.uncertain.values;
+      if (study.speed.driven() &&
+          (!study.speed.load.is_none() || study.speed.load.at || std::any_of(drawn.begin(), drawn.end(), of_load)))
         table.set("load", table_of("speed.load", study));
     } else if (name == "rotor" && study.parameters.tilts()) {
       table.set("tilt", table_of("rotor.tilt", study));
@@ -100,7 +103,8 @@ void put_distributions(const Study& study, StudyValue& tree) {
       tree.find("balancer")->erase("stiction");
   }
   if (study.uncertain.rests)
-    for (const char* key : {"x", "y", "x_dot", "y_dot"}) tree.find("initial")->erase(key);
+    for (const char* key : {"x", "y", "x_dot", "y_dot", "tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
+      tree.find("initial")->erase(key);
 }
 
 }  // namespace

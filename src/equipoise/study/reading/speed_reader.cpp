@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/words/machine.hpp"
 
 namespace equipoise::study {
@@ -30,23 +31,13 @@ void check_points(TableReader& reader, const char* key, const std::vector<double
 
 void read_ramp(TableReader& reader, const char* table, Study& study) {
   const RampSetting& ramp = study.speed;
-  const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
-    if (!(time > earlier))
-      reader.fail(key, fmt::format(words::machine::must_be_greater_than, before, reader.time_text(earlier)));
-  };
   read_keys(reader, table, variant_of(ramp.profile), study);
-  if (ramp.profile == Profile::trapezoid) {
-    check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
-    check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
-  } else if (ramp.profile == Profile::points) {
+  if (ramp.profile == Profile::points) {
     if (ramp.times.front() != 0.0) reader.fail("times", words::machine::first_time);
     check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
-  } else if (ramp.profile == Profile::hill) {
-    if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_hill);
-    if (ramp.until && *ramp.until < ramp.half_time)
-      reader.fail("until",
-                  fmt::format(words::machine::must_be_at_least, "half_time", reader.time_text(ramp.half_time)));
   }
+  if (ramp.profile == Profile::hill && study.speed.law != model::SpeedLaw::kinematic)
+    reader.fail("law", words::machine::law_of_hill);
 }
 
 void read_target(const StudyFile& file, RampSetting& target) {
@@ -89,9 +80,6 @@ void read_torque(const StudyFile& file, Study& study) {
 void read_load(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed.load");
   read_keys(reader, "speed.load", all_variants, study);
-  const LoadSetting& taken = study.speed.load;
-  if ((taken.linear != 0.0 || taken.quadratic != 0.0) && !reader.has("at"))
-    reader.fail("at", words::machine::speed_of_load_missing);
   reader.finish();
 }
 
@@ -106,13 +94,9 @@ void read_speed(const StudyFile& file, Study& study) {
     read_torque(file, study);
     if (reader.has("load")) read_load(file, study);
     if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_driven_rotor);
-    if (!(study.parameters.inertia > 0.0)) {
-      TableReader rotor(file, "rotor");
-      rotor.fail("inertia", file.scales ? words::machine::inertia_of_driven_rotor_in_units
-                                        : words::machine::inertia_of_driven_rotor);
-    }
   }
   reader.finish();
+  check_speed(study, refuse_in(file));
 }
 
 }  // namespace equipoise::study

@@ -1,10 +1,9 @@
 // From TOML to a checked study: rules that keys.cpp cannot express, and the order of reading.
-#include "equipoise/machine/drives/never_reached.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -14,6 +13,7 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_number.hpp"
+#include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"
@@ -21,9 +21,9 @@
 #include "equipoise/study/contents/known_keys.hpp"
 #include "equipoise/study/contents/physical.hpp"
 #include "equipoise/study/reading/drive_sheet.hpp"
+#include "equipoise/study/reading/rules.hpp"
 #include "equipoise/study/reading/speed_reader.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
-#include "equipoise/study/reading/tilt_reader.hpp"
 #include "equipoise/study/reading/uncertain_reader.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/words/machine.hpp"
@@ -43,28 +43,33 @@ void read_table(const StudyFile& file, const char* table, Study& study) {
 void read_balancer(const StudyFile& file, Study& study) {
   TableReader reader(file, "balancer");
   model::Parameters& p = study.parameters;
-  for (Key key : key_table("balancer").of(all_variants, false)) {
+  for (const Key& key : key_table("balancer").of(all_variants, false)) {
     const std::string_view name = key.name;
     if (name == "stiction") p.stiction = p.rolling;
-    if (name == "contact_angle") key.range.high /= p.balls;
     if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
       reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
     read_key(reader, key, study);
-    for (int i = 0; name == "stiction" && i < p.balls; ++i)
-      if (p.stiction[i] < p.rolling[i])
-        reader.fail("stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
   }
   reader.finish();
-  check_tilting_balls(file, p);
+  if (reader.has("plane") != p.tilts())
+    reader.fail("plane", p.tilts() ? words::study::tilt_needs_planes : words::study::only_of_tilt);
+  check_balls(study, refuse_in(file));
+}
+
+void read_tilt(const StudyFile& file, Study& study) {
+  TableReader rotor(file, "rotor");
+  if (!rotor.has("tilt")) {
+    if (rotor.has("eccentricity_angle")) rotor.fail("eccentricity_angle", words::study::only_of_tilt);
+    return;
+  }
+  read_table(file, "rotor.tilt", study);
+  check_tilt(study, refuse_in(file));
+  if (!rotor.has("inertia")) study.parameters.inertia = usual_inertia(study.parameters);
 }
 
 void read_release(const StudyFile& file, Study& study) {
   read_table(file, "release", study);
-  TableReader reader(file, "release");
-  if (study.release.speed && study.release.time) reader.fail("time", words::study::speed_or_time_of_release);
-  const model::SpeedProfile profile = study.speed_profile();
-  if (study.release.speed && !study.speed.driven() && !profile.first_time_at(*study.release.speed))
-    reader.fail("speed", model::never_reached(profile, [&](double speed) { return reader.speed_text(speed); }));
+  check_release(study, refuse_in(file));
 }
 
 void read_initial(const StudyFile& file, Study& study) {
@@ -74,26 +79,13 @@ void read_initial(const StudyFile& file, Study& study) {
   read_keys(reader, "initial", all_variants, study);
   for (const char* key : {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
     if (reader.has(key) && !study.parameters.tilts()) reader.fail(key, words::study::only_of_tilt);
-  if (study.release_time() > 0.0)
-    for (double rate : study.initial.phi_dot)
-      if (rate != 0.0) reader.fail("phi_dot", words::study::clamped_balls_have_no_rate);
-  reader.finish();
-}
-
-void read_box(const StudyFile& file, Study& study) {
-  TableReader reader(file, "sampling.box");
-  const double release = study.release_time();
-  for (const Key& key : key_table("sampling.box").keys) {
-    read_key(reader, key, study);
-    if (release > 0.0 && reader.has(key.name))
-      reader.fail(key.name, fmt::format(words::study::box_needs_free_balls, reader.time_text(release)));
-  }
   reader.finish();
 }
 
 void read_sampling(const StudyFile& file, Study& study) {
   TableReader reader(file, "sampling");
-  if (reader.has("box")) read_box(file, study);
+  if (reader.has("box")) read_table(file, "sampling.box", study);
+  check_held_balls(study, refuse_in(file));
   for (const Key& key : key_table("sampling").keys) {
     read_key(reader, key, study);
     if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
@@ -105,7 +97,6 @@ void read_sampling(const StudyFile& file, Study& study) {
 
 // Optional units of a dimensionless study, so that results can be shown in physical ones.
 void read_units(const StudyFile& file, Study& study) {
-  study.scales = file.scales;
   if (file.scales || !file.root.find("units")) return;
   study.scales.emplace();
   read_table(file, "units", study);
@@ -135,15 +126,14 @@ bool states_no_place(const StudyFile& file, const SamplingBox& box) {
 }
 
 // Such a rotor starts at rest under its weight, not on unloaded springs.
-void rest_under_gravity(const StudyFile& file, Study& study) {
-  if (study.parameters.gravity == 0.0 || !states_no_place(file, study.sampling.box)) return;
+void put_at_rest(Study& study, const Refuse& refuse) {
+  InitialState& s = study.initial;
+  s.x = s.y = s.x_dot = s.y_dot = s.tilt_x = s.tilt_y = s.tilt_x_dot = s.tilt_y_dot = 0.0;
+  if (study.parameters.gravity == 0.0) return;
   const model::Drive drive = study.drive();
   const std::array<double, 2> rest = model::rest_position(study.parameters, drive.psi);
-  InitialState& s = study.initial;
-  if (!any_number.contains(rest[0]) || !any_number.contains(rest[1])) {
-    TableReader rotor(file, "rotor");
-    rotor.fail("gravity", fmt::format(words::machine::pulled_too_far, unbounded));
-  }
+  if (!any_number.contains(rest[0]) || !any_number.contains(rest[1]))
+    refuse("rotor.gravity", fmt::format(words::machine::pulled_too_far, unbounded));
   s.x = 0.0 + rest[0];  // not -0
   s.y = rest[1];
   const double still[] = {s.x, s.y, 0.0, 0.0};  // in fixed axes
@@ -235,10 +225,23 @@ void take_ball(Study& study) {
   study.angles_stated = false;
 }
 
-void check_needs_of_limits(const StudyFile& file, const Study& study) {
+// Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
+// which what tilts the rotor does not show, and which limits.force does not take. Limits of the unbalance of a rotor
+// that tilts need the places of two bearings, in whose planes it is judged.
+void check_limits(const StudyFile& file, const Study& study) {
   TableReader limits(file, "limits");
+  const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
+    for (const char* key : keys)
+      if (limits.has(key)) limits.fail(key, why);
+  };
   if (study.limits.settling_time && !study.limits.settled) limits.fail("settling_time", words::study::needs_settled);
   if (study.limits.hand_arm && !study.scales) limits.fail("hand_arm", words::study::weighted_by_hertz);
+  if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
+    refuse({"force", "dynamic_force"}, words::study::force_of_more_bearings);
+  if (study.bearings.size() >= 2 && study.standards.standing_mass)
+    refuse({"force", "dynamic_force"}, words::study::force_of_one_or_all);
+  if (study.parameters.tilts() && !model::tolerance_planes(study.bearings))
+    refuse({"residual", "grade"}, words::study::unbalance_without_planes);
 }
 
 Study read(StudyFile file, Source source) {
@@ -255,6 +258,7 @@ Study read(StudyFile file, Source source) {
   make_dimensionless(file);
   Study result;
   result.name = file.name;
+  result.scales = file.scales;
   read_table(file, "rotor", result);
   read_tilt(file, result);
   read_balancer(file, result);
@@ -263,13 +267,11 @@ Study read(StudyFile file, Source source) {
   read_initial(file, result);
   read_sampling(file, result);
   if (bare) take_ball(result);
-  rest_under_gravity(file, result);
+  if (states_no_place(file, result.sampling.box)) put_at_rest(result, refuse_in(file));
   for (const char* table : {"numerics", "limits", "sweep"}) read_table(file, table, result);
   read_units(file, result);
   read_standards(file, result);
-  check_needs_of_limits(file, result);
-  check_force_limit(file, result);
-  check_unbalance_limits(file, result);
+  check_limits(file, result);
   if (uncertain.empty()) return result;
   check_ends(file, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
@@ -318,8 +320,22 @@ Study with_medians(Study study) {
 }
 
 Study drawn_study(const Study& study, std::span<const double> values) {
+  const std::vector<UncertainValue>& uncertain = study.uncertain.values;
+  if (!study.uncertain.physical) {
+    std::vector<NumberAt> numbers;
+    for (std::size_t k = 0; k < uncertain.size(); ++k)
+      numbers.push_back({uncertain[k].key, uncertain[k].plain(values[k])});
+    Study drawn = with_medians(study);
+    if (put_valid_numbers(drawn, numbers)) {
+      if (study.uncertain.rests)
+        put_at_rest(drawn, [&](const std::string& key, const std::string& problem) {
+          throw InputError(study.name, key, "", problem);
+        });
+      return drawn;
+    }
+  }
   StudyValue tree = to_tree(study);
-  for (std::size_t k = 0; k < study.uncertain.values.size(); ++k) put_value(tree, study.uncertain.values[k], values[k]);
+  for (std::size_t k = 0; k < uncertain.size(); ++k) put_value(tree, uncertain[k], values[k]);
   return study_from(tree, study.name);
 }
 

@@ -182,6 +182,11 @@ Place StudyFile::where(const std::string& dotted_key, const StudyValue* value) c
   return {name, value->line()};
 }
 
+void StudyFile::fail(const std::string& dotted_key, const std::string& problem) const {
+  const StudyValue* value = root.find_path(dotted_key);
+  throw InputError(where(dotted_key, value), dotted_key, value ? value_text(dotted_key, *value) : "", problem);
+}
+
 StudyFile parse_study_file(std::string_view text, const std::string& name, const std::vector<std::string>& overrides) {
   try {
     return study_file_of(parse_toml(text), name, overrides);
@@ -206,8 +211,6 @@ TableReader::TableReader(const StudyFile& file, std::string prefix) : prefix_(st
   if (!table_)
     throw InputError(file.where(prefix_, value), prefix_, shown(*value), fmt::format("must be a table, [{}]", prefix_));
 }
-
-std::string TableReader::dotted(const std::string& key) const { return prefix_ + "." + key; }
 
 bool TableReader::has_asked(const std::string& key) const {
   return std::find(known_.begin(), known_.end(), key) != known_.end();
@@ -248,19 +251,13 @@ const StudyValue& TableReader::require(const std::string& key, const std::string
                    fmt::format(words::study::missing, hint, wanted));
 }
 
-void TableReader::fail(const std::string& key, const std::string& problem) const {
-  const StudyValue* value = table_ ? table_->find(key) : nullptr;
-  throw InputError(file_.where(dotted(key), value), dotted(key), value ? file_.value_text(dotted(key), *value) : "",
-                   problem);
+std::string time_text(double time, const std::optional<model::Scales>& scales) {
+  return scales ? fmt::format("{:.6g} s", time * scales->time()) : fmt::format("{}", time);
 }
 
-std::string TableReader::time_text(double time) const {
-  return file_.scales ? fmt::format("{:.6g} s", time * file_.scales->time()) : fmt::format("{}", time);
-}
-
-std::string TableReader::speed_text(double speed) const {
+std::string speed_text(double speed, const std::optional<model::Scales>& scales) {
   constexpr double rpm = pi / 30.0;
-  return file_.scales ? fmt::format("{:.6g} rpm", speed * file_.scales->frequency / rpm) : fmt::format("{}", speed);
+  return scales ? fmt::format("{:.6g} rpm", speed * scales->frequency / rpm) : fmt::format("{}", speed);
 }
 
 std::string TableReader::kind(const StudyValue& value) {

@@ -49,7 +49,13 @@ struct StudyFile {
   Place where(const std::string& dotted_key, const StudyValue* value) const;
   /// The value as it was written, shortened for a message.
   std::string value_text(const std::string& dotted_key, const StudyValue& value) const;
+  /// Throws an InputError about the key.
+  [[noreturn]] void fail(const std::string& dotted_key, const std::string& problem) const;
 };
+
+/// A dimensionless time or speed in a study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
+std::string time_text(double time, const std::optional<model::Scales>& scales);
+std::string speed_text(double speed, const std::optional<model::Scales>& scales);
 
 /// Parses TOML text and applies overrides "dotted.key=value". The value is TOML. Other text that does not begin like an
 /// array, table or string counts as a string: --set speed.law=published.
@@ -87,15 +93,14 @@ class TableReader {
   void finish() const;
 
   /// Throws an InputError about `key`.
-  [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const { file_.fail(dotted(key), problem); }
 
   /// The same of a text that is none of these names, with the nearest. `wrong`: what to say before that.
   [[noreturn]] void fail_among(const std::string& key, const std::vector<std::string>& names,
                                const std::string& wrong = "");
 
-  /// A dimensionless time or speed in the study's own terms: 3.2, or "0.05 s" and "2400 rpm" in a physical study.
-  std::string time_text(double time) const;
-  std::string speed_text(double speed) const;
+  std::string time_text(double time) const { return study::time_text(time, file_.scales); }
+  std::string speed_text(double speed) const { return study::speed_text(speed, file_.scales); }
 
  protected:
   bool has_asked(const std::string& key) const;
@@ -103,7 +108,7 @@ class TableReader {
   const StudyValue& require(const std::string& key, const std::string& number);
   double as_number(const std::string& key, const StudyValue& value, const Range& range,
                    std::optional<std::size_t> entry = std::nullopt) const;
-  std::string dotted(const std::string& key) const;
+  std::string dotted(const std::string& key) const { return prefix_ + "." + key; }
   /// The type of a value for a message: "a number", "a string".
   static std::string kind(const StudyValue& value);
 

@@ -1,0 +1,179 @@
+// Rules that keys.cpp cannot express, and numbers put into members.
+#include "equipoise/study/reading/rules.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/typed_numbers.hpp"
+#include "equipoise/machine/drives/never_reached.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/words/machine.hpp"
+#include "equipoise/study/words/study.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+// Stiffness or damping of a rotor that tilts, in one direction: [k11, k12; k12, k22].
+struct SupportMatrix {
+  double centre, across, tilt;
+
+  double determinant() const { return centre * tilt - across * across; }
+  // Supports at a single place, whose sums and moments are rounded, have a determinant of zero.
+  double rounding() const { return 1e-12 * centre * tilt; }
+};
+
+void check_supports(const model::Parameters& p, const Refuse& refuse) {
+  const model::Tilt& t = p.tilt;
+  for (const std::size_t d : {0, 1}) {
+    const SupportMatrix springs{p.stiffness[d], t.stiffness[d][0], t.stiffness[d][1]},
+        dampers{p.damping[d], t.damping[d][0], t.damping[d][1]};
+    if (!(springs.tilt > 0.0) || !(springs.determinant() > springs.rounding()))
+      refuse("rotor.tilt.stiffness", fmt::format(words::study::stiffness_not_definite, springs.centre));
+    if (dampers.tilt < 0.0 || dampers.determinant() < -dampers.rounding())
+      refuse("rotor.tilt.damping", fmt::format(words::study::damping_not_definite, dampers.centre));
+  }
+}
+
+// Where stiffness and damping of each bearing are stated, they are those of the supports.
+void check_bearings(const Study& study, const Refuse& refuse) {
+  const std::vector<double>* const lists[] = {&study.bearings_stiffness, &study.bearings_damping};
+  constexpr const char* keys[] = {"rotor.tilt.bearings_stiffness", "rotor.tilt.bearings_damping"};
+  const std::size_t count = study.bearings.size();
+  for (const std::size_t k : {0, 1}) {
+    if (lists[k]->empty() && lists[1 - k]->empty()) continue;
+    if (count > model::most_bearings)
+      refuse("rotor.tilt.bearings_at", fmt::format(words::study::most_bearings, model::most_bearings));
+    if (lists[k]->size() != count && lists[k]->size() != 2 * count)
+      refuse(keys[k], fmt::format(words::study::one_or_two_a_bearing, count, 2 * count));
+  }
+  if (study.bearings_stiffness.empty()) return;
+  const std::vector<model::Bearing> each = study.each_bearing();
+  if (!model::make_stiffness(each, study.parameters))
+    refuse(keys[0], fmt::format(words::study::not_the_supports, "stiffness"));
+  if (!model::make_damping(each, study.parameters))
+    refuse(keys[1], fmt::format(words::study::not_the_supports, "damping"));
+}
+
+// Of balls and race a rotor that tilts takes the planes, and no more than the drag of balls that slide.
+void check_tilting_balls(const Study& study, const Refuse& refuse) {
+  const model::Parameters& p = study.parameters;
+  const auto none = [&](const char* key, bool set, const char* physical_key = nullptr) {
+    if (set && physical_key && study.scales)
+      refuse(fmt::format("balancer.{}", physical_key), fmt::format(words::study::not_with_tilt_unless, physical_key));
+    if (set) refuse(fmt::format("balancer.{}", key), words::study::not_with_tilt);
+  };
+  none("race_offset", !p.race_is_centred());
+  none("rolls", p.rolls, "rolls");
+  none("contact_angle", p.balls_collide(), "contact");
+  const bool rolling = std::any_of(p.rolling.begin(), p.rolling.end(), [](double v) { return v > 0.0; });
+  none(rolling ? "rolling" : "stiction", p.balls_stick());
+}
+
+// Of [speed], or of a motor's target.
+void check_ramp(const RampSetting& ramp, const std::string& table, const std::optional<model::Scales>& scales,
+                const Refuse& refuse) {
+  const auto check_after = [&](const char* key, double time, const char* before, double earlier) {
+    if (!(time > earlier))
+      refuse(fmt::format("{}.{}", table, key),
+             fmt::format(words::machine::must_be_greater_than, before, time_text(earlier, scales)));
+  };
+  if (ramp.profile == Profile::trapezoid) {
+    check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
+    check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
+  }
+  if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
+    refuse(fmt::format("{}.until", table),
+           fmt::format(words::machine::must_be_at_least, "half_time", time_text(ramp.half_time, scales)));
+}
+
+}  // namespace
+
+void check_tilt(const Study& study, const Refuse& refuse) {
+  const model::Parameters& p = study.parameters;
+  if (!p.tilts()) return;
+  if (!at_most(p.tilt.polar_inertia, 2.0 * p.tilt.transverse_inertia))
+    refuse("rotor.tilt.polar_inertia", words::study::no_such_body);
+  check_supports(p, refuse);
+  check_bearings(study, refuse);
+}
+
+void check_balls(const Study& study, const Refuse& refuse) {
+  const model::Parameters& p = study.parameters;
+  for (int i = 0; i < p.balls; ++i)
+    if (p.stiction[i] < p.rolling[i])
+      refuse("balancer.stiction", fmt::format(words::machine::stiction_below_rolling, p.rolling[i]));
+  if (p.tilts()) check_tilting_balls(study, refuse);
+}
+
+void check_speed(const Study& study, const Refuse& refuse) {
+  const SpeedSetting& speed = study.speed;
+  check_ramp(speed, "speed", study.scales, refuse);
+  if (!speed.driven()) return;
+  if (speed.torque.kind == model::MotorLaw::Kind::control)
+    check_ramp(speed.torque.target, "speed.torque.target", study.scales, refuse);
+  if ((speed.load.linear != 0.0 || speed.load.quadratic != 0.0) && !speed.load.at)
+    refuse("speed.load.at", words::machine::speed_of_load_missing);
+  if (!(study.parameters.inertia > 0.0))
+    refuse("rotor.inertia",
+           study.scales ? words::machine::inertia_of_driven_rotor_in_units : words::machine::inertia_of_driven_rotor);
+}
+
+void check_release(const Study& study, const Refuse& refuse) {
+  const ReleaseSetting& release = study.release;
+  if (release.speed && release.time) refuse("release.time", words::study::speed_or_time_of_release);
+  if (!release.speed || study.speed.driven()) return;
+  const model::SpeedProfile profile = study.speed_profile();
+  if (!profile.first_time_at(*release.speed))
+    refuse("release.speed",
+           model::never_reached(profile, [&](double speed) { return speed_text(speed, study.scales); }));
+}
+
+void check_held_balls(const Study& study, const Refuse& refuse) {
+  const auto& rates = study.initial.phi_dot;
+  const bool moves = std::any_of(rates.begin(), rates.end(), [](double rate) { return rate != 0.0; });
+  if (!moves && study.sampling.box.empty()) return;
+  const double release = study.release_time();
+  if (!(release > 0.0)) return;
+  if (moves) refuse("initial.phi_dot", words::study::clamped_balls_have_no_rate);
+  for (const auto& [key, side] : box_sides)
+    if (study.sampling.box.*side)
+      refuse(fmt::format("sampling.box.{}", key),
+             fmt::format(words::study::box_needs_free_balls, time_text(release, study.scales)));
+}
+
+bool put_numbers(Study& study, std::span<const NumberAt> numbers) {
+  model::Parameters& p = study.parameters;
+  const auto states = [&](std::string_view key) {
+    return std::any_of(numbers.begin(), numbers.end(), [&](const NumberAt& n) { return n.key == key; });
+  };
+  const bool usual = p.inertia == usual_inertia(p) && !states("rotor.inertia");
+  const bool as_rolling = p.stiction == p.rolling && states("balancer.rolling") && !states("balancer.stiction");
+  for (const auto& [key, value] : numbers) {
+    const std::vector<double*> places = numbers_of(study, key).places;
+    if (places.empty()) return false;
+    for (double* place : places) *place = value;
+  }
+  if (as_rolling) p.stiction = p.rolling;
+  if (usual) p.inertia = usual_inertia(p);
+  return true;
+}
+
+bool put_valid_numbers(Study& study, std::span<const NumberAt> numbers) {
+  for (const auto& [key, value] : numbers)
+    if (!numbers_of(study, key).range.contains(value)) return false;
+  if (!put_numbers(study, numbers)) return false;
+  try {
+    for (const auto rules : {check_tilt, check_balls, check_speed, check_release, check_held_balls})
+      rules(study, [](const std::string& key, const std::string& problem) { throw InputError("", key, "", problem); });
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace equipoise::study

@@ -1,0 +1,41 @@
+// Rules between the numbers of a study: of one that is read, and of one that gets other numbers.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "equipoise/study/contents/study.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
+
+namespace equipoise::study {
+
+/// Throws an InputError about the dotted key.
+using Refuse = std::function<void(const std::string& key, const std::string& problem)>;
+
+inline Refuse refuse_in(const StudyFile& file) {
+  return [&file](const std::string& key, const std::string& problem) { file.fail(key, problem); };
+}
+
+/// Those of [rotor.tilt], if the rotor tilts; of [balancer]; of [speed]; of [release].
+void check_tilt(const Study& study, const Refuse& refuse);
+void check_balls(const Study& study, const Refuse& refuse);
+void check_speed(const Study& study, const Refuse& refuse);
+void check_release(const Study& study, const Refuse& refuse);
+/// Balls that are held at first have no rates, stated or drawn, and nothing else of the start is drawn.
+void check_held_balls(const Study& study, const Refuse& refuse);
+
+/// A number for a dotted key.
+struct NumberAt {
+  std::string_view key;
+  double value;
+};
+
+/// Puts numbers into the members of a study; what follows from them by default follows. False if a key has no places in
+/// numbers_of(): then `study` is of no use.
+bool put_numbers(Study& study, std::span<const NumberAt> numbers);
+/// The same, but false also if such a study would be refused: reading it says why.
+bool put_valid_numbers(Study& study, std::span<const NumberAt> numbers);
+
+}  // namespace equipoise::study
