@@ -27,9 +27,8 @@ struct ExplainArguments {
 };
 
 int run_explain(const ExplainArguments& a) {
-  const std::string text = read_study_text(a.study), name = display_text(a.study);
-  const Study study = parse_study(text, name, a.overrides);
-  Explanation e = explain(at_medians(study), parse_ball_details(text, name, a.overrides), &stop_flag());
+  const Study study = read_study(a.study, a.overrides);
+  Explanation e = explain(at_medians(study), &stop_flag());
   if (a.cost) {
     RunOptions options;
     options.stop = &stop_flag();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "equipoise/analyses/sweeps/sweep_plan.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::python {
@@ -13,7 +12,6 @@ struct PyStudy {
 
   explicit PyStudy(StudySource from) : source(std::move(from)), study(source.with()) {}
 
-  BallDetails balls() const { return parse_ball_details(source.toml, source.name, source.overrides); }
   PyStudy with(const std::vector<std::string>& more) const {
     StudySource changed = source;
     changed.overrides.insert(changed.overrides.end(), more.begin(), more.end());

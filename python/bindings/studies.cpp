@@ -94,7 +94,7 @@ py::list uncertain_of(const PyStudy& s) {
 }
 
 py::dict explained(const PyStudy& s, const std::optional<std::string>& cost_within, const py::dict& settings) {
-  Explanation e = explain(with_medians(s.study), s.balls());
+  Explanation e = explain(with_medians(s.study));
   Call call(settings);
   if (cost_within) {
     RunOptions options;

@@ -84,7 +84,6 @@
 #include "equipoise/simulation/trajectory/output_times.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"

@@ -30,7 +30,7 @@ speed = "3000 rpm"
 )";
 
 inline Explanation explained(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return explain(parse_study(text, "m.toml", overrides), parse_ball_details(text, "m.toml", overrides));
+  return explain(parse_study(text, "m.toml", overrides));
 }
 
 inline bool warned(const Explanation& e, const std::string& words) {

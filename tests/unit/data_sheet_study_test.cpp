@@ -13,7 +13,6 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/datasheet/oils.hpp"
 #include "equipoise/machine/datasheet/vibration_data.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
 #include "../support/studies.hpp"
@@ -244,7 +243,7 @@ TEST(DataSheet, KnowsOilsByTheirGrade) {
   const auto details = [&](const Overrides& overrides) {
     Overrides all = overrides;
     all.push_back(steel);
-    const BallDetails d = parse_ball_details(oiled, "m.toml", all);
+    const BallDetails d = parse_sheet(oiled, all).ball_details;
     EXPECT_TRUE(d.oil_viscosity && d.oil_density);
     return d;
   };

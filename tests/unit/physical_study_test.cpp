@@ -35,7 +35,8 @@ Study parse(const std::string& text, const std::vector<std::string>& overrides =
 // The dimensionless file, for keys that are not part of a Study here.
 study::StudyFile converted(const std::string& text, const std::vector<std::string>& overrides = {}) {
   study::StudyFile file = study::parse_study_file(text, "m.toml", overrides);
-  study::make_dimensionless(file);
+  Study kept;
+  study::make_dimensionless(file, kept);
   return file;
 }
 

@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/toml/overrides.hpp"
 #include "../support/studies.hpp"
@@ -66,8 +65,8 @@ TEST(StudyTree, IsReadInPhysicalUnitsToo) {
   ASSERT_TRUE(study.scales);
   EXPECT_EQ(study.scales->mass, 12.0);
   EXPECT_DOUBLE_EQ(study.parameters.eccentricity, 0.01);
-  ASSERT_EQ(ball_details_from(tree).diameter.size(), 2u);
-  EXPECT_DOUBLE_EQ(ball_details_from(tree).diameter[1], 0.009);
+  ASSERT_EQ(study.ball_details.diameter.size(), 2u);
+  EXPECT_DOUBLE_EQ(study.ball_details.diameter[1], 0.009);
 }
 
 TEST(StudyTree, LeadsBackToTheSameStudy) {

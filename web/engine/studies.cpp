@@ -17,7 +17,6 @@
 #include "equipoise/report/html/form.hpp"
 #include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/simulation/trajectory/output_times.hpp"
 
 namespace equipoise::embedded {
@@ -133,7 +132,7 @@ Json check_study(const Json& args) {
       overrides.push_back(pair.at(0).get<std::string>() + "=" + pair.at(1).get<std::string>());
   const Study uncertain = parse_study(text, study_name, overrides);
   const Study study = with_medians(uncertain);
-  const Explanation e = explain(study, parse_ball_details(text, study_name, overrides));
+  const Explanation e = explain(study);
   const Json problem = undecidable(uncertain);
   const std::vector<FormField> fields = form_of(text, study_name, overrides);
   return {{"toml", with_overrides(text, study_name, overrides)},

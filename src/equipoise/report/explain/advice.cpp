@@ -300,12 +300,13 @@ RuleOfThumb torque(const Explanation& e) {
 
 }  // namespace
 
-std::vector<double> ball_widths(const Study& study, const BallDetails& balls) {
+std::vector<double> ball_widths(const Study& study) {
   const model::Parameters& p = study.parameters;
   const auto count = static_cast<std::size_t>(p.balls);
   std::vector<double> widths;
-  if (!balls.diameter.empty() && study.scales)
-    for (const double d : balls.diameter) widths.push_back(2.0 * std::asin(0.5 * d / study.scales->length));
+  if (!study.ball_details.diameter.empty() && study.scales)
+    for (const double d : study.ball_details.diameter)
+      widths.push_back(2.0 * std::asin(0.5 * d / study.scales->length));
   else if (p.balls_collide())
     widths.assign(count, p.contact_angle);
   else if (p.rolls)

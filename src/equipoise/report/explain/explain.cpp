@@ -66,14 +66,15 @@ void explain_plane(Explanation& e) {
 
 void check_pages(const Study& study) { reject_if_lacking(study, model::ResultKind::pages); }
 
-Explanation explain(const Study& study, const BallDetails& balls, const StopFlag* stop) {
+Explanation explain(const Study& study, const StopFlag* stop) {
   Explanation e;
   const model::Parameters& p = study.parameters;
+  const BallDetails& balls = study.ball_details;
   e.study = study;
   e.quantities = quantity_table(study);
   put_final_speed(e);
   e.spin_up = study.speed.driven() ? last_time(study.speed.torque.target) : last_time(study.speed);
-  e.ball_width = ball_widths(study, balls);
+  e.ball_width = ball_widths(study);
   p.tilts() ? explain_tilt(e) : explain_plane(e);
   if (p.balls > 0 && p.gravity > 0.0 && e.speed && *e.speed != 0.0) e.gravity_ratio = p.gravity / (*e.speed * *e.speed);
   e.carrying = carrying(study);

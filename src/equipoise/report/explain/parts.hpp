@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "equipoise/results/commands/explanation.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -21,7 +20,7 @@ std::optional<double> last_time(const RampSetting& s);
 
 /// The angle that each ball takes up in the race, also where the study lets balls pass each other: real ones cannot.
 /// Empty where the study does not give their size.
-std::vector<double> ball_widths(const Study& study, const BallDetails& balls);
+std::vector<double> ball_widths(const Study& study);
 
 /// The rules of thumb applied to an explanation that lacks only advice and warnings. A rule that says nothing of the
 /// study says why.

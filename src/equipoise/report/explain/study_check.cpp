@@ -23,7 +23,6 @@
 #include "equipoise/report/words/study_check.hpp"
 #include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
-#include "equipoise/study/contents/physical.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 
 namespace equipoise {
@@ -112,13 +111,13 @@ std::string origin_of_unbalance(const study::StudyFile& file, const Explanation&
   if (file.root.find_path("rotor.tilt.unbalance") || (file.root.find("place") && file.root.find_path("rotor.tilt")))
     return e.tilt && e.tilt->couple == 0.0
                ? words::study_check::no_couple
-               : fmt::format(words::study_check::couple_direction, 180.0 / pi * study::resultant_direction(file));
+               : fmt::format(words::study_check::couple_direction, 180.0 / pi * e.study.direction_of_x);
   const StudyValue* places = file.root.find("place");
   if (!places || !places->array()) return "";
   const std::size_t count = places->array()->size();
   const bool own = file.root.find_path("rotor.eccentricity") || file.root.find_path("rotor.unbalance") ||
                    file.root.find_path("rotor.balance_grade");
-  const double degrees = 180.0 / pi * study::resultant_direction(file);
+  const double degrees = 180.0 / pi * e.study.direction_of_x;
   return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
                      plural(count), degrees == 0.0 ? 0.0 : degrees);
 }
@@ -179,8 +178,7 @@ std::string weight_words(const Explanation& e) {
 
 class Assumptions {
  public:
-  Assumptions(const StudyValue& given, const Study& s, const BallDetails& balls)
-      : given_(given), s_(s), balls_(balls) {}
+  Assumptions(const StudyValue& given, const Study& s) : given_(given), s_(s) {}
 
   std::vector<std::string> list() {
     if (s_.parameters.balls > 0) {
@@ -206,7 +204,7 @@ class Assumptions {
 
   void add_balls() {
     const model::Parameters& p = s_.parameters;
-    const bool sized = !balls_.diameter.empty();
+    const bool sized = !s_.ball_details.diameter.empty();
     if (!states("balancer.contact") && !states("balancer.contact_angle") && p.balls > 1)
       list_.push_back(p.contact_angle > 0.0 ? words::study_check::balls_touch : words::study_check::balls_pass_through);
     if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format(words::study_check::restitution, p.restitution));
@@ -219,8 +217,8 @@ class Assumptions {
   }
 
   void add_drag() {
-    if (!balls_.oil_viscosity) return;
-    const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *balls_.oil_viscosity);
+    if (!s_.ball_details.oil_viscosity) return;
+    const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *s_.ball_details.oil_viscosity);
     if (const StudyValue* grade = given_.find_path("balancer.oil.grade"); grade && grade->string()) {
       const bool mineral = grade->string()->find("VG") != std::string::npos;
       list_.push_back(!mineral ? fmt::format(words::study_check::silicone_oil, eta)
@@ -246,7 +244,6 @@ class Assumptions {
 
   const StudyValue& given_;
   const Study& s_;
-  const BallDetails& balls_;
   std::vector<std::string> list_;
 };
 
@@ -262,25 +259,24 @@ std::string StudyCheck::text() const {
 StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,
                        const StopFlag* stop) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
-  const BallDetails balls = parse_ball_details(toml_text, name, overrides);
   const study::StudyFile file = study::parse_study_file(toml_text, name, overrides);
-  const Explanation e = explain(medians, balls, stop);
+  const Explanation e = explain(medians, stop);
   StudyCheck check;
   check.leave_out = below_resonance_words(study);
   check.machine = machine_line(e);
   check.unbalance = unbalance_line(e) + origin_of_unbalance(file, e);
   check.balls = balls_line(e) + weight_words(e);
-  check.assumed = Assumptions(file.root, study, balls).list();
+  check.assumed = Assumptions(file.root, study).list();
   const auto oil_at = [&](double kelvin) -> std::optional<double> {
     std::vector<std::string> warmer = overrides;
     warmer.push_back(fmt::format("balancer.oil.at={:.17g} K", kelvin));
     try {
-      return parse_ball_details(toml_text, name, warmer).oil_viscosity;
+      return parse_study(toml_text, name, warmer).ball_details.oil_viscosity;
     } catch (const InputError&) {
       return std::nullopt;
     }
   };
-  check.most = what_matters_most(medians, balls, oil_at, stop);
+  check.most = what_matters_most(medians, oil_at, stop);
   return check;
 }
 

@@ -84,8 +84,8 @@ std::optional<double> margin_of(const Explanation& e) {
   return least.value_or(1.0);
 }
 
-Measures measures_of(const Study& study, const BallDetails& balls, const StopFlag* stop) {
-  const Explanation e = explain(study, balls, stop);
+Measures measures_of(const Study& study, const StopFlag* stop) {
+  const Explanation e = explain(study, stop);
   Measures m;
   m.can_balance = e.balanced.kind != model::BalancedStates::Kind::none;
   m.margin = margin_of(e);
@@ -153,7 +153,7 @@ std::optional<double> drag_factor(const BallDetails& balls, double kelvin, const
   return viscosity ? std::optional(*viscosity / *balls.oil_viscosity) : std::nullopt;
 }
 
-std::vector<Change> changes_of(const Study& study, const BallDetails& balls, const OilAt& oil_at) {
+std::vector<Change> changes_of(const Study& study, const OilAt& oil_at) {
   constexpr double part = 0.2, kelvin = 10.0;
   std::vector<Change> changes;
   const auto add = [&](const Estimate& estimate, double factor, Change change) {
@@ -164,16 +164,16 @@ std::vector<Change> changes_of(const Study& study, const BallDetails& balls, con
     for (const double sign : {-1.0, 1.0})
       add(estimate, 1.0 + sign * part, {estimate.name, words::study_check::a_fifth, sign > 0.0, true, study});
   for (const double sign : {-1.0, 1.0})
-    if (const auto factor = drag_factor(balls, sign * kelvin, oil_at))
+    if (const auto factor = drag_factor(study.ball_details, sign * kelvin, oil_at))
       add(*std::find_if(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.name == drag_name; }),
           *factor, {words::study_check::the_oil_temperature, words::study_check::ten_kelvin, sign > 0.0, false, study});
   return changes;
 }
 
-std::string how_judged(const Study& study, const BallDetails& balls) {
+std::string how_judged(const Study& study) {
   const bool tilts = study.parameters.tilts(), weight = study.parameters.gravity > 0.0;
   return fmt::format(
-      words::study_check::how_judged, balls.oil_kelvin ? words::study_check::and_of_the_oil : "",
+      words::study_check::how_judged, study.ball_details.oil_kelvin ? words::study_check::and_of_the_oil : "",
       tilts    ? weight ? words::study_check::and_by_tilt_rules_and_weight : words::study_check::and_by_tilt_rules
       : weight ? words::study_check::and_by_plane_rules_and_weight
                : words::study_check::and_by_plane_rules);
@@ -181,16 +181,16 @@ std::string how_judged(const Study& study, const BallDetails& balls) {
 
 }  // namespace
 
-std::string what_matters_most(const Study& study, const BallDetails& balls, const OilAt& oil_at, const StopFlag* stop) {
+std::string what_matters_most(const Study& study, const OilAt& oil_at, const StopFlag* stop) {
   if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
-  const Measures before = measures_of(study, balls, stop);
+  const Measures before = measures_of(study, stop);
   Effect worst;
   std::string which;
-  for (const Change& change : changes_of(study, balls, oil_at)) {
-    Effect effect = effect_of(study, before, measures_of(change.study, balls, stop));
+  for (const Change& change : changes_of(study, oil_at)) {
+    Effect effect = effect_of(study, before, measures_of(change.study, stop));
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);
-    const bool stokes = balls.oil_viscosity && change.of == drag_name;
+    const bool stokes = study.ball_details.oil_viscosity && change.of == drag_name;
     which = fmt::format(words::study_check::change_does, change.of, stokes ? words::study_check::of_a_formula : "",
                         change.amount, change.more ? "more" : "less", worst.words);
   }
@@ -199,7 +199,7 @@ std::string what_matters_most(const Study& study, const BallDetails& balls, cons
   if (which.empty())
     return before.can_balance || !study.parameters.tilts() ? words::study_check::nothing_matters
                                                            : words::study_check::stays_impossible;
-  return which + how_judged(study, balls);
+  return which + how_judged(study);
 }
 
 }  // namespace equipoise

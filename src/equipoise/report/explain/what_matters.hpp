@@ -6,7 +6,6 @@
 #include <string>
 
 #include "equipoise/core/base/stop_flag.hpp"
-#include "equipoise/study/contents/ball_details.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
@@ -15,6 +14,6 @@ namespace equipoise {
 using OilAt = std::function<std::optional<double>(double kelvin)>;
 
 /// What a change of the most important one does, and how that was judged. Once `stop` is set, that it was stopped.
-std::string what_matters_most(const Study& study, const BallDetails& balls, const OilAt& oil_at, const StopFlag* stop);
+std::string what_matters_most(const Study& study, const OilAt& oil_at, const StopFlag* stop);
 
 }  // namespace equipoise

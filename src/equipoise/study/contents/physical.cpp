@@ -11,7 +11,6 @@
 #include "equipoise/study/reading/drive_sheet.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/quantity_reader.hpp"
-#include "equipoise/study/reading/uncertain_reader.hpp"
 #include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
@@ -174,17 +173,7 @@ void check_horizon(const StudyFile& file, const model::Scales& s) {
 
 bool is_physical(const StudyFile& file) { return !physical_key(file).empty(); }
 
-double resultant_direction(StudyFile file) {
-  if (!file.root.find("place") && !file.root.find_path("rotor.tilt.unbalance")) return 0.0;
-  take_uncertain(file);
-  return read_rotor_sheet(file).turn;
-}
-
-BallDetails ball_details(const StudyFile& file) {
-  return is_physical(file) ? read_balancer_sheet(file).details : BallDetails{};
-}
-
-void make_dimensionless(StudyFile& file) {
+void make_dimensionless(StudyFile& file, Study& study) {
   if (!is_physical(file)) return;
   if (const StudyValue* units = file.root.find("units"))
     throw InputError(file.where("units", units), "units", "", words::study::units_of_dimensionless_study);
@@ -201,7 +190,9 @@ void make_dimensionless(StudyFile& file) {
   file.root.erase("place");
   for (const KeyTable& table : key_tables())
     if (!is_machine(table.name)) replace_quantities(file, table, scales, drive.gear_ratio);
-  file.scales = scales;
+  study.scales = file.scales = scales;
+  study.ball_details = balancer.details;
+  study.direction_of_x = rotor.turn;
   check_horizon(file, scales);
 }
 

@@ -199,6 +199,15 @@ struct SweepSetting {
   bool zip = false;
 };
 
+/// What a study in physical units says of its balls beyond the dimensionless numbers. In SI units; empty where it says
+/// nothing.
+struct BallDetails {
+  std::vector<double> diameter;         ///< one per ball
+  std::optional<double> oil_viscosity;  ///< dynamic, Pa s
+  std::optional<double> oil_density;    ///< kg/m^3
+  std::optional<double> oil_kelvin;     ///< its temperature, of an oil given by its grade
+};
+
 /// A complete study: made by read_study(), or filled in by code (see check()).
 struct Study {
   std::string name;  ///< file it came from; only for messages and results
@@ -220,6 +229,10 @@ struct Study {
   /// The bearings one by one as stated, if forces on each are known: they are all supports, two or with their stiffness
   /// and damping stated. Else empty.
   std::vector<model::Bearing> each_bearing() const;
+  BallDetails ball_details;
+  /// In physical units: from the axis of the rotor's own unbalance to the resultant with every [[place]], to which x of
+  /// the model points. Of a rotor that tilts: from its angle 0 to the resultant couple unbalance. In radians.
+  double direction_of_x = 0.0;
   Uncertainty uncertain;  ///< what each start draws for itself; everything else here uses the medians
 
   /// The ramp function and law as the model sees them. For a driven rotor: the speed that its motor aims at, else the

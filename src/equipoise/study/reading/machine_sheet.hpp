@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "equipoise/study/contents/ball_details.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/units/units.hpp"
 

@@ -255,10 +255,9 @@ Study read(StudyFile file, Source source) {
   uncertain.values = take_uncertain(file);
   const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
   const bool bare = take_no_balls(file);
-  make_dimensionless(file);
   Study result;
   result.name = file.name;
-  result.scales = file.scales;
+  make_dimensionless(file, result);
   read_table(file, "rotor", result);
   read_tilt(file, result);
   read_balancer(file, result);
@@ -294,24 +293,6 @@ Study parse_kept_study(const std::string& toml_text, const std::string& name) {
 
 Study study_from(const StudyValue& tree, const std::string& name, const std::vector<std::string>& overrides) {
   return read(study_file_of(tree, name, overrides));
-}
-
-namespace {
-BallDetails ball_details_of(StudyFile file) {
-  check_keys(file, is_physical(file));  // misspellings are reported first, whichever function is called first
-  take_uncertain(file);
-  return take_no_balls(file) ? BallDetails{} : ball_details(file);
-}
-}  // namespace
-
-BallDetails parse_ball_details(const std::string& toml_text, const std::string& name,
-                               const std::vector<std::string>& overrides) {
-  return ball_details_of(parse_study_file(toml_text, name, overrides));
-}
-
-BallDetails ball_details_from(const StudyValue& tree, const std::string& name,
-                              const std::vector<std::string>& overrides) {
-  return ball_details_of(study_file_of(tree, name, overrides));
 }
 
 Study with_medians(Study study) {
