@@ -14,7 +14,6 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
-#include "equipoise/analyses/sweeps/sweep_plan.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "report_command.hpp"
@@ -111,7 +110,7 @@ int run_basin(const BasinArguments& a) {
   options.limit_given = a.starts.has_value();
   if (a.no_transients)
     options.transients = false;
-  else if (a.transients || StudySource{text, name, overrides}.physical())
+  else if (a.transients || study.physical)
     options.transients = true;
   options.output = a.output;
   options.stop = &stop_flag();

@@ -38,7 +38,7 @@ using Basin = Kept<JudgedBasin>;
 
 // Transients are gathered where the command line gathers them.
 std::optional<bool> gathered(const PyStudy& s, std::optional<bool> asked) {
-  return asked || !s.source.physical() ? asked : std::optional(true);
+  return asked || !s.study.physical ? asked : std::optional(true);
 }
 
 Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients, bool changes,

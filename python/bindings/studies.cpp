@@ -144,7 +144,7 @@ void bind_studies(py::module_& module) {
       .def("tree", [](const PyStudy& s) { return to_python(to_tree(s.study)); })
       .def("explain", &explained, py::arg("cost_within"), py::arg("settings"))
       .def("check", &checked)
-      .def_property_readonly("physical", [](const PyStudy& s) { return s.source.physical(); })
+      .def_property_readonly("physical", [](const PyStudy& s) { return s.study.physical; })
       .def_property_readonly("parameters_text", [](const PyStudy& s) { return parameters_text(s.study, {}); })
       .def_property_readonly("toml", [](const PyStudy& s) { return s.source.toml; })
       .def_property_readonly("name", [](const PyStudy& s) { return s.source.name; })

@@ -312,7 +312,7 @@ namespace {
 // From a fiftieth of what the balls can cancel in the cell with the least to all of it in the cell with the most.
 std::optional<CapacityRange> usual_range(const SweepPlan& plan, const std::string& key) {
   constexpr double least = 0.02, grams_and_millimetres = 1e6, millimetres = 1e3;
-  const bool physical = plan.source().physical(), unbalance = key == "rotor.unbalance" && physical;
+  const bool physical = plan.study().physical, unbalance = key == "rotor.unbalance" && physical;
   if (!unbalance && key != "rotor.eccentricity") return std::nullopt;
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
   for (std::size_t cell = 0; cell < plan.cells(); ++cell) {

@@ -11,7 +11,6 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
-#include "equipoise/study/contents/physical.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 
 namespace equipoise {
@@ -25,8 +24,6 @@ Study StudySource::with(const std::vector<std::string>& more) const {
 bool StudySource::states(const std::string& key) const {
   return study::parse_study_file(toml, name, overrides).root.find_path(key) != nullptr;
 }
-
-bool StudySource::physical() const { return study::is_physical(study::parse_study_file(toml, name, overrides)); }
 
 SweepPlan::SweepPlan(StudySource source, std::vector<SweepAxis> axes, const CellRequest& request,
                      const std::string& option)

@@ -18,8 +18,6 @@ struct StudySource {
   Study with(const std::vector<std::string>& more = {}) const;
   /// Whether it states this key ("rotor.unbalance").
   bool states(const std::string& key) const;
-  /// Whether its values are quantities in physical units.
-  bool physical() const;
 };
 
 /// What is wanted of every cell.

@@ -86,10 +86,10 @@ StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxi
   const study::StudyFile file = study::parse_study_file(source.toml, source.name, source.overrides);
   StudyValue tree = file.root;
   StudyValue* rotor = study::find_table(tree, "rotor");
-  if (!source.physical() || !rotor) return source;
+  const Study study = source.with();
+  if (!study.physical || !rotor) return source;
   if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, file);
   if (rotor->find("unbalance")) return source;
-  const Study study = source.with();
   if (varies(study, axes, about_unbalance)) return source;
   for (const char* key : {"eccentricity", "balance_grade"}) rotor->erase(key);
   rotor->set("unbalance", study::quantity_text(study.parameters.eccentricity * study.scales->unbalance(),

@@ -22,7 +22,8 @@ std::vector<Key> KeyTable::of(unsigned variants, bool physical) const {
   const auto add = [&](unsigned variant) {
     for (const Key& key : keys)
       if (key.in_form(physical) && (variant ? key.variants() & variant : !key.variants()) &&
-          std::none_of(result.begin(), result.end(), [&](const Key& k) { return k.name == key.name; }))
+          std::none_of(result.begin(), result.end(),
+                       [&](const Key& k) { return k.name == std::string_view(key.name); }))
         result.push_back(key);
   };
   add(0);

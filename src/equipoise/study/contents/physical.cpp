@@ -190,6 +190,7 @@ void make_dimensionless(StudyFile& file, Study& study) {
   file.root.erase("place");
   for (const KeyTable& table : key_tables())
     if (!is_machine(table.name)) replace_quantities(file, table, scales, drive.gear_ratio);
+  study.physical = true;
   study.scales = file.scales = scales;
   study.ball_details = balancer.details;
   study.direction_of_x = rotor.turn;

@@ -229,6 +229,7 @@ struct Study {
   /// The bearings one by one as stated, if forces on each are known: they are all supports, two or with their stiffness
   /// and damping stated. Else empty.
   std::vector<model::Bearing> each_bearing() const;
+  bool physical = false;  ///< its values are quantities in physical units
   BallDetails ball_details;
   /// In physical units: from the axis of the rotor's own unbalance to the resultant with every [[place]], to which x of
   /// the model points. Of a rotor that tilts: from its angle 0 to the resultant couple unbalance. In radians.

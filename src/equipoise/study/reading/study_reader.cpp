@@ -171,7 +171,6 @@ void check_ends(const StudyFile& file, const StudyValue& medians, const std::vec
 // A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
 // A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
 void free_balls_of_machine(StudyFile& file) {
-  if (!is_physical(file)) return;
   const StudyValue* profile = file.root.find_path("speed.profile");
   if (profile && profile->string() && *profile->string() == profile_names[static_cast<std::size_t>(Profile::torque)])
     return;
@@ -247,11 +246,12 @@ void check_limits(const StudyFile& file, const Study& study) {
 Study read(StudyFile file, Source source) {
   check_tables(file);
   read_grade(file);
-  check_keys(file, is_physical(file));
-  if (is_physical(file)) infer_profile(file);
-  if (source == Source::asked) free_balls_of_machine(file);
+  const bool physical = is_physical(file);
+  check_keys(file, physical);
+  if (physical) infer_profile(file);
+  if (physical && source == Source::asked) free_balls_of_machine(file);
   Uncertainty uncertain;
-  if (is_physical(file)) uncertain.physical = file.root;
+  if (physical) uncertain.physical = file.root;
   uncertain.values = take_uncertain(file);
   const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
   const bool bare = take_no_balls(file);
