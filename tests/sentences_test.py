@@ -31,6 +31,7 @@ TABLES = {
     "src/equipoise/study/contents/keys.cpp": "a row a key",
     "src/equipoise/machine/standards/severity.hpp": "a row a class of machines, in the standard's words",
     "src/equipoise/extras/planes/chart_file.cpp": "a row a column",
+    "src/equipoise/extras/planes/bifurcation_chart.hpp": "a row a number of a point",
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'

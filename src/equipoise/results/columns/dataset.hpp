@@ -15,18 +15,24 @@ namespace equipoise {
 
 using TextAttributes = std::vector<std::pair<std::string, std::string>>;
 
+/// A value by place, or values from a place on.
+template <class T>
+concept DataReader = std::invocable<T, std::size_t> || std::invocable<T, std::size_t, std::size_t, double*>;
+
 /// The values of a column by place, the last dimension running fastest; of texts characters. Either a function of the
 /// place, or one that puts `count` values from the place `first` on into `to`: whole rows along the first dimension.
 class DataValues {
  public:
   DataValues() = default;  ///< nothing is known
-  template <std::invocable<std::size_t> Of>
-  DataValues(Of of)
-      : read_([of = std::move(of)](std::size_t first, std::size_t count, double* to) {
-          for (std::size_t k = 0; k < count; ++k) to[k] = static_cast<double>(of(first + k));
-        }) {}
-  template <std::invocable<std::size_t, std::size_t, double*> Of>
-  DataValues(Of of) : read_(std::move(of)) {}
+  template <DataReader Of>
+  DataValues(Of of) {
+    if constexpr (std::invocable<Of, std::size_t>)
+      read_ = [of = std::move(of)](std::size_t first, std::size_t count, double* to) {
+        for (std::size_t k = 0; k < count; ++k) to[k] = static_cast<double>(of(first + k));
+      };
+    else
+      read_ = std::move(of);
+  }
 
   bool known() const { return static_cast<bool>(read_); }
   void read(std::size_t first, std::size_t count, double* to) const { read_(first, count, to); }
