@@ -164,7 +164,7 @@ inline constexpr char about[] = "what Wright and Peng (2019) published, computed
 inline constexpr char what[] = "any of {} (default: all), separated by blanks or commas";
 inline constexpr char starts[] = "starts per ensemble (default: as many as the paper used)";
 inline constexpr char law[] = "speed law of ramps (default: both)";
-inline constexpr char report[] = "one page with everything (HTML), or Markdown with pictures beside it";
+inline constexpr char report[] = "one page with everything (HTML)";
 inline constexpr char explorer[] =
     "path of the explorer's page relative to the report, whose rows then link to their settings there";
 inline constexpr char output[] = "folder for ensembles, pictures and tables; the same command resumes";

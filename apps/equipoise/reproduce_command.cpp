@@ -70,8 +70,7 @@ std::string command_line(const ReproduceArguments& a) {
 }
 
 void check_paths(const ReproduceArguments& a) {
-  if (!a.report.empty() && !a.report.ends_with(".html") && !a.report.ends_with(".md"))
-    throw InputError("--report", "", a.report, fmt::format(words::ends_in_either, ".html", ".md"));
+  require_ending("--report", a.report, ".html");
   if (!a.explorer.empty() && a.report.empty()) throw InputError("--explorer", "", a.explorer, words::report_only);
   require_writable("--report", a.report);
 }
@@ -81,7 +80,7 @@ int run_reproduce(ReproduceArguments& a) {
   a.what = split(a.what);
   ReproduceOptions options = options_from(a);
   check_paths(a);
-  const std::string folder = picture_folder(a.output, a.report);
+  const std::string folder = picture_folder(a.output);
   ProgressLine progress(a.quiet);
   progress.listen(options);
   Reproduction r = reproduce(options);
@@ -103,7 +102,7 @@ Command add_reproduce(CLI::App& app) {
       ->type_name("WHAT");
   app.add_option("--starts", a->starts, help::reproduce::starts)->type_name("N");
   app.add_option("--law", a->law, help::reproduce::law)->type_name("LAW");
-  app.add_option("--report", a->report, help::reproduce::report)->type_name("FILE.html|.md");
+  app.add_option("--report", a->report, help::reproduce::report)->type_name("FILE.html");
   app.add_option("--explorer", a->explorer, help::reproduce::explorer)->type_name("PAGE");
   app.add_option("-o,--output", a->output, help::reproduce::output)->type_name("DIR");
   app.add_option("--pixels", a->pixels, help::reproduce::pixels)->type_name("P");

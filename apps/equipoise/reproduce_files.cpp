@@ -19,26 +19,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder for pictures of a Markdown report.
-std::string pictures_beside(const std::string& report) { return report.substr(0, report.size() - 3) + "-pictures"; }
-
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError("--output", "", folder, words::not_a_folder);
 }
 
-// Every drawing of the document that has a name, below the heading that it stands under.
+// Every drawing of the document, named and titled by the heading that it stands under.
 std::vector<Picture> draw_pictures(const Document& document, const std::string& folder) {
-  make_folder(folder);
   std::vector<Picture> pictures;
-  std::string title;
+  Heading heading;
   for (const Block& block : document.blocks) {
-    if (const auto* heading = std::get_if<Heading>(&block)) title = heading->text;
+    if (const auto* next = std::get_if<Heading>(&block)) heading = *next;
     const auto* row = std::get_if<DrawingRow>(&block);
-    if (!row || row->picture.empty()) continue;
-    pictures.push_back({row->picture, title, fmt::format("{}/{}.svg", folder, row->picture)});
-    write_file(pictures.back().path, plot_file(title, {}, *row));
+    if (!row) continue;
+    pictures.push_back({heading.anchor, heading.text, fmt::format("{}/{}.svg", folder, heading.anchor)});
+    write_file(pictures.back().path, plot_file(heading.text, {}, *row));
   }
   return pictures;
 }
@@ -52,12 +48,10 @@ void write_data(const Reproduction& r, const std::string& folder) {
 
 }  // namespace
 
-std::string picture_folder(const std::string& output, const std::string& report) {
-  std::string folder = !output.empty()           ? output + "/pictures"
-                       : report.ends_with(".md") ? pictures_beside(report)
-                                                 : "";
-  if (!folder.empty()) make_folder(folder);
-  return folder;
+std::string picture_folder(const std::string& output) {
+  if (output.empty()) return "";
+  make_folder(output + "/pictures");
+  return output + "/pictures";
 }
 
 void write_reproduction(Reproduction& r, const std::string& report, const std::string& explorer,
@@ -67,11 +61,7 @@ void write_reproduction(Reproduction& r, const std::string& report, const std::s
     r.pictures = draw_pictures(document, folder);
     write_data(r, folder);
   }
-  if (report.ends_with(".html")) write_file(report, document_html(document));
-  if (!report.ends_with(".md")) return;
-  const std::string beside = pictures_beside(report);
-  if (beside != folder) draw_pictures(document, beside);
-  write_file(report, document_markdown(document, fs::path(beside).filename().string()));
+  if (!report.empty()) write_file(report, document_html(document));
 }
 
 }  // namespace equipoise::app

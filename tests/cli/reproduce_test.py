@@ -9,6 +9,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -109,20 +110,21 @@ class Interruption(Case):
 
 class Reports(Case):
     @slow
-    def test_one_page_and_markdown(self):
-        page, text = self.path("paper.html"), self.path("paper.md")
-        what = ["table-7", "figure-transients", "--starts", "200"]
-        self.assertEqual(run("reproduce", *what, "--report", page, "--quiet").returncode, 0)
-        self.assertEqual(run("reproduce", *what, "--report", text, "--quiet").returncode, 0)
+    def test_one_page_and_markdown_of_it(self):
+        """The script that makes docs/evidence/reproduction.md shows the page's text and its pictures as files."""
+        page, text = self.path("reproduction.html"), self.path("paper.md")
+        self.assertEqual(run("reproduce", "table-7", "figure-transients", "--starts", "200", "-o", self.folder, "--report", page,
+                             "--quiet").returncode, 0)
         html = text_of(page)
         self.assertNotRegex(html, r'(src|href)="(?!data:image|#)|<script')
+        subprocess.run([sys.executable, os.path.join(STUDIES, "paper", "page.py"), self.folder, text], check=True)
+        markdown = text_of(text)
         for words in ("Table 7", "best lead", "Transients after ramps", "kinematic law", "--starts 200"):
             self.assertIn(words, html)
-        markdown = text_of(text)
-        for picture in re.findall(r"!\[[^]]*]\(([^)]*)\)", markdown):
-            self.assertTrue(os.path.exists(os.path.join(self.folder, picture)), picture)
-        self.assertIn("figure-transients.svg", markdown)
-        self.assertEqual(sorted(os.listdir(self.folder)), ["paper-pictures", "paper.html", "paper.md"])
+            self.assertIn(words, markdown)
+        self.assertEqual(html.count("<tr>"), markdown.count("\n| ") - markdown.count("\n| ---"))
+        self.assertEqual(os.listdir(self.path("paper-pictures")), ["figure-transients.svg"])
+        self.assertIn("](paper-pictures/figure-transients.svg)", markdown)
 
     def test_the_page_draws_its_curves_itself(self):
         """Each panel of the figure with its two curves, and table 3 over a logarithmic axis. No other program draws."""
@@ -152,16 +154,6 @@ class Reports(Case):
         for address, study in links:
             self.assertRegex(address, rf"^web/index\.html#study={re.escape(study)}&amp;set=speed\.law%3D(published|kinematic)$")
             self.assertTrue(os.path.exists(os.path.join(STUDIES, "paper", study + ".toml")), study)
-
-    def test_markdown_has_its_pictures_beside_it_whatever_the_folder_of_results(self):
-        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as results:
-            text = os.path.join(folder, "paper.md")
-            self.assertEqual(run("reproduce", "figure-transients", "--report", text, "-o", results,
-                                 "--quiet").returncode, 0)
-            self.assertEqual(os.listdir(os.path.join(folder, "paper-pictures")), ["figure-transients.svg"])
-            self.assertIn("figure-transients.svg", os.listdir(os.path.join(results, "pictures")))
-            with open(text, encoding="utf-8") as file:
-                self.assertIn("](paper-pictures/figure-transients.svg)", file.read())
 
     @slow
     def test_open_questions_as_pictures_and_netcdf(self):

@@ -29,10 +29,8 @@ DocumentCell number(const std::string& words) { return {words, Tone::plain, true
 // A row's name, on one line where there is room.
 DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
 
-DrawingRow with_picture(const std::vector<Plot>& plots, const std::string& caption, const std::string& id) {
-  DrawingRow row = drawn(plots, caption, caption, true);
-  row.picture = id;
-  return row;
+DrawingRow pictured(const std::vector<Plot>& plots, const std::string& caption) {
+  return drawn(plots, caption, caption, true);
 }
 
 Tone tone_of(Verdict verdict) {
@@ -128,8 +126,7 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   if (!t.published->unclaimed.empty())
     d.blocks.push_back(Paragraph{fmt::format("Not claimed: {}.", t.published->unclaimed), Tone::open});
   if (const auto plot = table_plot(t))
-    d.blocks.push_back(with_picture({*plot}, fmt::format(words::paper::table_figure, t.published->number),
-                                    fmt::format("table-{}", t.published->number)));
+    d.blocks.push_back(pictured({*plot}, fmt::format(words::paper::table_figure, t.published->number)));
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
@@ -171,7 +168,6 @@ void open_questions(const Reproduction& r, Document& d) {
     d.blocks.push_back(Heading{3, title, id});
     DrawingRow row = map_drawing(m);
     row.caption = fmt::format("{} × {} pixels: {}.", m.x.pixels, m.y.pixels, codes_text(m));
-    row.picture = id;
     d.blocks.push_back(std::move(row));
     if (std::string said = balanced_text(m); !said.empty()) d.blocks.push_back(Paragraph{std::move(said)});
   };
@@ -179,7 +175,7 @@ void open_questions(const Reproduction& r, Document& d) {
   map(r.open->eccentricity_and_mass, "future-eccentricity-mass", words::paper::plane_of_mass);
   d.blocks.push_back(Heading{3, words::paper::whole_state_space, "future-box"});
   d.blocks.push_back(Paragraph{words::paper::box_opening});
-  d.blocks.push_back(with_picture({plot_of_box(*r.open)}, words::paper::box_figure, "future-box"));
+  d.blocks.push_back(pictured({plot_of_box(*r.open)}, words::paper::box_figure));
   DocumentTable table{{"Ω", "motion", "box, %", "95 % interval", "at rest, %", "95 % interval"}, {}, "", false, {3, 5}};
   for (const BoxShares& b : r.open->boxes)
     for (const OutcomeShare& a : b.box.attractors) {
@@ -201,7 +197,7 @@ void figures(const Reproduction& r, Document& d) {
   for (const PaperFigure& f : r.figures) {
     d.blocks.push_back(Heading{3, f.title, f.id});
     if (!f.choice.empty()) d.blocks.push_back(Paragraph{f.choice, Tone::open});
-    d.blocks.push_back(with_picture(figure_plots(f), f.caption, f.id));
+    d.blocks.push_back(pictured(figure_plots(f), f.caption));
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace equipoise {
 
-/// Pictures are taken from r.pictures by identifier ("table-3", "figure-transients"). `explorer`: address of the
-/// explorer's page, to which every row's study then links; may be empty.
+/// Each drawing stands below a heading whose anchor names it ("table-3", "figure-transients"). `explorer`: address of
+/// the explorer's page, to which every row's study then links; may be empty.
 Document reproduction_document(const Reproduction& r, const std::string& explorer = "");
 
 }  // namespace equipoise

@@ -1,4 +1,4 @@
-// A report as blocks, independent of the form it takes: HTML page or Markdown.
+// A report as blocks, independent of the page made of it.
 // This room: plots, SVG and documents: the means of drawing, no result.
 #pragma once
 
@@ -70,8 +70,6 @@ struct DrawingRow {
   bool large = false;  ///< on paper two to a row, not three: for plots, which have small print
   bool wide = false;   ///< one below the other, as wide as the text: the page's main subject
   bool whole = false;  ///< across the whole sheet
-  /// Name of a picture file that shows the same, without its ending, for Markdown; may be empty.
-  std::string picture{};
 };
 /// Verbatim lines, shown on demand.
 struct Listing {
@@ -89,9 +87,5 @@ struct Document {
 
 /// One self-contained page without scripts: its drawings are inside, and nothing is loaded from elsewhere.
 std::string document_html(const Document& document);
-
-/// Markdown whose pictures are files; `pictures`: their folder as seen from the Markdown file. Of drawings without a
-/// picture file only the words appear.
-std::string document_markdown(const Document& document, const std::string& pictures);
 
 }  // namespace equipoise
