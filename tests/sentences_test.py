@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Sentences are in the rooms called words and in apps/equipoise/words.hpp, each under a name; numerics hold none.
+In the chapter extras, they are in the files that print them.
 
     sentences_test.py SOURCE | sentences_test.py --self-test
 
@@ -16,10 +17,8 @@ LEAST = 4  # words
 # Files that hold sentences in rows of a table, named by the row; or code for another program, which reads like prose.
 TABLES = {
     "src/equipoise/results/columns/transient_figures.hpp": "a row a figure of a transient, a row a limit",
-    "src/equipoise/extras/literature/conclusions.cpp": "a row a conclusion of the paper, with the pairs that it rests on",
     "src/equipoise/results/result_files/share_columns.hpp": "a row a column",
     "src/equipoise/results/result_files/start_columns.cpp": "a row a column",
-    "src/equipoise/extras/planes/stability_plane.hpp": "a row a column",
     "src/equipoise/results/commands/basin_slice.hpp": "a row a column",
     "src/equipoise/results/commands/motion_table.hpp": "a row a column",
     "src/equipoise/results/commands/sweep_result.hpp": "a row a column",
@@ -30,8 +29,6 @@ TABLES = {
     "apps/equipoise/help.hpp": "the help of commands and options, by their names",
     "src/equipoise/study/contents/keys.cpp": "a row a key",
     "src/equipoise/machine/standards/severity.hpp": "a row a class of machines, in the standard's words",
-    "src/equipoise/extras/planes/chart_file.cpp": "a row a column",
-    "src/equipoise/extras/planes/bifurcation_chart.hpp": "a row a number of a point",
 }
 
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'
@@ -58,7 +55,7 @@ def misplaced(source):
     for folder in ("src", "apps"):
         for file in sorted((source / folder).rglob("*")):
             name = str(file.relative_to(source))
-            if file.suffix not in {".cpp", ".hpp", ".h", ".in"} or "words" in file.parts or file.name == "words.hpp":
+            if file.suffix not in {".cpp", ".hpp", ".h", ".in"} or {"words", "extras"} & set(file.parts) or file.name == "words.hpp":
                 continue
             found = [(line, text) for line, text in literals(file.read_text()) if len(words(text)) >= LEAST]
             if name in TABLES:

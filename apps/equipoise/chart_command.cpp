@@ -7,7 +7,6 @@
 #include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "plane_command.hpp"
 #include "words.hpp"
 
@@ -26,7 +25,7 @@ int run_chart(const ChartArguments& a) {
       a, ChartSettings(),
       [&](ChartSettings& settings) {
         if (!(a.undecided > 0.0 && a.undecided < 100.0))
-          throw InputError("--undecided", "", fmt::format("{}", a.undecided), equipoise::words::chart::undecided_range);
+          throw InputError("--undecided", "", fmt::format("{}", a.undecided), words::undecided_range);
         settings.undecided = 0.01 * a.undecided;
         constexpr std::uint64_t most_boxes = 1'000'000'000;
         if (a.boxes)

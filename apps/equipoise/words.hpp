@@ -43,6 +43,7 @@ inline constexpr char axis_form[] = "must be KEY=LOW:HIGH, e.g. speed.final=0.5:
 inline constexpr char axis_without_range[] = "has no range; must be LOW:HIGH, e.g. {0} {1}={2} or {0}-range {2}";
 inline constexpr char range_given_twice[] = "{} has a range, too; give one";
 inline constexpr char box_range[] = "a whole number from 0 to 1000000000";
+inline constexpr char undecided_range[] = "must be a part of the plane in percent, more than 0 and less than 100";
 inline constexpr char pixel_range[] = "a whole number from 2 to 4096";
 inline constexpr char paper_start_range[] = "a whole number from 1 to 1000000000";
 inline constexpr char time_range[] = "a number from 0 to 1e9";

@@ -18,7 +18,6 @@
 #include "equipoise/extras/curves/hopf_form.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "../support/charted_plane.hpp"
@@ -347,7 +346,7 @@ TEST(CycleChart, AStoppedSearchHasTheCurvesOfTheCyclesThatItGotTo) {
   settings.stop = &stop;
   Progress last;
   settings.progress = [&](const Progress& p) {
-    if (p.what != words::chart::cycles_followed) return;
+    if (p.what != "cycles") return;
     last = p;
     stop = 2 * p.done >= p.total;
   };

@@ -21,7 +21,6 @@
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
-#include "equipoise/extras/words/stability.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"
@@ -358,14 +357,14 @@ TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
   settings.threads = 2;
   settings.stop = &stop;
   settings.progress = [&](const Progress& p) {
-    if (p.what == words::stability::looks) stop = true;
+    if (p.what == "steps to the next change") stop = true;
   };
   const StabilityPlane plane = stability(study, settings);
   EXPECT_FALSE(plane.complete);
   EXPECT_EQ(plane.count(BalanceKind::not_computed), 0u);
   ASSERT_TRUE(plane.own);
   EXPECT_TRUE(plane.own->boundaries.empty());
-  EXPECT_TRUE(holds(stability_text(plane), words::stability::partial_boundaries)) << stability_text(plane);
+  EXPECT_TRUE(holds(stability_text(plane), "PARTIAL: stopped before all changes next to the study's own values were found.\n")) << stability_text(plane);
   EXPECT_FALSE(holds(stability_text(plane), "points were computed"));
 }
 

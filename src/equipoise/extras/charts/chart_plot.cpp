@@ -11,7 +11,6 @@
 #include "equipoise/extras/charts/chart_regions_text.hpp"
 #include "equipoise/extras/charts/plane_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "equipoise/report/drawing/raster.hpp"
 #include "equipoise/report/drawing/svg.hpp"
 #include "equipoise/report/plots/plane_frame.hpp"
@@ -41,17 +40,17 @@ struct StrokeStyle {
   const char* words;
 };
 const std::array<StrokeStyle, 11> strokes{{
-    {Stroke::soft, {"#000000", "", 2.0}, words::chart::legend_soft},
-    {Stroke::abrupt, {"#C00000", "", 2.0, 1.0, true, "7 4"}, words::chart::legend_abrupt},
-    {Stroke::hopf, {"#000000", "", 0.8}, words::chart::legend_hopf},
-    {Stroke::zero, {"#000000", "", 1.1, 1.0, true, "2 3"}, words::chart::legend_zero},
-    {Stroke::existence, {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, words::chart::legend_existence},
-    {Stroke::fold, {"#6A3D9A", "", 1.5}, words::chart::legend_fold},
-    {Stroke::pitchfork, {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, words::chart::legend_pitchfork},
-    {Stroke::locked_hopf, {"#1B7837", "", 1.5, 1.0, true, "6 3"}, words::chart::legend_locked_hopf},
-    {Stroke::cycle_fold, {"#E66101", "", 1.5}, words::chart::legend_cycle_fold},
-    {Stroke::cycle_flip, {"#E66101", "", 1.5, 1.0, true, "2 3"}, words::chart::legend_cycle_flip},
-    {Stroke::cycle_torus, {"#E66101", "", 1.5, 1.0, true, "7 3"}, words::chart::legend_cycle_torus},
+    {Stroke::soft, {"#000000", "", 2.0}, "balance is lost softly"},
+    {Stroke::abrupt, {"#C00000", "", 2.0, 1.0, true, "7 4"}, "balance is lost abruptly"},
+    {Stroke::hopf, {"#000000", "", 0.8}, "a swing begins"},
+    {Stroke::zero, {"#000000", "", 1.1, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
+    {Stroke::existence, {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, "balance ends"},
+    {Stroke::fold, {"#6A3D9A", "", 1.5}, "two locked states merge"},
+    {Stroke::pitchfork, {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, "balls of a locked state part"},
+    {Stroke::locked_hopf, {"#1B7837", "", 1.5, 1.0, true, "6 3"}, "a locked state begins to swing"},
+    {Stroke::cycle_fold, {"#E66101", "", 1.5}, "two cycles merge"},
+    {Stroke::cycle_flip, {"#E66101", "", 1.5, 1.0, true, "2 3"}, "a cycle's period doubles"},
+    {Stroke::cycle_torus, {"#E66101", "", 1.5, 1.0, true, "7 3"}, "a cycle becomes a torus"},
 }};
 
 Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
@@ -118,14 +117,14 @@ void draw_boxes(Svg& svg, const BifurcationChart& chart, std::vector<LegendEntry
   svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(chart)));  // over the grid
   for (const BoxLook& look : box_looks)
     if (chart.proved(look.kind) > 0.0)
-      legend.push_back({{"", look.colour}, fmt::format(words::chart::legend_proved, balance_words(look.balance))});
-  if (chart.proved(ProvedKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, words::chart::legend_open});
+      legend.push_back({{"", look.colour}, fmt::format("proved: {}", balance_words(look.balance))});
+  if (chart.proved(ProvedKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, "not decided"});
 }
 
 void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
   const SvgPen ring{"#000000", "#ffffff", 1.5};
   for (const SpecialPoint& p : chart.specials) svg.circle(axes.at(p.x, p.y), 3.5, ring);
-  if (!chart.specials.empty()) legend.push_back({ring, words::chart::legend_special, LegendEntry::Mark::ring});
+  if (!chart.specials.empty()) legend.push_back({ring, "where curves change their kind", LegendEntry::Mark::ring});
 }
 
 void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& letters) {
@@ -143,7 +142,7 @@ void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, 
 
 std::string chart_plot(const BifurcationChart& chart, const std::string& title) {
   const StabilityPlane& plane = chart.plane;
-  Svg svg(drawing_width, below_plane, words::chart::curves_of_change);
+  Svg svg(drawing_width, below_plane, "Curves on which balance and locked states change");
   const SvgAxes axes = plane_axes(svg, plane);
   std::vector<LegendEntry> legend, letters;
   draw_boxes(svg, chart, legend);
@@ -154,7 +153,7 @@ std::string chart_plot(const BifurcationChart& chart, const std::string& title) 
   draw_specials(svg, axes, chart, legend);
   draw_regions(svg, axes, chart, letters);
   draw_legend(svg, legend);
-  if (!letters.empty()) draw_legend(svg, {{{}, words::chart::legend_regions, LegendEntry::Mark::none}});
+  if (!letters.empty()) draw_legend(svg, {{{}, "at rest and stable:", LegendEntry::Mark::none}});
   draw_legend(svg, letters);
   return plane_plot(svg, plane, title, chart.complete, "");
 }

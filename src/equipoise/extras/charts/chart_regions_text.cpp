@@ -8,18 +8,17 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/extras/charts/shown_axis.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
-#include "equipoise/extras/words/chart.hpp"
 
 namespace equipoise {
 
 std::string region_words(const BifurcationChart& chart, const ChartRegion& region) {
-  std::string text = fmt::format(words::chart::region_balance, balance_words(region.balance));
+  std::string text = fmt::format("balance {}", balance_words(region.balance));
   for (std::size_t k = 0; k < region.locked.size(); ++k)
     for (const auto& [count, kind] :
          {std::pair{region.locked[k].stable, BalanceKind::stable}, {region.locked[k].unstable, BalanceKind::unstable}})
       if (count > 0)
-        text += "; " + fmt::format(words::chart::region_locked, chart.locked[k], balance_words(kind),
-                                   count > 1 ? fmt::format(words::chart::region_count, count) : std::string());
+        text += "; " + fmt::format("{} {}{}", chart.locked[k], balance_words(kind),
+                                   count > 1 ? fmt::format(" ({})", count) : std::string());
   return text;
 }
 
@@ -28,7 +27,7 @@ std::string stable_words(const BifurcationChart& chart, const ChartRegion& regio
   if (region.balance == BalanceKind::stable) stable.push_back(of_balance);
   for (std::size_t k = 0; k < region.locked.size(); ++k)
     if (region.locked[k].stable > 0) stable.push_back(chart.locked[k]);
-  return stable.empty() ? words::chart::legend_no_region : fmt::format("{}", fmt::join(stable, ", "));
+  return stable.empty() ? "nothing" : fmt::format("{}", fmt::join(stable, ", "));
 }
 
 std::size_t told_regions(const BifurcationChart& chart) {
@@ -45,21 +44,21 @@ std::string regions_list(const BifurcationChart& chart, const TextStyle& style) 
   std::string text;
   for (std::size_t k = 0; k < told_regions(chart); ++k) {
     const ChartRegion& r = chart.regions[k];
-    text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
-                   fmt::format(words::chart::region_at, region_words(chart, r), plain_number(r.x * x, 3),
-                               plain_number(r.y * y, 3)),
-                   style);
+    text += filled(
+        fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
+        fmt::format("{} (e.g. at {}, {})", region_words(chart, r), plain_number(r.x * x, 3), plain_number(r.y * y, 3)),
+        style);
   }
   return text;
 }
 
 std::string region_notes(const BifurcationChart& chart) {
   std::string text;
-  if (!chart.no_locked.empty()) text += fmt::format(words::chart::no_locked, chart.no_locked);
+  if (!chart.no_locked.empty()) text += fmt::format("Of other states at rest nothing is told: {}.\n", chart.no_locked);
   if (chart.regions.empty()) return text;
   if (const std::size_t more = chart.regions.size() - told_regions(chart); more > 0)
-    text += fmt::format(words::chart::more_regions, more);
-  return text + words::chart::regions_are;
+    text += fmt::format("Smaller regions are left out ({}); --json has them.\n", more);
+  return text + "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
 }
 
 }  // namespace equipoise

@@ -16,7 +16,6 @@
 #include "equipoise/extras/charts/chart_regions_text.hpp"
 #include "equipoise/extras/charts/shown_axis.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"
@@ -56,33 +55,43 @@ std::string loss_sentences(const BifurcationChart& chart) {
   const BalanceLoss loss = balance_loss(chart);
   std::vector<std::string> sentences;
   if (loss.soft > 0.0 && loss.abrupt > 0.0)
-    sentences.push_back(fmt::format(words::chart::both_ways, whole_percent(loss.soft / loss.length()),
-                                    whole_percent(loss.abrupt / loss.length())));
+    sentences.push_back(fmt::format(
+        "Balance loses its stability softly along {} of the line, where beyond it the balls swing about their places, "
+        "little at first and the more the farther from it. Along {} it does so abruptly: beyond the line no small "
+        "swing is left, and the balls leave for another motion; shortly before it a push may be enough.",
+        whole_percent(loss.soft / loss.length()), whole_percent(loss.abrupt / loss.length())));
   else if (loss.soft > 0.0)
-    sentences.push_back(words::chart::softly);
+    sentences.push_back(
+        "Where balance loses its stability it does so softly: beyond the line the balls swing about their places, "
+        "little at first and the more the farther from it.");
   else if (loss.abrupt > 0.0)
-    sentences.push_back(words::chart::abruptly);
+    sentences.push_back(
+        "Where balance loses its stability it does so abruptly: beyond the line no small swing is left, and the balls "
+        "leave for another motion; shortly before it a push may be enough.");
   else if (loss.unknown > 0.0)
-    sentences.push_back(words::chart::way_unknown);
-  if (loss.real > 0.0) sentences.push_back(words::chart::real_loss);
-  if (sentences.empty()) sentences.push_back(words::chart::no_loss);
+    sentences.push_back(
+        "Where balance loses its stability the balls begin to swing; whether softly or abruptly is not told of "
+        "balanced states that form a continuum, nor under a motor.");
+  if (loss.real > 0.0) sentences.push_back("On another line balance loses its stability without a swing.");
+  if (sentences.empty()) sentences.push_back("No line on which a stable balance loses its stability was found.");
   const auto ends = [](const ChartCurve& c) { return c.kind == CurveKind::existence; };
   if (std::any_of(chart.curves.begin(), chart.curves.end(), ends))
-    sentences.push_back(chart.study.parameters.tilts() ? words::chart::balance_ends_in_a_plane
-                                                       : words::chart::balance_ends);
+    sentences.push_back(chart.study.parameters.tilts()
+                            ? "On the line where balance ends all balls of one plane stand in line, and states merge."
+                            : "On the line where balance ends all balls stand in line, and their states merge.");
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 std::string proof_sentence(const BifurcationChart& chart) {
   std::vector<std::string> parts;
-  for (const auto& [kind, words] : {std::pair{ProvedKind::stable, words::chart::proved_stable},
-                                    {ProvedKind::unstable, words::chart::proved_unstable},
-                                    {ProvedKind::none, words::chart::proved_none}})
+  for (const auto& [kind, words] : {std::pair{ProvedKind::stable, "stable all over {}"},
+                                    {ProvedKind::unstable, "unstable all over {}"},
+                                    {ProvedKind::none, "impossible all over {}"}})
     if (const double part = chart.proved(kind); part > 0.0)
       parts.push_back(fmt::format(fmt::runtime(words), proved_percent(part)));
-  if (parts.empty()) return words::chart::proved_nothing;
+  if (parts.empty()) return "Interval arithmetic proved nothing.";
   const double open = chart.proved(ProvedKind::open);
-  return fmt::format(words::chart::proved, fmt::join(parts, ", "),
+  return fmt::format("Proved by interval arithmetic: {}; {} of the plane is not decided.", fmt::join(parts, ", "),
                      fmt::format("{:.2f} %", std::ceil(1e4 * open) / 100.0));
 }
 
@@ -94,36 +103,35 @@ std::string place_text(const BifurcationChart& chart, double x, double y) {
 
 std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {
   const std::string unit = shown_axis(chart.study, axis).unit;
-  return unit.empty() ? axis.key : fmt::format(words::chart::axis_in_unit, axis.key, unit);
+  return unit.empty() ? axis.key : fmt::format("{} in {}", axis.key, unit);
 }
 
 const char* curve_words(CurveKind kind) {
-  constexpr std::array words{words::chart::is_hopf,       words::chart::is_zero,       words::chart::is_existence,
-                             words::chart::is_fold,       words::chart::is_pitchfork,  words::chart::is_cycle_fold,
-                             words::chart::is_cycle_flip, words::chart::is_cycle_torus};
+  constexpr std::array words{"Hopf",      "real eigenvalue", "balance ends",    "fold",
+                             "pitchfork", "fold of cycles",  "period doubling", "torus"};
   return words[static_cast<std::size_t>(kind)];
 }
 
 const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
-  if (curve.kind == CurveKind::existence) return words::chart::how_ends;
+  if (curve.kind == CurveKind::existence) return "it ends";
   if (is_of_cycles(curve.kind)) {
     const auto stable = [](const CurvePoint& p) { return p.others == 0; };
     const auto count = static_cast<std::size_t>(std::count_if(curve.points.begin(), curve.points.end(), stable));
-    if (count == 0) return words::chart::how_unstable_cycles;
-    return count == curve.points.size() ? words::chart::how_stable_cycle : words::chart::how_both_cycles;
+    if (count == 0) return "unstable cycles";
+    return count == curve.points.size() ? "a stable cycle" : "a cycle, stable on a part";
   }
   if (curve.of != of_balance) {
     const auto stable = [](const CurvePoint& p) { return p.others == 0; };
     const bool some = std::any_of(curve.points.begin(), curve.points.end(), stable);
-    return some ? words::chart::how_stable_state : words::chart::how_unstable_states;
+    return some ? "a stable state" : "unstable states";
   }
   const BalanceLoss loss = loss_on(chart, curve);
-  if (loss.real > 0.0) return words::chart::how_real;
-  if (loss.soft > 0.0 && loss.abrupt > 0.0) return words::chart::how_both;
-  return loss.soft > 0.0      ? words::chart::how_softly
-         : loss.abrupt > 0.0  ? words::chart::how_abruptly
-         : loss.unknown > 0.0 ? words::chart::how_unknown
-                              : words::chart::how_before;
+  if (loss.real > 0.0) return "without a swing";
+  if (loss.soft > 0.0 && loss.abrupt > 0.0) return "softly, abruptly";
+  return loss.soft > 0.0      ? "softly"
+         : loss.abrupt > 0.0  ? "abruptly"
+         : loss.unknown > 0.0 ? "not known how"
+                              : "nothing: unstable before";
 }
 
 std::string frequency_text(const ChartCurve& curve) {
@@ -135,20 +143,28 @@ std::string frequency_text(const ChartCurve& curve) {
 }
 
 const char* special_words(SpecialKind kind) {
-  namespace w = words::chart;
-  constexpr std::array words{
-      w::is_generalised_hopf, w::is_double_hopf, w::is_zero_hopf,     w::is_bogdanov_takens, w::is_cusp,
-      w::is_fold_hopf,        w::is_cycle_cusp,  w::is_resonance_1_1, w::is_resonance_1_2,   w::is_resonance_1_3,
-      w::is_resonance_1_4,    w::is_fold_flip,   w::is_fold_torus,    w::is_flip_torus,      w::is_double_torus,
-      w::is_generalised_flip};
+  constexpr std::array words{"generalised Hopf: softly on one side, abruptly on the other",
+                             "double Hopf: two swings begin at once",
+                             "zero-Hopf: a swing begins where a real eigenvalue is 0",
+                             "Bogdanov-Takens: the swing's frequency falls to 0",
+                             "cusp: two folds meet",
+                             "fold-Hopf: a swing begins where two states merge",
+                             "cusp: two folds of cycles meet",
+                             "1:1 resonance: a second multiplier is 1",
+                             "1:2 resonance: a second multiplier is -1",
+                             "1:3 resonance: the torus closes after three turns",
+                             "1:4 resonance: the torus closes after four turns",
+                             "fold-flip: cycles merge where their period doubles",
+                             "fold-torus: cycles merge where a torus is born",
+                             "flip-torus: a period doubles where a torus is born",
+                             "double torus: two swings begin about a cycle",
+                             "generalised doubling: softly on one side, abruptly on the other"};
   static_assert(words.size() == special_kind_names.size());
   return words[static_cast<std::size_t>(kind)];
 }
 
 std::string curves_table(const BifurcationChart& chart, const TextStyle& style) {
-  namespace w = words::chart;
-  DocumentTable table{
-      {w::curve, w::what_crosses, w::of, w::from_place, w::to_place, w::frequency, w::how}, {}, "", false, {5, 4}};
+  DocumentTable table{{"curve", "what it is", "of", "from", "to", "frequency", "what is lost"}, {}, "", false, {5, 4}};
   for (std::size_t k = 0; k < chart.curves.size(); ++k) {
     const ChartCurve& c = chart.curves[k];
     const CurvePoint &a = c.points.front(), &b = c.points.back();
@@ -160,8 +176,7 @@ std::string curves_table(const BifurcationChart& chart, const TextStyle& style) 
 }
 
 std::string specials_table(const BifurcationChart& chart, const TextStyle& style) {
-  namespace w = words::chart;
-  DocumentTable table{{w::place, w::meaning, w::frequency, w::curve}, {}, "", false, {3, 2}};
+  DocumentTable table{{"at", "what it is", "frequency", "curve"}, {}, "", false, {3, 2}};
   for (const SpecialPoint& p : chart.specials) {
     const std::string second = p.second > 0.0 ? fmt::format(", {:.3g}", p.second) : "";
     table.rows.push_back(
@@ -172,18 +187,19 @@ std::string specials_table(const BifurcationChart& chart, const TextStyle& style
 }
 
 std::string cycles_end_text(const BifurcationChart& chart) {
-  namespace w = words::chart;
   const std::pair<CurveEnd, std::string> reasons[] = {
-      {CurveEnd::plane, w::end_plane},
-      {CurveEnd::closed, w::end_closed},
-      {CurveEnd::single_cycle, w::end_single_cycle},
-      {CurveEnd::vanishes, w::end_vanishes},
-      {CurveEnd::resonance, w::end_resonance},
-      {CurveEnd::long_period, fmt::format(w::end_long_period, chart.cycle_bounds.turns)},
-      {CurveEnd::multiplier, fmt::format(w::end_multiplier, chart.cycle_bounds.multiplier)},
-      {CurveEnd::points, fmt::format(w::end_points, chart.cycle_bounds.points)},
-      {CurveEnd::lost, w::end_lost},
-      {CurveEnd::stopped, w::end_stopped}};
+      {CurveEnd::plane, "at the plane's edge"},
+      {CurveEnd::closed, "at their own beginning"},
+      {CurveEnd::single_cycle, "where the cycle is a single one passed twice, on a curve of period doublings"},
+      {CurveEnd::vanishes, "where the cycle shrinks to a state at rest"},
+      {CurveEnd::resonance, "where a torus has a resonance 1:1 or 1:2"},
+      {CurveEnd::long_period,
+       fmt::format("where its period grows beyond {:g} turns and twice that at birth, near a homoclinic orbit",
+                   chart.cycle_bounds.turns)},
+      {CurveEnd::multiplier, fmt::format("where a multiplier grows beyond {:.0e}", chart.cycle_bounds.multiplier)},
+      {CurveEnd::points, fmt::format("after {} points each way", chart.cycle_bounds.points)},
+      {CurveEnd::lost, "where no next point was found"},
+      {CurveEnd::stopped, "where the computation was stopped"}};
   std::vector<std::string> parts;
   for (const auto& [end, reason] : reasons) {
     std::vector<std::size_t> which;
@@ -191,9 +207,9 @@ std::string cycles_end_text(const BifurcationChart& chart) {
       const ChartCurve& c = chart.curves[k];
       if (is_of_cycles(c.kind) && (c.ends[0] == end || c.ends[1] == end)) which.push_back(k + 1);
     }
-    if (!which.empty()) parts.push_back(fmt::format(w::cycles_end_at, reason, fmt::join(which, ", ")));
+    if (!which.empty()) parts.push_back(fmt::format("{} ({})", reason, fmt::join(which, ", ")));
   }
-  return parts.empty() ? "" : fmt::format(w::cycles_end, fmt::join(parts, "; "));
+  return parts.empty() ? "" : fmt::format("Curves of cycles end, by number: {}.\n", fmt::join(parts, "; "));
 }
 
 // Of all that are not of cycles.
@@ -204,32 +220,36 @@ std::string lost_curves_text(const BifurcationChart& chart) {
     if (!is_of_cycles(c.kind) && (c.ends[0] == CurveEnd::lost || c.ends[1] == CurveEnd::lost)) which.push_back(k + 1);
   }
   if (which.empty()) return "";
-  return fmt::format(words::chart::curves_lost, fmt::join(which, ", ")) +
-         (chart.plane.of_several() ? words::chart::lost_to_another_state : "");
+  return fmt::format("Curves that end inside the plane because no next point was found, by number: {}.\n",
+                     fmt::join(which, ", ")) +
+         (chart.plane.of_several() ? "Where another balanced state becomes the most stable one a curve may end so.\n"
+                                   : "");
 }
 
 std::string chart_notes(const BifurcationChart& chart) {
   std::string text;
   if (chart.curves.empty()) {
-    text += words::chart::no_curve;
+    text += "No curve was found.\n";
   } else {
-    text += fmt::format(words::chart::places_are, axis_words(chart, chart.plane.x), axis_words(chart, chart.plane.y));
+    text += fmt::format("Places are {}, {}; frequencies are in omega_c.\n", axis_words(chart, chart.plane.x),
+                        axis_words(chart, chart.plane.y));
     double error = 0.0;
     for (const ChartCurve& c : chart.curves) error = std::max(error, c.error);
-    text += fmt::format(words::chart::precise, std::max(error, 1e-16));
+    text += fmt::format("Points lie on their curves within {:.0e} of the plane's sides.\n", std::max(error, 1e-16));
   }
   text += lost_curves_text(chart) + cycles_end_text(chart);
-  if (chart.plane.contact()) text += words::chart::contact_bound;
-  if (!chart.not_proved.empty()) text += fmt::format(words::chart::not_proved, chart.not_proved);
+  if (chart.plane.contact()) text += "Where balance ends because the balls lack room, no curve is drawn.\n";
+  if (!chart.not_proved.empty()) text += fmt::format("Nothing is proved: {}.\n", chart.not_proved);
   if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
-    text += words::chart::boxes_used_up;
-  if (!chart.no_cycles.empty()) text += fmt::format(words::chart::no_cycles, chart.no_cycles);
+    text += "More boxes (--boxes) would decide more of the plane.\n";
+  if (!chart.no_cycles.empty()) text += fmt::format("Of cycles nothing is told: {}.\n", chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
   if (chart.cycles_left > 0)
-    text += fmt::format(words::chart::partial_cycles, chart.cycles_left, plural(chart.cycles_left),
-                        chart.cycles_left == 1 ? "was" : "were");
+    text += fmt::format(
+        "PARTIAL: stopped while curves of cycles were followed; at least {} place{} where cycles change {} left.\n",
+        chart.cycles_left, plural(chart.cycles_left), chart.cycles_left == 1 ? "was" : "were");
   else if (!chart.complete && chart.plane.complete)
-    text += words::chart::partial;
+    text += "PARTIAL: stopped before all curves and boxes were done.\n";
   return text;
 }
 
@@ -278,9 +298,9 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
   if (!chart.curves.empty()) text += curves_table(chart, style) + "\n";
   if (!chart.specials.empty()) text += specials_table(chart, style) + "\n";
   if (!chart.regions.empty()) text += regions_list(chart, style) + "\n";
-  return text + lines_filled(chart_notes(chart) + fmt::format(words::chart::made_with, chart.curves.size(),
-                                                              plural(chart.curves.size()), chart.boxes.size(),
-                                                              computed_text(chart), version_string),
+  return text + lines_filled(chart_notes(chart) + fmt::format("{} curve{}, {} boxes; {}; equipoise {}\n",
+                                                              chart.curves.size(), plural(chart.curves.size()),
+                                                              chart.boxes.size(), computed_text(chart), version_string),
                              style);
 }
 
@@ -334,7 +354,7 @@ std::string chart_json(const BifurcationChart& chart) {
 
 std::string chart_csv(const BifurcationChart& chart) {
   std::string text =
-      chart.complete ? "" : fmt::format(words::chart::csv_partial, version_string, words::reports::csv_partial_early);
+      chart.complete ? "" : fmt::format("# equipoise {}: chart{}\n", version_string, words::reports::csv_partial_early);
   text += fmt::format("curve,kind,of,{},{}", chart.plane.x.key, chart.plane.y.key);
   for (std::size_t n = 2; n < curve_numbers.size(); ++n) text += std::string(",") + curve_numbers[n].name;
   text += "\n";

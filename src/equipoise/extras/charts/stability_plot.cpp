@@ -12,7 +12,6 @@
 #include "equipoise/extras/charts/plane_plot.hpp"
 #include "equipoise/extras/charts/shown_axis.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
-#include "equipoise/extras/words/stability.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
@@ -127,17 +126,15 @@ std::vector<Border> borders_of(const StabilityPlane& plane) {
   if (by_mass)
     for (std::size_t k = 0; k < exists.size(); ++k) exists[k] = static_cast<float>(plane.points[k].margin);
   auto [hopf, zero] = crossings(plane, growth);
-  return {
-      {std::move(hopf), {"#000000", "", 1.5}, words::stability::line_hopf},
-      {std::move(zero), {"#000000", "", 1.5, 1.0, true, "2 3"}, words::stability::line_zero},
-      {zero_line(plane.x, plane.y, exists), {"#000000", "", 1.5, 1.0, true, "6 4"}, words::stability::line_existence}};
+  return {{std::move(hopf), {"#000000", "", 1.5}, "a pair crosses (Hopf)"},
+          {std::move(zero), {"#000000", "", 1.5, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
+          {zero_line(plane.x, plane.y, exists), {"#000000", "", 1.5, 1.0, true, "6 4"}, "balance ends"}};
 }
 
 // What balance is, with the part of the plane.
 std::string legend_words(BalanceKind kind, double part) {
-  return kind == BalanceKind::not_computed
-             ? fmt::format(words::stability::legend_not_computed, part_words(part))
-             : fmt::format(words::stability::legend, balance_words(kind), part_words(part));
+  return kind == BalanceKind::not_computed ? fmt::format("not computed, {}", part_words(part))
+                                           : fmt::format("balance {}, {}", balance_words(kind), part_words(part));
 }
 
 }  // namespace
@@ -165,16 +162,16 @@ std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const st
   DrawingRow row;
   row.drawings.push_back({"", drawing.str(), "", ""});
   row.caption = caption;
-  return plot_file(
-      title,
-      {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
-       (plane.one_of_many() ? words::stability::of_spread_balls : "") + (complete ? "" : words::plots::partial_early)},
-      row);
+  return plot_file(title,
+                   {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
+                    (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
+                    (complete ? "" : words::plots::partial_early)},
+                   row);
 }
 
 std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
   const StabilityPlane plane = drawn_part(whole);
-  Svg svg(drawing_width, below_plane, words::stability::what_balance_does);
+  Svg svg(drawing_width, below_plane, "What balance does over the plane");
   const SvgAxes axes = plane_axes(svg, plane);
   svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(plane)));  // over the grid
   std::vector<LegendEntry> legend;
@@ -189,10 +186,10 @@ std::string stability_plot(const StabilityPlane& whole, const std::string& title
   if (plane.own && !plane.own->boundaries.empty()) {
     const SvgPen ring{"#000000", "#ffffff", 2.0};
     svg.circle(axes.at(plane.own->x, plane.own->y), 5.0, ring);
-    legend.push_back({ring, words::stability::the_study, LegendEntry::Mark::ring});
+    legend.push_back({ring, "the study", LegendEntry::Mark::ring});
   }
   draw_legend(svg, legend);
-  return plane_plot(svg, whole, title, whole.complete, words::stability::darker_is_faster);
+  return plane_plot(svg, whole, title, whole.complete, "The darker, the faster deviations die out or grow.");
 }
 
 }  // namespace equipoise

@@ -12,7 +12,6 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/words/stability.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"
@@ -45,78 +44,79 @@ std::string part_text(const StabilityPlane& plane, BalanceKind kind) {
 std::string parts_sentence(const StabilityPlane& plane) {
   const std::string x = key_words(plane.x.key), y = key_words(plane.y.key);
   const char* balance =
-      plane.one_of_many() ? words::stability::balance_of_spread_balls : words::stability::balance;
+      plane.one_of_many() ? "balance with the balls spread evenly, one state of a continuum," : "balance";
   const std::size_t missing = plane.count(BalanceKind::not_computed);
-  if (missing == plane.points.size()) return fmt::format(words::stability::nothing_computed, x, y);
+  if (missing == plane.points.size()) return fmt::format("Over {} and {}, nothing was computed (PARTIAL).", x, y);
   std::vector<std::string> parts;
   for (const BalanceKind kind : balance_kinds) {
     const std::size_t count = plane.count(kind);
-    if (count == plane.points.size()) return fmt::format(words::stability::everywhere, x, y, balance, balance_words(kind));
-    if (count > 0) parts.push_back(fmt::format(words::stability::part, balance_words(kind), part_text(plane, kind)));
+    if (count == plane.points.size())
+      return fmt::format("Over {} and {}, {} is {} at every point of the grid.", x, y, balance, balance_words(kind));
+    if (count > 0) parts.push_back(fmt::format("{} in {}", balance_words(kind), part_text(plane, kind)));
   }
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
   if (missing > 0)
-    return fmt::format(words::stability::by_parts_of_a_stopped_plane, x, y, balance, text,
+    return fmt::format("Over {} and {}, {} is {}; {} of the plane was not computed (PARTIAL).", x, y, balance, text,
                        part_text(plane, BalanceKind::not_computed));
-  return fmt::format(words::stability::by_parts, x, y, balance, text);
+  return fmt::format("Over {} and {}, {} is {}.", x, y, balance, text);
 }
 
 std::string own_words(const StabilityPlane& plane, const BalancePoint& p) {
   const PageQuantities quantities(plane.study);
   const auto time = [&] { return quantities.text(1.0 / std::fabs(p.growth), study::Dimension::time); };
   const std::string swings =
-      p.swings() ? fmt::format(words::stability::swings, quantities.text(p.frequency, study::Dimension::speed)) : "";
+      p.swings() ? fmt::format(", swinging at {}", quantities.text(p.frequency, study::Dimension::speed)) : "";
   switch (p.kind) {
     case BalanceKind::stable:
-      return fmt::format(words::stability::own_stable, time(), swings);
+      return fmt::format("it is stable: the slowest deviation falls to 1/e in {}{}", time(), swings);
     case BalanceKind::unstable:
-      return fmt::format(words::stability::own_unstable, time(), swings, p.unstable,
-                         p.unstable == 1 ? "eigenvalue" : "eigenvalues");
+      return fmt::format("it is unstable: a deviation grows by a factor e in {}{} ({} unstable {})", time(), swings,
+                         p.unstable, p.unstable == 1 ? "eigenvalue" : "eigenvalues");
     case BalanceKind::none:
-      return words::stability::own_none;
+      return "no balanced state exists";
     case BalanceKind::marginal:
-      return words::stability::own_marginal;
+      return "linear theory does not decide: the slowest deviation hardly changes";
     default:
-      return words::stability::own_unknown;
+      return "no balanced motion was found";
   }
 }
 
 std::string continuum_sentence(const StabilityPlane& plane, const ContinuumPart& part) {
-  namespace w = words::stability;
   const PageQuantities quantities(plane.study);
   const bool all = part.stable == part.drawn;
-  std::string text = part.slowest_rate == 0.0 ? w::continuum_unstable
-                     : part.stable == 0       ? w::continuum_few_stable
-                                              : fmt::format(w::continuum_part, all ? "all" : std::to_string(part.stable));
+  std::string text = part.slowest_rate == 0.0 ? "all are unstable"
+                     : part.stable == 0       ? "all are unstable, though stable ones were found beside them"
+                                              : fmt::format("{} are stable", all ? "all" : std::to_string(part.stable));
   if (part.stable > 0)
-    text += fmt::format(
-        w::continuum_decay,
-        quantities.range(-1.0 / part.fastest_rate, -1.0 / part.slowest_rate, study::Dimension::time));
+    text += fmt::format(": their slowest deviations fall to 1/e in {}",
+                        quantities.range(-1.0 / part.fastest_rate, -1.0 / part.slowest_rate, study::Dimension::time));
   if (part.most_growth > 0.0)
-    text += fmt::format(w::continuum_growth, quantities.text(1.0 / part.most_growth, study::Dimension::time));
-  return fmt::format(w::continuum_drawn, part.drawn, text);
+    text += fmt::format("; deviations of unstable ones grow by a factor e in {} or more",
+                        quantities.text(1.0 / part.most_growth, study::Dimension::time));
+  return fmt::format("Of {} balanced states drawn evenly from the continuum {}.", part.drawn, text);
 }
 
 std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary& b) {
   using Change = BalanceBoundary::Change;
   const std::string& key = b.along_x ? plane.x.key : plane.y.key;
-  const char* way = b.upwards ? words::stability::with_larger : words::stability::with_smaller;
+  const char* way = b.upwards ? "larger" : "smaller";
   const std::string at = parameter_text(plane.study, key, b.value);
   if (b.change == Change::none)
-    return b.upwards ? fmt::format(words::stability::no_change_up, way, key_words(key), at)
-                     : fmt::format(words::stability::no_change, way, key_words(key), at);
+    return b.upwards
+               ? fmt::format("With a {} {} nothing changes up to the plane's end, {}.", way, key_words(key), at)
+               : fmt::format("With a {} {} nothing changes down to the plane's end, {}.", way, key_words(key), at);
   const bool existed = plane.own->point.kind != BalanceKind::none;
   const std::string what = b.change == Change::hopf
-                               ? fmt::format(words::stability::at_hopf,
+                               ? fmt::format("a pair of eigenvalues crosses (Hopf), at frequency {}",
                                              PageQuantities(plane.study).text(b.frequency, study::Dimension::speed))
-                           : b.change == Change::zero ? words::stability::at_zero
-                           : b.change == Change::lost ? words::stability::at_loss
-                           : b.change == Change::jump ? words::stability::at_jump
-                           : existed                  ? words::stability::at_existence_end
-                                                      : words::stability::at_existence_begin;
-  return fmt::format(words::stability::change_at, way, key_words(key), at, what);
+                           : b.change == Change::zero ? "a real eigenvalue crosses zero"
+                           : b.change == Change::lost ? "beyond it no balanced motion is found"
+                           : b.change == Change::jump ? "there it jumps, as where a motor comes to hold another speed"
+                           : existed                  ? "the balanced state ends"
+                                                      : "a balanced state begins to exist";
+  return fmt::format("With a {} {} this changes at {}: {}.", way, key_words(key), at, what);
 }
 
 using PlaneJson = nlohmann::ordered_json;
@@ -134,8 +134,7 @@ PlaneJson own_json(const StabilityPlane& plane) {
   PlaneJson json{{"x", plane.own->x}, {"y", plane.own->y}};
   json.update(point_json(plane.own->point));
   json["continuum"] = nullptr;
-  if (const auto& part = plane.own->continuum)
-    json["continuum"] = continuum_json(*part);
+  if (const auto& part = plane.own->continuum) json["continuum"] = continuum_json(*part);
   json["boundaries"] = PlaneJson::array();
   for (const BalanceBoundary& b : plane.own->boundaries)
     json["boundaries"].push_back({{"axis", b.along_x ? "x" : "y"},
@@ -157,15 +156,15 @@ PlaneJson plane_axis_json(const SliceAxis& axis) {
 const char* balance_words(BalanceKind kind) {
   switch (kind) {
     case BalanceKind::stable:
-      return words::stability::is_stable;
+      return "stable";
     case BalanceKind::unstable:
-      return words::stability::is_unstable;
+      return "unstable";
     case BalanceKind::none:
-      return words::stability::is_none;
+      return "impossible";
     case BalanceKind::marginal:
-      return words::stability::is_marginal;
+      return "undecided by linear theory";
     default:
-      return words::stability::is_unknown;
+      return "not found";
   }
 }
 
@@ -175,10 +174,10 @@ std::string stability_answer(const StabilityPlane& plane) {
   const auto own = [&](const SliceAxis& axis, double value) {
     return fmt::format("{} = {}", axis.key, parameter_text(plane.study, axis.key, value));
   };
-  text += " " + fmt::format(words::stability::own_point, own(plane.x, plane.own->x), own(plane.y, plane.own->y),
-                            own_words(plane, plane.own->point));
+  text += " " + fmt::format("At the study's own values, {} and {}, {}.", own(plane.x, plane.own->x),
+                            own(plane.y, plane.own->y), own_words(plane, plane.own->point));
   if (plane.own->continuum) text += " " + continuum_sentence(plane, *plane.own->continuum);
-  if (plane.own->boundaries.empty()) text += std::string(" ") + words::stability::own_outside;
+  if (plane.own->boundaries.empty()) text += std::string(" ") + "These values lie outside the plane.";
   for (const BalanceBoundary& b : plane.own->boundaries) text += " " + boundary_sentence(plane, b);
   return text;
 }
@@ -186,37 +185,44 @@ std::string stability_answer(const StabilityPlane& plane) {
 std::string plane_notes(const StabilityPlane& plane) {
   std::string text;
   constexpr std::array<std::pair<LeftOut, const char*>, 4> all{
-      {{dry_friction_left_out, words::stability::dry_friction},
-       {gravity_left_out, words::stability::gravity},
-       {unequal_supports_left_out, words::stability::unequal_supports},
-       {motor_left_out, words::stability::motor}}};
+      {{dry_friction_left_out, "dry friction"},
+       {gravity_left_out, "gravity"},
+       {unequal_supports_left_out, "the difference between the supports in x and y"},
+       {motor_left_out, "what the motor does about deviations of the speed"}}};
   const std::size_t exists = plane.count_if([](const BalancePoint& p) { return std::isfinite(p.growth); });
   for (const auto& [bit, name] : all) {
     const std::size_t points = plane.count_if([bit = bit](const BalancePoint& p) { return (p.left_out & bit) != 0; });
     if (points > 0)
-      text += fmt::format(
-          words::stability::left_out_at,
-          points >= exists ? words::stability::all_points
-                           : fmt::format(words::stability::some_points, points, plural(points)),
-          name);
+      text += fmt::format("At {} {} is left out.\n",
+                          points >= exists ? "all points" : fmt::format("{} point{}", points, plural(points)), name);
   }
-  if (plane.one_of_many()) text += words::stability::one_of_many;
-  if (plane.of_several()) text += words::stability::of_several;
-  if (plane.contact()) text += words::stability::balls_at_rest;
+  if (plane.one_of_many())
+    text +=
+        "The balanced states form a continuum. What is called stable or unstable, and its rates, are those of one of "
+        "them, with the balls spread evenly: laid end to end in their order, unbalance and balls are a polygon "
+        "inscribed in a circle.\n";
+  if (plane.of_several())
+    text +=
+        "The balls balance in several states, whose rates differ. What is called stable or unstable, and its rates, "
+        "are those of the most stable state at each point; others may be unstable there.\n";
+  if (plane.contact()) text += "Balls at rest in balance do not touch, so contact plays no part.\n";
   if (plane.count_if([](const BalancePoint& p) { return p.by_multipliers && std::isfinite(p.growth); }) > 0)
-    text += words::stability::by_multipliers;
+    text +=
+        "The equations depend on the rotor's angle: rates are those of multipliers, and frequencies are known but for "
+        "whole turns.\n";
   const std::size_t left = plane.count(BalanceKind::not_computed);
   if (left > 0)
-    text += fmt::format(words::stability::partial, plane.points.size() - left, plane.points.size());
+    text += fmt::format("PARTIAL: {} of {} points were computed.\n", plane.points.size() - left, plane.points.size());
   else if (!plane.complete)
-    text += words::stability::partial_boundaries;
+    text += "PARTIAL: stopped before all changes next to the study's own values were found.\n";
   return text;
 }
 
 std::string plane_heading(const StabilityPlane& plane) {
   std::string heading = study_heading(plane.study);
   for (const auto& [letter, axis] : {std::pair{"x", &plane.x}, {"y", &plane.y}})
-    heading += fmt::format(words::stability::axis, letter, axis->key, parameter_text(plane.study, axis->key, axis->low),
+    heading += fmt::format("{}: {} from {} to {} in {} points\n", letter, axis->key,
+                           parameter_text(plane.study, axis->key, axis->low),
                            parameter_text(plane.study, axis->key, axis->high), axis->pixels);
   return heading;
 }
@@ -224,12 +230,7 @@ std::string plane_heading(const StabilityPlane& plane) {
 std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
   std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
   text += lines_filled(plane_heading(plane), style) + "\n";
-  DocumentTable table{
-      {words::stability::what_balance_is, "points", words::stability::of_the_plane, words::stability::slowest_decay},
-      {},
-      "",
-      false,
-      {}};
+  DocumentTable table{{"balance is", "points", "of the plane", "rates, omega_c"}, {}, "", false, {}};
   for (const BalanceKind kind : balance_kinds) {
     double low = INFINITY, high = -INFINITY;
     for (const BalancePoint& p : plane.points)
@@ -240,15 +241,15 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
                         low <= high ? fmt::format("{:.3g} to {:.3g}", low, high) : ""}));
   }
   if (const std::size_t missing = plane.count(BalanceKind::not_computed); missing > 0)
-    table.rows.push_back(row_of("tnnn", {words::stability::not_computed, fmt::format("{}", missing),
-                                         part_text(plane, BalanceKind::not_computed), ""}));
+    table.rows.push_back(
+        row_of("tnnn", {"not computed", fmt::format("{}", missing), part_text(plane, BalanceKind::not_computed), ""}));
   text += table_text(table, style);
   const std::size_t computed = plane.points.size() - plane.count(BalanceKind::not_computed);
-  return text + lines_filled("\n" + plane_notes(plane) +
-                                 fmt::format(words::stability::made_with, computed, computed_text(plane),
-                                             static_cast<double>(computed) / std::max(plane.seconds, 1e-9),
-                                             version_string),
-                             style);
+  return text +
+         lines_filled("\n" + plane_notes(plane) +
+                          fmt::format("{} points; {}, {:.0f} points/s; equipoise {}\n", computed, computed_text(plane),
+                                      static_cast<double>(computed) / std::max(plane.seconds, 1e-9), version_string),
+                      style);
 }
 
 std::string stability_json(const StabilityPlane& plane) {
@@ -283,7 +284,8 @@ std::string stability_json(const StabilityPlane& plane) {
 
 std::string stability_csv(const StabilityPlane& plane) {
   std::string text =
-      plane.complete ? "" : fmt::format(words::stability::csv_partial, version_string, words::reports::csv_partial_early);
+      plane.complete ? ""
+                     : fmt::format("# equipoise {}: stability{}\n", version_string, words::reports::csv_partial_early);
   text += fmt::format("{},{}", plane.x.key, plane.y.key);
   for (const PointNumber& n : point_numbers) text += fmt::format(",{}", n.name);
   text += "\n";

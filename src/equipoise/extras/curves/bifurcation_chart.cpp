@@ -9,7 +9,7 @@
 #include "equipoise/extras/curves/curve_starts.hpp"
 #include "equipoise/extras/curves/locked_grid.hpp"
 #include "equipoise/extras/curves/proof_boxes.hpp"
-#include "equipoise/extras/planes/chart_file.hpp"
+#include "equipoise/extras/planes/plane_files.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 

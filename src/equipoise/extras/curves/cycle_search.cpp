@@ -15,7 +15,6 @@
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/extras/curves/cycle_curve.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
-#include "equipoise/extras/words/chart.hpp"
 
 namespace equipoise {
 
@@ -57,8 +56,7 @@ class CycleSearch {
         const std::vector<CycleCrossing> here = std::move(*crossings[first]);
         lock.unlock();
         for (const CycleCrossing& crossing : here) follow_or_count(crossing, origins[first].of);
-        if (run_.progress && !is_set(stop_))
-          run_.progress({first + 1, origins.size(), words::chart::cycles_followed, {}});
+        if (run_.progress && !is_set(stop_)) run_.progress({first + 1, origins.size(), "cycles", {}});
         lock.lock();
       }
       following = false;
@@ -181,7 +179,7 @@ class CycleSearch {
 void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run,
                 BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
-  if (system && !system->smooth()) chart.no_cycles = words::chart::cycles_without_events;
+  if (system && !system->smooth()) chart.no_cycles = "balls that touch or stick make them break off";
   chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};
   if (chart.no_cycles.empty()) CycleSearch(studies, plane, run, chart).run();
 }

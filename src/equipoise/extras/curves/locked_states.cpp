@@ -11,7 +11,6 @@
 #include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
@@ -44,11 +43,11 @@ std::string kind_name(const LockedKind& kind, int balls, bool alike) {
     std::string& list = first ? here : there;
     list += fmt::format("{}{}", list.empty() ? "" : "+", i + 1);
   }
-  if (balls == 1) return words::chart::one_ball;
-  if (count_there == 0) return words::chart::together;
-  if (balls == 2) return words::chart::opposite;
-  return alike ? fmt::format(words::chart::alike_against, count_here, count_there)
-               : fmt::format(words::chart::balls_against, here, there);
+  if (balls == 1) return "ball on the line";
+  if (count_there == 0) return "balls together";
+  if (balls == 2) return "balls opposite";
+  return alike ? fmt::format("{} balls against {}", count_here, count_there)
+               : fmt::format("balls {} against {}", here, there);
 }
 
 // The rotor's distance along the line, negative where the first ball lies behind it; and the line's angle.
@@ -213,10 +212,11 @@ std::vector<LockedKind> locked_kinds(const model::Parameters& p, std::size_t mos
 
 std::string locked_states_lack(const model::System& system) {
   const model::Parameters& p = system.parameters();
-  if (system.tilts() || !p.race_is_centred() || !system.autonomous()) return words::chart::locked_of_plain_rotors;
-  if (p.balls_collide() || p.balls_stick()) return words::chart::locked_without_events;
-  if (system.coasts()) return words::chart::locked_under_drive;
-  if (locked_kinds(p).empty()) return words::chart::too_many_kinds;
+  if (system.tilts() || !p.race_is_centred() || !system.autonomous())
+    return "they are known of rotors that do not tilt, with a centred race, equal supports and no gravity";
+  if (p.balls_collide() || p.balls_stick()) return "balls that touch or stick may rest anywhere";
+  if (system.coasts()) return "without a drive that lasts no speed is kept";
+  if (locked_kinds(p).empty()) return "unlike balls can be divided in too many ways";
   return "";
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "equipoise/extras/proof/balance_boxes.hpp"
-#include "equipoise/extras/words/chart.hpp"
 #include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {
@@ -145,12 +144,14 @@ void add_proof_boxes(const PlaneStudies& studies, std::uint64_t most, double und
   const StabilityPlane& plane = chart.plane;
   const Study study = studies.at(plane.x.centre(0), plane.y.centre(0));
   if (!can_be_proved(study)) {
-    chart.not_proved = words::chart::rotor_not_proved;
+    chart.not_proved =
+        "proofs are of two balls with equal drag that slide freely in a centred race, at a prescribed speed and "
+        "without tilt";
     return;
   }
   const auto coordinates = coordinates_of(studies, plane);
   if (!coordinates) {
-    chart.not_proved = words::chart::keys_not_proved;
+    chart.not_proved = "a key of the axes is not itself a parameter of the equations";
     return;
   }
   BoxSearch(parameters_of(study), *coordinates, plane).run(most, undecided, stop, chart.boxes);

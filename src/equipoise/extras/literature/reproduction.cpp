@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "equipoise/extras/words/paper.hpp"
-
 namespace equipoise {
 
 namespace {
@@ -79,8 +77,8 @@ void judge(ReproducedTable& table) {
         cell.computed = result->share_of(published.attractor);
         cell.p_value = agreement_p_value(cell.computed.count, result->starts, published.share);
       }
-      cell.reason = !result                               ? words::paper::not_computed
-                    : !result->complete                   ? words::paper::stopped_early
+      cell.reason = !result                               ? "not computed under the published law"
+                    : !result->complete                   ? "stopped before all starts were done"
                     : !table.published->unclaimed.empty() ? table.published->unclaimed
                                                           : row.published->slip;
       judged += cell.reason.empty();

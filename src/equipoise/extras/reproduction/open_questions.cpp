@@ -12,7 +12,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/extras/literature/paper_rotor.hpp"
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -23,7 +22,7 @@ constexpr std::array speeds{2.0, 2.2, 2.4, 3.0, 4.0, 5.0};
 
 Study rotor_at(double speed) {
   Study study = paper_rotor();
-  study.name = fmt::format(words::paper::study_at_speed, speed);
+  study.name = fmt::format("future work at speed {}", speed);
   study.speed.speed = speed;
   return study;
 }
@@ -74,13 +73,13 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
   const int pixels = settings.slice_pixels;
   const SliceAxis angle{"initial.phi_1", 0.0, two_pi, pixels};
   OpenQuestions result;
-  result.eccentricity_and_angle = mapped(rotor_at(2.4), settings, words::paper::map_over_angle,
+  result.eccentricity_and_angle = mapped(rotor_at(2.4), settings, "map of eccentricity and angle",
                                          {"rotor.eccentricity", 0.0, 0.12, pixels}, angle, {{2, 1, pi}});
   Study opposite = rotor_at(2.4);
   opposite.initial.phi[0] = -0.5 * pi;
   opposite.initial.phi[1] = 0.5 * pi;
   result.eccentricity_and_mass =
-      mapped(opposite, settings, words::paper::map_over_mass, {"rotor.eccentricity", 0.0, 0.1, pixels},
+      mapped(opposite, settings, "map of eccentricity and mass", {"rotor.eccentricity", 0.0, 0.1, pixels},
              {"balancer.mass", 0.0, 0.1, pixels}, {});
   result.complete = result.eccentricity_and_angle.complete && result.eccentricity_and_mass.complete;
   for (const double speed : speeds) {
@@ -90,7 +89,7 @@ OpenQuestions answered(const OpenQuestionSettings& settings) {
     shares.box =
         sampled(rotor_at(speed), stated_box(), settings, searches, "box", fmt::format("box at speed {}", speed));
     shares.rest =
-        sampled(rotor_at(speed), {}, settings, searches, "rest", fmt::format(words::paper::rest_at_speed, speed));
+        sampled(rotor_at(speed), {}, settings, searches, "rest", fmt::format("starts at rest at speed {}", speed));
     result.complete = result.complete && !shares.box.partial && !shares.rest.partial;
     result.boxes.push_back(std::move(shares));
   }

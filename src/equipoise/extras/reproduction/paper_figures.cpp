@@ -12,7 +12,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/literature/paper_rotor.hpp"
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
@@ -108,18 +107,26 @@ FigurePanel attractor_panel(const std::string& alias, double speed, double until
 }
 
 PaperFigure attractors_figure(const StopFlag* stop) {
-  PaperFigure figure{"figure-attractors", words::paper::attractors, words::paper::attractors_caption, "", {}};
+  PaperFigure figure{"figure-attractors",
+                     "The vibrating attractors V1 to V4",
+                     "Radial displacement r against time on the motions other than balance, at constant speed; β = "
+                     "0.05, ζ = 0.5. V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; "
+                     "V4: the same with four times the period.",
+                     "",
+                     {}};
   for (const auto& [alias, speed] : {std::pair{"V1", 2.2}, {"V2", 2.2}, {"V3", 4.4}, {"V4", 4.4}})
     figure.panels.push_back(attractor_panel(alias, speed, 50.0, stop));
   return figure;
 }
 
 PaperFigure transients_figure(const StopFlag* stop) {
-  PaperFigure figure{"figure-transients",
-                     words::paper::transients,
-                     words::paper::transients_caption,
-                     words::paper::opposite_balls,
-                     {}};
+  PaperFigure figure{
+      "figure-transients",
+      "Transients after ramps of six durations",
+      "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
+      "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
+      "them opposite, as the text says.",
+      {}};
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
     FigurePanel panel{fmt::format("T0 = {}", duration), {}};
     for (const SpeedLaw law : both_laws)
@@ -144,8 +151,9 @@ void add_releases(PaperFigure& figure, const std::string& title, double zeta, do
 
 PaperFigure ball_lag_figure(const StopFlag* stop) {
   PaperFigure figure{"figure-ball-lag",
-                     words::paper::ball_lag,
-                     words::paper::ball_lag_caption,
+                     "Ball lag: released at the end of the ramp or on the way",
+                     "r against time: ramp 0 to 5, balls at φ = −π/2, π/2 released at 5 (i) and at 2 (ii); β = 0.01, ζ "
+                     "= 0.02. Balls released early lag behind the rotor while it speeds up.",
                      words::paper::no_duration_in_caption,
                      {}};
   add_releases(figure, "", 0.02, 0.01, 5.0, 2.0, 1500.0, stop);
@@ -155,7 +163,8 @@ PaperFigure ball_lag_figure(const StopFlag* stop) {
 PaperFigure release_figure(const StopFlag* stop) {
   PaperFigure figure{"figure-release",
                      "Release at 2.4 against 2.2",
-                     words::paper::release_caption,
+                     "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for "
+                     "four pairs of external and internal damping.",
                      words::paper::no_duration_in_caption,
                      {}};
   for (const auto& [zeta, beta] : {std::pair{0.02, 0.01}, {0.02, 0.25}, {0.5, 0.05}, {0.5, 0.25}})
@@ -176,7 +185,7 @@ PaperFigure paper_figure(const std::string& id, const StopFlag* stop) {
   if (id == "figure-transients") return transients_figure(stop);
   if (id == "figure-ball-lag") return ball_lag_figure(stop);
   if (id == "figure-release") return release_figure(stop);
-  throw InputError("figure", "", id, words::paper::known_figures);
+  throw InputError("figure", "", id, "must be one of paper_figure_ids()");
 }
 
 }  // namespace equipoise

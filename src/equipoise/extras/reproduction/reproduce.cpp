@@ -11,7 +11,6 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
@@ -64,7 +63,7 @@ class TableRun {
   void make_folder() const {
     std::error_code error;
     std::filesystem::create_directories(options_.folder, error);
-    if (error) throw InputError("output", "", options_.folder, words::paper::folder_must_be_writable);
+    if (error) throw InputError("output", "", options_.folder, "must be a folder that can be written to");
   }
 
   // By chance, one table in a hundred shows a cell that differs. Such a cell is sampled further, and the larger sample
@@ -78,8 +77,9 @@ class TableRun {
         progress_.total += follow_up_factor * first;
         EnsembleResult result = ensemble(row, model::SpeedLaw::published, follow_up_factor);
         if (!result.complete) break;
-        row.follow_up = fmt::format(words::paper::sampled_further, row.published->label, cell.published->attractor,
-                                    cell.p_value, first, result.starts);
+        row.follow_up =
+            fmt::format("{}, {}: p = {:.2g} from the first {} starts, so {} were taken", row.published->label,
+                        cell.published->attractor, cell.p_value, first, result.starts);
         row.by_published_law = std::move(result);
         larger = true;
         break;  // the row's other cells share the sample

@@ -10,7 +10,6 @@
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/extras/reproduction/reproduction_words.hpp"
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -119,13 +118,11 @@ struct CellColumns {
 std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first, const CellColumns& columns,
                       const TextStyle& style) {
   const CellWords cell = cell_words(row, c);
-  const std::string line =
-      columns.line(first ? row.published->label : "", c.published->attractor, cell.printed, cell.computed,
-                   cell.interval, cell.p_value, cell.kinematic);
+  const std::string line = columns.line(first ? row.published->label : "", c.published->attractor, cell.printed,
+                                        cell.computed, cell.interval, cell.p_value, cell.kinematic);
   const std::string verdict = c.verdict == Verdict::agrees ? "" : verdict_text(c);
   if (!columns.below) return fmt::format("{}  {}\n", line, verdict);
-  std::string below =
-      columns.kinematic || !row.by_kinematic_law ? "" : fmt::format(words::paper::kinematic_share, cell.kinematic);
+  std::string below = columns.kinematic || !row.by_kinematic_law ? "" : fmt::format("kinematic law {}", cell.kinematic);
   if (!verdict.empty()) below += (below.empty() ? "" : "; ") + verdict;
   return line + "\n" + (below.empty() ? "" : filled(std::string(columns.label, ' '), below, style));
 }
@@ -151,15 +148,19 @@ std::string table_text(const ReproducedTable& t, const TextStyle& style) {
         starts += (*e)->starts;
       }
   }
-  text +=
-      fmt::format(words::paper::cells_of_table, t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable,
-                  t.below_one_percent, 0.01 * (t.agreeing + t.differing), starts, undecided, lost);
+  text += fmt::format(
+      "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected by chance). {} "
+      "starts, {} undecided, {} lost.\n\n",
+      t.agreeing, t.differing, t.differing == 1 ? "s" : "", t.not_comparable, t.below_one_percent,
+      0.01 * (t.agreeing + t.differing), starts, undecided, lost);
   return text;
 }
 
 std::string lead_text(const Reproduction& r) {
   if (r.table_7_lead.empty()) return "";
-  std::string text = words::paper::lead_on_table_7;
+  std::string text =
+      "Table 7, the best lead (docs/evidence/table-7.md; fitted to the printed shares, not claimed): kinematic law, "
+      "balls released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
   for (const LeadRow& row : r.table_7_lead)
     text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
                         interval(row.balanced));
@@ -167,7 +168,7 @@ std::string lead_text(const Reproduction& r) {
 }
 
 std::string open_text(const OpenQuestions& open) {
-  std::string text = words::paper::open_questions;
+  std::string text = "Open questions: balanced share of starts in a box of the whole state space, and at rest\n";
   for (const BoxShares& b : open.boxes) {
     const Share box = b.box.attractors.front().share, rest = b.rest.attractors.front().share;
     text += fmt::format("  Omega {:<4} box {:>6} ({}), at rest {:>6} ({})\n", b.speed, percentage(box), interval(box),
@@ -187,10 +188,14 @@ std::string conclusions_text(const Reproduction& r) {
     if (row.published.answer == ConclusionResult::Answer::not_asked &&
         row.kinematic.answer == ConclusionResult::Answer::not_asked)
       continue;
-    text += fmt::format(words::paper::one_conclusion, row.conclusion->text, row.conclusion->table,
-                        answer_text(row.published), answer_text(row.kinematic));
+    text += fmt::format("  {} (table {}).\n    published law: {}; kinematic law: {}\n", row.conclusion->text,
+                        row.conclusion->table, answer_text(row.published), answer_text(row.kinematic));
   }
-  return text.empty() ? "" : fmt::format(words::paper::conclusions, text);
+  return text.empty() ? ""
+                      : fmt::format(
+                            "What the printed numbers say, asked of both speed laws (differences of balanced shares in "
+                            "points, 99 %, common starts):\n{}\n",
+                            text);
 }
 
 }  // namespace
@@ -209,9 +214,10 @@ std::string reproduction_text(const Reproduction& r, const TextStyle& style) {
     text += fmt::format("{} ensembles, {} starts: {:.0f} s, {:.0f} s CPU on {} thread{} ({}).\n", r.ensembles, r.starts,
                         r.seconds, r.cpu_seconds, r.threads, plural(r.threads), r.cpu_target);
   }
-  text += fmt::format(words::paper::this_run, r.run_seconds, r.run_cpu_seconds, version_string);
+  text += fmt::format("This run, all else included: {:.0f} s, {:.0f} s CPU; equipoise {}\n", r.run_seconds,
+                      r.run_cpu_seconds, version_string);
   for (const Picture& p : r.pictures) text += fmt::format("{}: {}\n", p.title, p.path);
-  if (r.partial) text += words::paper::partial;
+  if (r.partial) text += "PARTIAL: stopped before all was done.\n";
   return style.width > 0 ? lines_filled(text, style) : text;
 }
 

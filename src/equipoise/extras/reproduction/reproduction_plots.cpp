@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -55,7 +54,7 @@ std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& tab
 std::optional<Plot> table_plot(const ReproducedTable& table) {
   if (table.published->number == 7) return {};
   Plot plot{"",
-            table.published->parameter == "T0" ? words::paper::ramp_duration : words::paper::final_speed,
+            table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
             "balanced share, %",
             table.published->number == 3,
             false,
@@ -102,7 +101,7 @@ std::vector<Plot> figure_plots(const PaperFigure& figure) {
 
 Plot plot_of_box(const OpenQuestions& open) {
   Plot plot{"", "speed Ω / critical speed", "balanced share, %", false, false, false, {}};
-  PlotSeries box{words::paper::starts_in_box, light_colour, PlotSeries::Style::line, {}, {}, {}, {}};
+  PlotSeries box{"starts in the box", light_colour, PlotSeries::Style::line, {}, {}, {}, {}};
   PlotSeries rest{"starts at rest", dark_colour, PlotSeries::Style::line, {}, {}, {}, {}};
   for (const BoxShares& b : open.boxes) {
     add(box, b.speed, b.box.attractors.front().share);  // balanced is always the first
@@ -115,7 +114,9 @@ Plot plot_of_box(const OpenQuestions& open) {
 std::string figure_csv(const PaperFigure& figure) {
   std::string text = fmt::format("# {}. {}\n", figure.title, figure.caption);
   if (!figure.choice.empty()) text += fmt::format("# {}\n", figure.choice);
-  text += words::paper::data_of_figure;
+  text +=
+      "# r: distance of the rotor's centre from the axis, in race radii; t in 1/omega_c. Long curves are thinned to "
+      "their envelope.\n";
   for (const FigurePanel& panel : figure.panels)
     for (const FigureSeries& s : panel.series) {
       text += fmt::format("# study of {}, {}:\n#   ", panel.title, label_of(s));

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/words/paper.hpp"
-#include "equipoise/extras/words/paper_page.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -69,7 +67,7 @@ std::string summary_text(const Reproduction& r) {
     rest += t.not_comparable;
   }
   text += fmt::format("{:<10}{:>8}{:>9}{:>16}\n", "all", agree, differ, rest);
-  text += words::paper::judged_jointly;
+  text += "Judged jointly over each table at 99 % by the errors of both samples, under the published law.\n";
   return text;
 }
 
@@ -117,8 +115,8 @@ std::string balanced_by_angle(const BasinSlice& map) {
                                return balanced[static_cast<std::size_t>(column)] >= least;
                              }));
   };
-  return fmt::format(words::paper::all_balance, of_at_least(map.y.pixels), of_at_least(1),
-                     map.study.parameters.total_mass());
+  return fmt::format("All starts balance {}, some {}. The balls can cancel λ up to {:.3g}.", of_at_least(map.y.pixels),
+                     of_at_least(1), map.study.parameters.total_mass());
 }
 
 // How much of what all balls together can cancel is balanced, and whether anything balances beyond.
@@ -141,10 +139,12 @@ std::string balanced_by_mass(const BasinSlice& map) {
     ends.emplace_back(map.x.centre(last) / (balls * map.y.centre(row)), map.y.centre(row));
     again += returns;
   }
-  if (ends.empty()) return words::paper::no_end_of_balance;
+  if (ends.empty()) return "No row of one μ shows where balance ends.";
   const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
-  return fmt::format(words::paper::ends_of_balance, least->first, least->second, most->first, most->second, balls,
-                     again, ends.size());
+  return fmt::format(
+      "As λ grows starts cease to balance at {:.2f} (μ = {:.3g}) to {:.2f} (μ = {:.3g}) of the {} μ that the balls can "
+      "cancel; in {} of {} rows some balance again beyond.",
+      least->first, least->second, most->first, most->second, balls, again, ends.size());
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/literature/paper_rotor.hpp"
-#include "equipoise/extras/words/paper.hpp"
 
 namespace equipoise {
 
@@ -59,7 +58,7 @@ std::vector<LeadReading> observe_table_7_lead(std::uint64_t starts, int threads,
       settings.first = first;
       settings.starts = std::min(batch, starts - first);
       const Observation seen = observe(lead_study(row), settings);
-      if (!seen.complete) throw RunError(words::paper::table_7_stopped);
+      if (!seen.complete) throw RunError("stopped before table 7 was observed");
       count += called_balanced(seen, test);
     }
     readings.push_back({row, wilson_share(count, starts)});

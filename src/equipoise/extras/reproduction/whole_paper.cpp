@@ -16,7 +16,6 @@
 #include "equipoise/extras/reproduction/paper_figures.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"
 #include "equipoise/extras/reproduction/table_7.hpp"
-#include "equipoise/extras/words/paper.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -108,8 +107,10 @@ std::vector<std::string> reproducible() {
 ReproduceOptions options_for(const std::vector<std::string>& what) {
   for (const std::string& w : what)
     if (const auto known = reproducible(); std::find(known.begin(), known.end(), w) == known.end())
-      throw InputError("reproduce", "", display_text(w),
-                       fmt::format(words::paper::known_parts, fmt::join(known, ", ")));
+      throw InputError(
+          "reproduce", "", display_text(w),
+          fmt::format("must be among {}; studies/publications/judge.py has the numbers of other publications",
+                      fmt::join(known, ", ")));
   const auto asked = [&](const std::string& one, const std::string& group) {
     return what.empty() || std::any_of(what.begin(), what.end(),
                                        [&](const std::string& w) { return w == "all" || w == group || w == one; });

@@ -13,10 +13,9 @@
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/planes/stability_file.hpp"
+#include "equipoise/extras/planes/plane_files.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
-#include "equipoise/extras/words/stability.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
@@ -50,7 +49,7 @@ class WayToBoundary {
       for (std::size_t k = first; k < first + count; ++k)
         if (changed[k - first]) return between(value(k - 1), value(k), merging * (end - begin), none, settings.stop);
       if (settings.progress && own_.point.by_multipliers)
-        settings.progress({first + count - 1, looks_, words::stability::looks, {}});
+        settings.progress({first + count - 1, looks_, "steps to the next change", {}});
     }
     return none;
   }

@@ -13,7 +13,6 @@
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/words/stability.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
 
@@ -26,22 +25,26 @@ void check_axis(const SliceAxis& axis) {
     throw InputError("stability", axis.key, value, problem);
   };
   if (axis.pixels < 1 || axis.pixels > most_slice_pixels)
-    reject(fmt::format("{}", axis.pixels), fmt::format(words::stability::points_range, most_slice_pixels));
+    reject(fmt::format("{}", axis.pixels),
+           fmt::format("points; must be a whole number from 1 to {}", most_slice_pixels));
   if (!std::isfinite(axis.low) || !std::isfinite(axis.high) || !(axis.low < axis.high))
-    reject(fmt::format("{} to {}", axis.low, axis.high), words::stability::rising_range);
+    reject(fmt::format("{} to {}", axis.low, axis.high), "must be two finite numbers, the first below the second");
 }
 
 void check_size(const SliceAxis& x, const SliceAxis& y) {
   const std::uint64_t points = static_cast<std::uint64_t>(x.pixels) * static_cast<std::uint64_t>(y.pixels);
   if (points > most_stability_points)
     throw InputError("stability", "size", fmt::format("{}x{}", x.pixels, y.pixels),
-                     fmt::format(words::stability::too_many_points, 1e-6 * static_cast<double>(most_stability_points)));
+                     fmt::format("points; must be at most {:.1f} million in all (4096x4096)",
+                                 1e-6 * static_cast<double>(most_stability_points)));
 }
 
 void check_key(const std::string& key) {
   const std::string table = key.substr(0, key.find('.'));
   if ((table != "rotor" && table != "balancer" && table != "speed") || table == key || key == "balancer.balls")
-    throw InputError("stability", key, "", words::stability::key_of_axis);
+    throw InputError("stability", key, "",
+                     "must be a key of rotor, balancer or speed that takes a number, or speed.final; balance does not "
+                     "depend on starts");
 }
 
 // The errors of reading such a study, with the value that is to blame.

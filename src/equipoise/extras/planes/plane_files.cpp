@@ -1,25 +1,60 @@
-// Dimensions, variables and attributes of a chart; its identity.
-#include "equipoise/extras/planes/chart_file.hpp"
+// Dimensions, variables and attributes; identities.
+#include "equipoise/extras/planes/plane_files.hpp"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/planes/stability_file.hpp"
-#include "equipoise/extras/words/chart.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/version.hpp"
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
+#include "equipoise/results/result_files/result_identity.hpp"
 
 namespace equipoise {
 
 namespace {
 
-PlaneIdentity chart_identity(const BifurcationChart& chart) {
-  PlaneIdentity identity("chart", chart.study, chart.plane);
-  if (chart.cycles) identity.text += "cycles = yes\n";
-  return identity;
+// All that determines the content of a file.
+std::string identity_of(const StabilityPlane& plane) {
+  return fmt::format("{}\n[file]\nversion = {}\nx = {}\ny = {}\n", to_toml(plane.study), version_string,
+                     io::axis_text(plane.x), io::axis_text(plane.y));
+}
+
+std::string identity_of(const BifurcationChart& chart) {
+  return identity_of(chart.plane) + (chart.cycles ? "cycles = yes\n" : "");
+}
+
+// `command` writes such files, and names the attribute that holds their identity; `kind`: what other files do not hold;
+// `results`: what this one is.
+void require_identity(const std::string& path, const char* command, const std::string& identity, const char* kind,
+                      const char* results) {
+  const std::string allowed = fmt::format("must be a new file, or one that \"{} -o\" wrote", command);
+  const std::string place = io::results_path(path, allowed);
+  if (!std::filesystem::exists(place)) return;
+  std::string there;
+  try {
+    there = io::NetcdfFile(place, io::NetcdfFile::Mode::read, path).attribute(command);
+  } catch (const RunError&) {
+  }
+  if (there.empty()) throw InputError(path, "", "", fmt::format("holds no {}; {}", kind, allowed));
+  io::require_same(there, identity, path, results, allowed);
+}
+
+void identify(Dataset& data, const char* command, const std::string& identity, const StabilityPlane& plane) {
+  data.say(command, identity);
+  io::say_axes(data, plane.x, plane.y);
+}
+
+void finish(Dataset& data, const std::string& path, const Study& study, bool complete) {
+  data.say("study", to_toml(study));
+  data.say("complete", complete ? "yes" : "no");
+  io::write_netcdf_file(path, data);
 }
 
 // "0 hopf, 1 zero, ..."
@@ -54,9 +89,36 @@ struct NumberedPoint {
 
 }  // namespace
 
+void check_stability_file(const std::string& path, const StabilityPlane& plane) {
+  require_identity(path, "stability", identity_of(plane), "plane of stability", "this plane of this study");
+}
+
 void check_chart_file(const std::string& path, const BifurcationChart& chart) {
-  namespace w = words::chart;
-  chart_identity(chart).require_at(path, fmt::format(w::no_such_file, w::file), w::file, w::these_results);
+  require_identity(path, "chart", identity_of(chart), "chart", "this chart of this study");
+}
+
+void write_stability_file(const std::string& path, const StabilityPlane& plane) {
+  Dataset data("where balance is stable in a plane of two parameters");
+  data.filled = false;
+  const std::size_t y = data.dimension("y", static_cast<std::size_t>(plane.y.pixels)),
+                    x = data.dimension("x", static_cast<std::size_t>(plane.x.pixels));
+  const auto add_axis = [&](const char* name, std::size_t along, const SliceAxis& a) {
+    data.add(name, "1", a.key, {along}, [&a](std::size_t k) { return a.centre(static_cast<int>(k)); });
+  };
+  add_axis("x", x, plane.x);
+  add_axis("y", y, plane.y);
+  for (const PointNumber& n : point_numbers) {
+    DataColumn& column = data.add(n, {y, x}, [&](std::size_t k) { return n.value(plane.points[k]); });
+    if (n.whole)
+      column.type = DataColumn::Type::small;
+    else
+      column.fill = std::numeric_limits<double>::quiet_NaN();
+    if (&n != &point_numbers.front()) continue;
+    column.flags = {-1, 0, 1, 2, 3, 4};
+    column.attributes.emplace_back("flag_meanings", fmt::format("not_computed {}", fmt::join(balance_kind_names, " ")));
+  }
+  identify(data, "stability", identity_of(plane), plane);
+  finish(data, path, plane.study, plane.complete);
 }
 
 void write_chart_file(const std::string& path, const BifurcationChart& chart) {
@@ -67,7 +129,7 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
     const auto name = std::find(chart.locked.begin(), chart.locked.end(), c.of);
     return name == chart.locked.end() ? 0 : name - chart.locked.begin() + 1;
   };
-  Dataset data(words::chart::file_title);
+  Dataset data("curves in a plane of two parameters on which balance and locked states change");
   std::vector<ChartNumber<NumberedPoint>> of_point{
       {"point_curve", "number of the curve, from 0", [](const auto& p) { return p.curve; }}};
   for (const CurveNumber& n : curve_numbers)
@@ -111,11 +173,9 @@ void write_chart_file(const std::string& path, const BifurcationChart& chart) {
                       {"box_x_high", "parameter x, to", [](const auto& b) { return b.x[1]; }},
                       {"box_y_low", "parameter y, from", [](const auto& b) { return b.y[0]; }},
                       {"box_y_high", "parameter y, to", [](const auto& b) { return b.y[1]; }}});
-  chart_identity(chart).say(data, chart.plane);
+  identify(data, "chart", identity_of(chart), chart.plane);
   data.say("locked_states", fmt::format("{}", fmt::join(chart.locked, ", ")));
-  data.say("study", to_toml(chart.study));
-  data.say("complete", chart.complete ? "yes" : "no");
-  io::write_netcdf_file(path, data);
+  finish(data, path, chart.study, chart.complete);
 }
 
 }  // namespace equipoise
