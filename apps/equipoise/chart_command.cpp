@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "plane_command.hpp"

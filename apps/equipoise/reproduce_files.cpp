@@ -7,7 +7,6 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
-#include "equipoise/extras/reproduction/reproduction_plots.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"

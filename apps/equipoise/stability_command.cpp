@@ -2,7 +2,6 @@
 #include <memory>
 #include <string>
 
-#include "equipoise/extras/charts/stability_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "plane_command.hpp"

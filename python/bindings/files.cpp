@@ -3,7 +3,6 @@
 
 #include "bindings.hpp"
 #include "equipoise/analyses/sweeps/merge.hpp"
-#include "equipoise/extras/proof/certificate_json.hpp"
 #include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/report/reports/inspection_report.hpp"
 #include "equipoise/results/result_files/inspection.hpp"

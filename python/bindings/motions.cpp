@@ -9,7 +9,6 @@
 #include "equipoise/analyses/continuation/continuation.hpp"
 #include "equipoise/report/reports/attractors_report.hpp"
 #include "equipoise/report/reports/branches_report.hpp"
-#include "equipoise/extras/proof/certificate_json.hpp"
 #include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 #include "equipoise/results/result_files/branches_file.hpp"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "equipoise/equipoise.hpp"
-#include "equipoise/extras/literature/conclusions.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/extras/literature/reproduction.hpp"
 #include "equipoise/extras/reproduction/open_questions.hpp"

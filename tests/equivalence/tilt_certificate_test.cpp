@@ -18,9 +18,8 @@
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/proof/certificate_json.hpp"
-#include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "tilt_fixed_flow.hpp"
 

@@ -21,9 +21,8 @@
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/core/math/lyapunov.hpp"
-#include "equipoise/extras/proof/certificate_json.hpp"
-#include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/extras/proof/certify_report.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace certificate_test {

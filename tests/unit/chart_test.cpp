@@ -9,9 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
-#include "equipoise/extras/stability/balance_spectrum.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/core/math/curve_follower.hpp"
 #include "equipoise/extras/curves/hopf_form.hpp"
@@ -20,7 +19,6 @@
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/extras/proof/balance_boxes.hpp"
-#include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "../support/studies.hpp"
 
@@ -373,7 +371,7 @@ TEST(BalanceBoxes, ThePolynomialHasTheEigenvaluesAsZeros) {
     const double speed = study.speed.speed;
     const BoxRotor rotor{speed, p.damping[0], p.stiffness[0], p.drag[0], p.eccentricity, {p.mass[0], p.mass[1]}};
     const auto spectrum = balance_spectrum(study);
-    EXPECT_EQ(judge_box(rotor) == BoxJudgement::none, !spectrum);
+    EXPECT_EQ(judge_box(rotor) == ProvedKind::none, !spectrum);
     if (!spectrum) continue;
     ++tried;
     const auto coefficient = balance_polynomial(rotor);
@@ -386,9 +384,9 @@ TEST(BalanceBoxes, ThePolynomialHasTheEigenvaluesAsZeros) {
       }
       EXPECT_LT(std::abs(value), 1e-9 * size);  // an eigenvalue's error times the slope
     }
-    const BoxJudgement judged = judge_box(rotor);
-    if (judged != BoxJudgement::open) {
-      EXPECT_EQ(judged == BoxJudgement::stable, spectrum->unstable() == 0);
+    const ProvedKind judged = judge_box(rotor);
+    if (judged != ProvedKind::open) {
+      EXPECT_EQ(judged == ProvedKind::stable, spectrum->unstable() == 0);
     }
   }
   EXPECT_GT(tried, 30);

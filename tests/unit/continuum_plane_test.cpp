@@ -12,9 +12,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
-#include "equipoise/extras/charts/stability_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"

@@ -11,7 +11,6 @@
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/charts/chart_plot.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/balance_plane.hpp"
 #include "equipoise/extras/curves/cycle_curve.hpp"

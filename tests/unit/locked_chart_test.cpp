@@ -9,8 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/extras/charts/chart_plot.hpp"
-#include "equipoise/extras/charts/chart_regions_text.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/analyses/continuation/branch_events.hpp"

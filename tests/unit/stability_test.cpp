@@ -16,7 +16,6 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/charts/stability_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"

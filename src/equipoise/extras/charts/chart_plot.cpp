@@ -1,5 +1,5 @@
 // Boxes, curves in pieces of one kind, points, letters of regions, the legend.
-#include "equipoise/extras/charts/chart_plot.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/charts/chart_regions_text.hpp"
 #include "equipoise/extras/charts/plane_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/report/drawing/raster.hpp"

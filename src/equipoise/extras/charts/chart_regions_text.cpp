@@ -1,12 +1,12 @@
 // Letters, lists of states, the table.
-#include "equipoise/extras/charts/chart_regions_text.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/plain_number.hpp"
-#include "equipoise/extras/charts/shown_axis.hpp"
+#include "equipoise/extras/charts/plane_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 
 namespace equipoise {

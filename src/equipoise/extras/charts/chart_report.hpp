@@ -1,8 +1,9 @@
-// Curves on which balance changes, as text, JSON and CSV.
+// Curves on which balance changes: text, JSON, CSV, picture.
 // This room: planes as text, tables and pictures.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -30,5 +31,26 @@ std::string chart_json(const BifurcationChart& chart);
 
 /// One line a point of a curve.
 std::string chart_csv(const BifurcationChart& chart);
+
+/// A picture file (SVG): boxes in which something is proved, shaded by what; curves, solid where a stable balance loses
+/// its stability softly, dashed where abruptly, thin where it was unstable before; those of locked states in colour;
+/// special points; letters of regions. `title` goes before the parameters.
+std::string chart_plot(const BifurcationChart& chart, const std::string& title);
+
+/// "balance stable; balls together unstable (2)".
+std::string region_words(const BifurcationChart& chart, const ChartRegion& region);
+
+/// Of them those that are stable: "balance, balls together".
+std::string stable_words(const BifurcationChart& chart, const ChartRegion& region);
+
+/// Regions that are told of and drawn, the largest first: no part below half a percent, and at most as many as letters.
+std::size_t told_regions(const BifurcationChart& chart);
+/// "A" of the largest.
+std::string region_letter(std::size_t number);
+
+/// A paragraph a region: letter, part of the plane, what is at rest there.
+std::string regions_list(const BifurcationChart& chart, const TextStyle& style);
+/// What the table leaves out, and what regions do not tell.
+std::string region_notes(const BifurcationChart& chart);
 
 }  // namespace equipoise

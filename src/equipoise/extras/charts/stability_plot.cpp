@@ -1,5 +1,5 @@
 // The image, the boundaries, the legend.
-#include "equipoise/extras/charts/stability_plot.hpp"
+#include "equipoise/extras/charts/stability_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/extras/charts/plane_plot.hpp"
-#include "equipoise/extras/charts/shown_axis.hpp"
-#include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"

@@ -1,4 +1,4 @@
-// Where balance is stable in a plane, as text, JSON and CSV.
+// Where balance is stable in a plane: text, JSON, CSV, picture.
 #pragma once
 
 #include <string>
@@ -28,5 +28,11 @@ std::string stability_json(const StabilityPlane& plane);
 
 /// One line a point: both values, then the numbers of point_numbers.
 std::string stability_csv(const StabilityPlane& plane);
+
+/// A picture file (SVG). Where balance is stable or unstable the plane is the darker, the faster deviations die out or
+/// grow. Lines show where a pair of eigenvalues crosses (solid), where a real one does (dotted) and where the balanced
+/// state ends (dashed); a ring the study's own point. Axes are in the machine's units if it has them. `title` goes
+/// before the parameters.
+std::string stability_plot(const StabilityPlane& plane, const std::string& title);
 
 }  // namespace equipoise

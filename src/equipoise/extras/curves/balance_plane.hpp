@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/extras/stability/balance_spectrum.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
 
 namespace equipoise {

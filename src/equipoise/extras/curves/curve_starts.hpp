@@ -1,10 +1,13 @@
-// Where curves begin to be followed: between places that differ; each curve once.
+// The parts of a chart: where curves begin to be followed, each curve once; regions; proofs.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/running/run_options.hpp"
+#include "equipoise/extras/curves/balance_plane.hpp"
 #include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
@@ -30,5 +33,28 @@ void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, B
 /// curve begins, unless it is known. For a chart that has all other curves. Curves are followed as soon as the cycles
 /// before theirs are: a run that is stopped has those that it got to.
 void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
+
+/// Curves of locked states and the chart's regions. Of a rotor whose locked states are not known regions tell of
+/// balance alone, and chart.no_locked says why. The result does not depend on the number of threads.
+void add_locked_states(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
+                       BifurcationChart& chart);
+
+/// What exists at a point.
+struct RegionPattern {
+  BalanceKind balance = BalanceKind::not_computed;
+  std::vector<std::vector<int>> unstable;  ///< by kind of locked state, of each such state: unstable eigenvalues
+
+  bool operator<(const RegionPattern& other) const {
+    return balance != other.balance ? balance < other.balance : unstable < other.unstable;
+  }
+};
+/// `pattern_of`: by point of the grid. Sets chart.regions, the largest first, and chart.region_of.
+void add_regions(const std::vector<RegionPattern>& patterns, const std::vector<int>& pattern_of,
+                 BifurcationChart& chart);
+
+/// Halves boxes, the largest first, until at most `undecided` of the plane is open or `most` boxes were judged. Leaves
+/// chart.not_proved where nothing can be proved of this rotor or of these keys.
+void add_proof_boxes(const PlaneStudies& studies, std::uint64_t most, double undecided, const StopFlag* stop,
+                     BifurcationChart& chart);
 
 }  // namespace equipoise

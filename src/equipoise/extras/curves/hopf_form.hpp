@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "equipoise/extras/stability/balance_spectrum.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
 
 namespace equipoise {
 

@@ -1,13 +1,11 @@
 // States at the points, bisection between neighbours that differ, and connected regions.
-#include "equipoise/extras/curves/locked_grid.hpp"
+#include "equipoise/extras/curves/curve_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/curves/curve_starts.hpp"
-#include "equipoise/extras/planes/chart_regions.hpp"
 #include "equipoise/extras/curves/locked_curve.hpp"
 #include "equipoise/core/running/parallel.hpp"
 

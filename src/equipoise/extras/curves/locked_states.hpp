@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "equipoise/extras/stability/balance_spectrum.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {

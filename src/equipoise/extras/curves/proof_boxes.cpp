@@ -1,5 +1,5 @@
 // Which parameters the two keys are, and the subdivision.
-#include "equipoise/extras/curves/proof_boxes.hpp"
+#include "equipoise/extras/curves/curve_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,16 +108,7 @@ class BoxSearch {
     };
     BoxRotor rotor{number(0), number(1), number(2), number(3), number(4), {number(5), number(6)}};
     if (rotor.speed.centre < 0.0) rotor.speed = -rotor.speed;  // seen in a mirror
-    switch (judge_box(rotor)) {
-      case BoxJudgement::none:
-        return ProvedKind::none;
-      case BoxJudgement::stable:
-        return ProvedKind::stable;
-      case BoxJudgement::unstable:
-        return ProvedKind::unstable;
-      default:
-        return ProvedKind::open;
-    }
+    return judge_box(rotor);
   }
 
   // The longer side, as a part of the plane's; of a box that holds a standing rotor the speed.

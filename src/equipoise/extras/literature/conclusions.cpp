@@ -1,5 +1,5 @@
 // The conclusions, each with the pairs of rows that support it.
-#include "equipoise/extras/literature/conclusions.hpp"
+#include "equipoise/extras/literature/reproduction.hpp"
 
 namespace equipoise {
 

@@ -89,7 +89,7 @@ void judge(ReproducedTable& table) {
           compare_starts(row.by_published_law->balanced, row.by_kinematic_law->balanced), difference_confidence);
   }
   table.single_limit = joint_error / std::max(1, judged);
-  table.agreeing = table.differing = table.not_comparable = table.below_one_percent = 0;
+  static_cast<CellCounts&>(table) = {};
   for (ReproducedRow& row : table.rows)
     for (ReproducedCell& cell : row.cells) {
       if (cell.reason.empty()) {

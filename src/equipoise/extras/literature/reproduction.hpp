@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "equipoise/core/statistics/comparison.hpp"
-#include "equipoise/extras/literature/conclusions.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 
@@ -43,15 +42,48 @@ struct ReproducedRow {
   std::vector<ReproducedCell> cells;                                 ///< judged under the published law
   std::optional<ShareDifference> law_difference;  ///< balanced share, kinematic minus published, 99 %, common starts
   std::string follow_up;                          ///< why more starts than asked were taken; empty if they were not
+
+  /// use(ensemble, law) for each law that was computed.
+  template <class Use>
+  void for_each_law(const Use& use) const {
+    if (by_published_law) use(*by_published_law, model::SpeedLaw::published);
+    if (by_kinematic_law) use(*by_kinematic_law, model::SpeedLaw::kinematic);
+  }
 };
 
-struct ReproducedTable {
-  const PublishedTable* published = nullptr;
-  std::vector<ReproducedRow> rows;
-  double single_limit = 0.0;  ///< a cell differs if its p value is below this: 1 % over all judged cells of the table
+struct CellCounts {
   int agreeing = 0, differing = 0, not_comparable = 0;
   int below_one_percent = 0;  ///< judged cells with p < 0.01 each; chance gives one in a hundred
 };
+
+struct ReproducedTable : CellCounts {
+  const PublishedTable* published = nullptr;
+  std::vector<ReproducedRow> rows;
+  double single_limit = 0.0;  ///< a cell differs if its p value is below this: 1 % over all judged cells of the table
+};
+
+/// The balanced share of `second` compared with that of `first`; names of studies in studies/paper.
+struct Contrast {
+  std::string first, second;
+};
+
+/// One conclusion that a reader draws from the printed numbers.
+struct Conclusion {
+  enum class Kind {
+    rises,      ///< every second share is larger than its first
+    unchanged,  ///< every pair differs by less than `margin`
+  };
+  std::string text;
+  int table = 0;
+  Kind kind = Kind::rises;
+  std::vector<Contrast> contrasts;
+};
+
+/// Differences below one percentage point do not matter to anyone who chooses a spin-up.
+inline constexpr double unchanged_margin = 0.01;
+
+/// What the printed tables show, as contrasts between two ensembles each, to be tested under either speed law.
+const std::vector<Conclusion>& conclusions();
 
 /// One conclusion tested under one law.
 struct ConclusionResult {
@@ -70,6 +102,8 @@ const char* name_of(ConclusionResult::Answer answer);
 struct ConclusionRow {
   const Conclusion* conclusion = nullptr;
   ConclusionResult published, kinematic;
+  /// Whether either law was asked.
+  bool asked() const { return !published.differences.empty() || !kinematic.differences.empty(); }
 };
 
 /// Fills in counts and verdicts of a table whose rows are computed.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "equipoise/core/math/affine_form.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
 
 namespace equipoise {
 
@@ -21,13 +22,7 @@ struct BoxRotor {
 /// a positive number, the characteristic polynomial. docs/explanation/equations.md, "Eigenvalues at balance".
 std::array<BoxNumber, 9> balance_polynomial(const BoxRotor& rotor);
 
-enum class BoxJudgement {
-  open,      ///< not decided
-  none,      ///< nowhere in the box a balanced state exists
-  stable,    ///< everywhere one exists and all eigenvalues have negative real parts
-  unstable,  ///< everywhere one exists and some eigenvalue has a positive real part
-};
 /// By Routh's array (E. J. Routh, 1877) in affine arithmetic, which rounds outwards.
-BoxJudgement judge_box(const BoxRotor& rotor);
+ProvedKind judge_box(const BoxRotor& rotor);
 
 }  // namespace equipoise

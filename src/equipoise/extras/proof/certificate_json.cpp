@@ -1,5 +1,5 @@
 // Certificates as JSON: readable by people, with one line per box.
-#include "equipoise/extras/proof/certificate_json.hpp"
+#include "equipoise/extras/proof/certify_report.hpp"
 
 #include <algorithm>
 #include <array>

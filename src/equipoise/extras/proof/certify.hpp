@@ -2,11 +2,63 @@
 // This room: proofs about one study, and stability proved over boxes of parameters.
 #pragma once
 
+#include <array>
+#include <string>
+#include <vector>
+
+#include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/core/running/run_options.hpp"
-#include "equipoise/extras/proof/certify_result.hpp"
+#include "equipoise/extras/proof/member_certificate.hpp"
+#include "equipoise/machine/model/parameters.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
+
+/// One stable balanced state; exchange copies of equal balls share a proof.
+struct StateProof {
+  Certificate certificate;                    ///< level 0: nothing proved
+  int copies = 1;                             ///< balanced states that the proof covers
+  double critical = 0.0;                      ///< smallest level at which V was seen not to decrease, by sampling
+  std::array<double, max_dimension> reach{};  ///< largest deviation in each variable on the proved level set
+  CertificateResult check;                    ///< of the finished certificate, from its own data; or why there is none
+  double seconds = 0.0, check_seconds = 0.0;
+};
+
+/// One member of a continuum of balanced states.
+struct MemberProof {
+  MemberCertificate certificate;  ///< radius 0: nothing proved
+  CertificateResult check;        ///< of the finished certificate, from its own data; or why there is none
+  double growth = 0.0;            ///< largest real part across the continuum, by linear theory in doubles
+};
+
+struct CertifyResult {
+  Study study;
+  double speed = 0.0;                ///< final speed of the study
+  std::vector<StateProof> states;    ///< one for each stable state that is no copy
+  std::vector<MemberProof> members;  ///< of a continuum, drawn evenly; says nothing of other members
+  std::string note;                  ///< why there is no state to prove anything about
+  bool partial = false;              ///< stopped before every state was tried
+  /// Whether there is a stable state and each has a checked proof. For a continuum: whether each member drawn is proved
+  /// to attract or not, and some attract.
+  bool proved() const;
+  /// Members that are proved to attract, or to be unstable.
+  int attracting() const { return members_proved(true); }
+  int unstable() const { return members_proved(false); }
+
+ private:
+  int members_proved(bool attracts) const;
+};
+
+/// Certificates read from a file, and what check_certificate() says of each.
+struct CertificateFile {
+  std::string path;
+  std::vector<Certificate> certificates;
+  std::vector<CertificateResult> checks;
+  std::vector<MemberCertificate> members;
+  std::vector<CertificateResult> member_checks;
+  /// Whether all of them are valid.
+  bool proved() const;
+};
 
 /// Proves as large a level set as it can for each stable balanced state at the final speed, and checks the finished
 /// certificate. A failed proof is no error: the result says why. Progress counts balanced states. After a stop the

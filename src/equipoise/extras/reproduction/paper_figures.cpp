@@ -106,85 +106,90 @@ FigurePanel attractor_panel(const std::string& alias, double speed, double until
   return panel;
 }
 
-PaperFigure attractors_figure(const StopFlag* stop) {
-  PaperFigure figure{"figure-attractors",
-                     "The vibrating attractors V1 to V4",
-                     "Radial displacement r against time on the motions other than balance, at constant speed; β = "
-                     "0.05, ζ = 0.5. V1: balls coincident; V2: a torus, never quite repeating; V3: one ball captured; "
-                     "V4: the same with four times the period.",
-                     "",
-                     {}};
+using Panels = std::vector<FigurePanel>;
+
+Panels attractors(const StopFlag* stop) {
+  Panels panels;
   for (const auto& [alias, speed] : {std::pair{"V1", 2.2}, {"V2", 2.2}, {"V3", 4.4}, {"V4", 4.4}})
-    figure.panels.push_back(attractor_panel(alias, speed, 50.0, stop));
-  return figure;
+    panels.push_back(attractor_panel(alias, speed, 50.0, stop));
+  return panels;
 }
 
-PaperFigure transients_figure(const StopFlag* stop) {
-  PaperFigure figure{
-      "figure-transients",
-      "Transients after ramps of six durations",
-      "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
-      "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
-      "them opposite, as the text says.",
-      {}};
+Panels transients(const StopFlag* stop) {
+  Panels panels;
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
-    FigurePanel panel{fmt::format("T0 = {}", duration), {}};
+    FigurePanel& panel = panels.emplace_back(FigurePanel{fmt::format("T0 = {}", duration), {}});
     for (const SpeedLaw law : both_laws)
       panel.series.push_back(curve(ramp_study(0.5, 0.05, 2.4, duration, 2.4, law), "", duration + 200.0, stop));
-    figure.panels.push_back(std::move(panel));
   }
-  return figure;
+  return panels;
 }
 
 // Balls released at the end of the ramp and at `early`: one panel per law, one curve per release speed.
-void add_releases(PaperFigure& figure, const std::string& title, double zeta, double beta, double final, double early,
+void add_releases(Panels& panels, const std::string& title, double zeta, double beta, double final, double early,
                   double until, const StopFlag* stop) {
   for (const SpeedLaw law : both_laws) {
-    FigurePanel panel{fmt::format("{}{} law", title, name_of(law)), {}};
+    FigurePanel& panel = panels.emplace_back(FigurePanel{fmt::format("{}{} law", title, name_of(law)), {}});
     for (const double release : {final, early})
       panel.series.push_back(curve(ramp_study(zeta, beta, final, omitted_duration, release, law),
                                    fmt::format("({}) released at {}", release == final ? "i" : "ii", release), until,
                                    stop));
-    figure.panels.push_back(std::move(panel));
   }
 }
 
-PaperFigure ball_lag_figure(const StopFlag* stop) {
-  PaperFigure figure{"figure-ball-lag",
-                     "Ball lag: released at the end of the ramp or on the way",
-                     "r against time: ramp 0 to 5, balls at φ = −π/2, π/2 released at 5 (i) and at 2 (ii); β = 0.01, ζ "
-                     "= 0.02. Balls released early lag behind the rotor while it speeds up.",
-                     words::paper::no_duration_in_caption,
-                     {}};
-  add_releases(figure, "", 0.02, 0.01, 5.0, 2.0, 1500.0, stop);
-  return figure;
+Panels ball_lag(const StopFlag* stop) {
+  Panels panels;
+  add_releases(panels, "", 0.02, 0.01, 5.0, 2.0, 1500.0, stop);
+  return panels;
 }
 
-PaperFigure release_figure(const StopFlag* stop) {
-  PaperFigure figure{"figure-release",
-                     "Release at 2.4 against 2.2",
-                     "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for "
-                     "four pairs of external and internal damping.",
-                     words::paper::no_duration_in_caption,
-                     {}};
+Panels releases(const StopFlag* stop) {
+  Panels panels;
   for (const auto& [zeta, beta] : {std::pair{0.02, 0.01}, {0.02, 0.25}, {0.5, 0.05}, {0.5, 0.25}})
-    add_releases(figure, fmt::format("ζ = {}, β = {}: ", zeta, beta), zeta, beta, 2.4, 2.2, 900.0, stop);
-  return figure;
+    add_releases(panels, fmt::format("ζ = {}, β = {}: ", zeta, beta), zeta, beta, 2.4, 2.2, 900.0, stop);
+  return panels;
 }
+
+constexpr char no_duration_in_caption[] =
+    "The caption gives no T0. Chosen: T0 = 500, the duration that the paper fixes for its table 4 and that its tables "
+    "5 and 6 share.";
+
+struct FigureRecipe {
+  const char *id, *title, *caption, *choice;
+  Panels (*panels)(const StopFlag* stop);
+};
+constexpr std::array<FigureRecipe, 4> recipes{{
+    {"figure-attractors", "The vibrating attractors V1 to V4",
+     "Radial displacement r against time on the motions other than balance, at constant speed; β = 0.05, ζ = 0.5. V1: "
+     "balls coincident; V2: a torus, never quite repeating; V3: one ball captured; V4: the same with four times the "
+     "period.",
+     "", attractors},
+    {"figure-transients", "Transients after ramps of six durations",
+     "r against time: ramp 0 to 2.4 in T0, balls clamped at φ = −π/2, π/2 and released at 2.4; β = 0.05, ζ = 0.5.",
+     "The caption starts both balls at −π and π, which is one point; −π/2 and π/2, as in the later figures, makes "
+     "them opposite, as the text says.",
+     transients},
+    {"figure-ball-lag", "Ball lag: released at the end of the ramp or on the way",
+     "r against time: ramp 0 to 5, balls at φ = −π/2, π/2 released at 5 (i) and at 2 (ii); β = 0.01, ζ = 0.02. Balls "
+     "released early lag behind the rotor while it speeds up.",
+     no_duration_in_caption, ball_lag},
+    {"figure-release", "Release at 2.4 against 2.2",
+     "r against time: ramp 0 to 2.4, balls at φ = −π/2, π/2 released at 2.4 (i) and at 2.2 (ii), for four pairs of "
+     "external and internal damping.",
+     no_duration_in_caption, releases},
+}};
 
 }  // namespace
 
-const std::vector<std::string>& paper_figure_ids() {
-  static const std::vector<std::string> ids{"figure-attractors", "figure-transients", "figure-ball-lag",
-                                            "figure-release"};
+std::vector<std::string> paper_figure_ids() {
+  std::vector<std::string> ids;
+  for (const FigureRecipe& recipe : recipes) ids.emplace_back(recipe.id);
   return ids;
 }
 
 PaperFigure paper_figure(const std::string& id, const StopFlag* stop) {
-  if (id == "figure-attractors") return attractors_figure(stop);
-  if (id == "figure-transients") return transients_figure(stop);
-  if (id == "figure-ball-lag") return ball_lag_figure(stop);
-  if (id == "figure-release") return release_figure(stop);
+  for (const FigureRecipe& r : recipes)
+    if (r.id == id) return {r.id, r.title, r.caption, r.choice, r.panels(stop)};
   throw InputError("figure", "", id, "must be one of paper_figure_ids()");
 }
 

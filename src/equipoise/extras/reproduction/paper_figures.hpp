@@ -26,7 +26,7 @@ struct PaperFigure {
 };
 
 /// "figure-attractors", "figure-transients", "figure-ball-lag", "figure-release".
-const std::vector<std::string>& paper_figure_ids();
+std::vector<std::string> paper_figure_ids();
 
 /// Computes a figure's curves by simulate(). Panels are empty if stopped early. `id`: one of paper_figure_ids().
 PaperFigure paper_figure(const std::string& id, const StopFlag* stop = nullptr);

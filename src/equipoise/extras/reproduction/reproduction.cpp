@@ -9,7 +9,7 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/reproduction/reproduction_words.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
 #include "equipoise/report/text/text.hpp"
 
@@ -141,12 +141,11 @@ std::string table_text(const ReproducedTable& t, const TextStyle& style) {
       text += cell_line(row, c, first, columns, style);
       first = false;
     }
-    for (const auto* e : {&row.by_published_law, &row.by_kinematic_law})
-      if (*e) {
-        undecided += (*e)->undecided.count;
-        lost += (*e)->lost();
-        starts += (*e)->starts;
-      }
+    row.for_each_law([&](const EnsembleResult& e, model::SpeedLaw) {
+      undecided += e.undecided.count;
+      lost += e.lost();
+      starts += e.starts;
+    });
   }
   text += fmt::format(
       "{} cells agree, {} differ{}, {} not comparable; {} of the judged below p = 0.01 ({:.1f} expected by chance). {} "
@@ -156,14 +155,27 @@ std::string table_text(const ReproducedTable& t, const TextStyle& style) {
   return text;
 }
 
+// One line per table: cells agreeing, differing, not comparable.
+std::string summary_text(const Reproduction& r) {
+  const auto line = [](const std::string& name, const auto& agree, const auto& differ, const auto& rest) {
+    return fmt::format("{:<10}{:>8}{:>9}{:>16}\n", name, agree, differ, rest);
+  };
+  std::string text = line("", "agree", "differ", "not comparable");
+  for (const ReproducedTable& t : r.tables)
+    text += line(fmt::format("table {}", t.published->number), t.agreeing, t.differing, t.not_comparable);
+  const CellCounts all = all_cells(r);
+  text += line("all", all.agreeing, all.differing, all.not_comparable);
+  return text + "Judged jointly over each table at 99 % by the errors of both samples, under the published law.\n";
+}
+
 std::string lead_text(const Reproduction& r) {
   if (r.table_7_lead.empty()) return "";
   std::string text =
       "Table 7, the best lead (docs/evidence/table-7.md; fitted to the printed shares, not claimed): kinematic law, "
       "balls released at 2.2, balanced if r < 0.00134 from t = 630 to 730\n";
-  for (const LeadRow& row : r.table_7_lead)
-    text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", row.label, row.printed, percentage(row.balanced),
-                        interval(row.balanced));
+  for (const LeadReading& lead : r.table_7_lead)
+    text += fmt::format("  {:<22}{:>9.2f} {:>9}  {:<20}\n", lead.row.label(), lead.row.printed,
+                        percentage(lead.balanced), interval(lead.balanced));
   return text + "\n";
 }
 
@@ -185,9 +197,7 @@ std::string open_text(const OpenQuestions& open) {
 std::string conclusions_text(const Reproduction& r) {
   std::string text;
   for (const ConclusionRow& row : r.conclusions) {
-    if (row.published.answer == ConclusionResult::Answer::not_asked &&
-        row.kinematic.answer == ConclusionResult::Answer::not_asked)
-      continue;
+    if (!row.asked()) continue;
     text += fmt::format("  {} (table {}).\n    published law: {}; kinematic law: {}\n", row.conclusion->text,
                         row.conclusion->table, answer_text(row.published), answer_text(row.kinematic));
   }
@@ -200,9 +210,7 @@ std::string conclusions_text(const Reproduction& r) {
 
 }  // namespace
 
-bool Reproduction::differs() const {
-  return std::any_of(tables.begin(), tables.end(), [](const ReproducedTable& t) { return t.differing > 0; });
-}
+bool Reproduction::differs() const { return all_cells(*this).differing > 0; }
 
 std::string reproduction_text(const Reproduction& r, const TextStyle& style) {
   std::string text;
@@ -231,8 +239,8 @@ std::string reproduction_json(const Reproduction& r) {
                            {"kinematic_law", answer_json(c.kinematic)}});
   for (const Picture& p : r.pictures) pictures.push_back({{"id", p.id}, {"title", p.title}, {"path", p.path}});
   Json lead = Json::array();
-  for (const LeadRow& row : r.table_7_lead)
-    lead.push_back(with_share({{"row", row.label}, {"printed", row.printed}}, row.balanced));
+  for (const LeadReading& reading : r.table_7_lead)
+    lead.push_back(with_share({{"row", reading.row.label()}, {"printed", reading.row.printed}}, reading.balanced));
   const Json json{{"command", r.command},
                   {"version", version_string},
                   {"citation", published_citation},

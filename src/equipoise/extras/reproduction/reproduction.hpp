@@ -9,6 +9,7 @@
 #include "equipoise/extras/literature/reproduction.hpp"
 #include "equipoise/extras/reproduction/open_questions.hpp"
 #include "equipoise/extras/reproduction/paper_figures.hpp"
+#include "equipoise/extras/reproduction/table_7.hpp"
 #include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise {
@@ -18,17 +19,10 @@ struct Picture {
   std::string id, title, path;
 };
 
-/// A row of table 7 under the reading that fits best among those that test balance: a lead, not a claim.
-struct LeadRow {
-  std::string label;
-  double printed = 0.0;  ///< percent
-  Share balanced;
-};
-
 struct Reproduction {
   std::vector<ReproducedTable> tables;
   std::vector<ConclusionRow> conclusions;
-  std::vector<LeadRow> table_7_lead;
+  std::vector<LeadReading> table_7_lead;
   std::vector<PaperFigure> figures;
   std::optional<OpenQuestions> open;
   std::vector<Picture> pictures;

@@ -6,27 +6,19 @@
 #include <cctype>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/reproduction/reproduction_plots.hpp"
-#include "equipoise/extras/reproduction/reproduction_words.hpp"
 #include "equipoise/report/drawing/plot_svg.hpp"
 #include "equipoise/report/plots/map_drawing.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/report/words/pages.hpp"
 
 namespace equipoise {
 
 namespace {
 
 using Answer = ConclusionResult::Answer;
-
-DocumentCell text(const std::string& words, Tone tone = Tone::plain) { return {words, tone, false}; }
-DocumentCell number(const std::string& words) { return {words, Tone::plain, true}; }
-
-// A row's name, on one line where there is room.
-DocumentCell label(const std::string& words) { return {words, Tone::plain, false, true}; }
 
 DrawingRow pictured(const std::vector<Plot>& plots, const std::string& caption) {
   return drawn(plots, caption, caption, true);
@@ -42,17 +34,14 @@ Tone tone_of(Answer answer) {
 }
 
 void verdicts(const Reproduction& r, Document& d) {
-  int agree = 0, differ = 0, rest = 0;
+  const CellCounts all = all_cells(r);
   DocumentTable table{
       {"table", "what", "agree", "differ", "not comparable", "p < 0.01", "by chance"}, {}, "", false, {5, 6}};
   for (const ReproducedTable& t : r.tables) {
-    agree += t.agreeing;
-    differ += t.differing;
-    rest += t.not_comparable;
-    table.rows.push_back({text(std::to_string(t.published->number)), text(t.published->title),
-                          number(std::to_string(t.agreeing)), number(std::to_string(t.differing)),
-                          number(std::to_string(t.not_comparable)), number(std::to_string(t.below_one_percent)),
-                          number(fmt::format("{:.1f}", 0.01 * (t.agreeing + t.differing)))});
+    table.rows.push_back(row_of(
+        "ttnnnnn", {std::to_string(t.published->number), t.published->title, std::to_string(t.agreeing),
+                    std::to_string(t.differing), std::to_string(t.not_comparable), std::to_string(t.below_one_percent),
+                    fmt::format("{:.1f}", 0.01 * (t.agreeing + t.differing))}));
     table.rows.back()[2].tone = t.agreeing > 0 ? Tone::good : Tone::plain;
     table.rows.back()[3].tone = t.differing > 0 ? Tone::bad : Tone::plain;
     table.rows.back()[4].tone = t.not_comparable > 0 ? Tone::open : Tone::plain;
@@ -64,11 +53,12 @@ void verdicts(const Reproduction& r, Document& d) {
       "two columns: judged cells with a p value below 0.01 each, and how many chance gives.";
   if (r.tables.empty()) return;
   d.blocks.push_back(Heading{2, "Verdict", "verdict"});
-  d.blocks.push_back(Paragraph{fmt::format("{} of {} judged cells agree with the printed ones, {} differ{}. {} cells "
-                                           "are not comparable, with the reason beside each.{}",
-                                           agree, agree + differ, differ, differ == 1 ? "s" : "", rest,
-                                           r.partial ? " PARTIAL: the run was stopped before all was done." : ""),
-                               differ > 0 ? Tone::bad : Tone::good});
+  d.blocks.push_back(
+      Paragraph{fmt::format("{} of {} judged cells agree with the printed ones, {} differ{}. {} cells "
+                            "are not comparable, with the reason beside each.{}",
+                            all.agreeing, all.agreeing + all.differing, all.differing, all.differing == 1 ? "s" : "",
+                            all.not_comparable, r.partial ? " PARTIAL: the run was stopped before all was done." : ""),
+                all.differing > 0 ? Tone::bad : Tone::good});
   d.blocks.push_back(std::move(table));
 }
 
@@ -86,10 +76,12 @@ void laws(const Reproduction& r, Document& d) {
   DocumentTable table{
       {"what the printed numbers say", "table", "published law", "kinematic law", "conclusion"}, {}, "", false, {1}};
   for (const ConclusionRow& row : r.conclusions) {
-    if (row.published.answer == Answer::not_asked && row.kinematic.answer == Answer::not_asked) continue;
-    table.rows.push_back({text(row.conclusion->text), text(std::to_string(row.conclusion->table)),
-                          text(answer_text(row.published), tone_of(row.published.answer)),
-                          text(answer_text(row.kinematic), tone_of(row.kinematic.answer)), text(fate_of(row))});
+    if (!row.asked()) continue;
+    table.rows.push_back({{row.conclusion->text},
+                          {std::to_string(row.conclusion->table)},
+                          {answer_text(row.published), tone_of(row.published.answer)},
+                          {answer_text(row.kinematic), tone_of(row.kinematic.answer)},
+                          {fate_of(row)}});
   }
   if (table.rows.empty()) return;
   table.caption =
@@ -117,9 +109,9 @@ void table_7_evidence(const Reproduction& r, Document& d) {
                 "the lead on tables 1 to 6, and the commands."});
   if (!r.table_7_lead.empty()) {
     DocumentTable table{{"T0, T1, T2", "printed", "best lead", "95 % interval"}, {}, "", false, {}};
-    for (const LeadRow& row : r.table_7_lead)
-      table.rows.push_back({label(row.label), number(fmt::format("{:.2f}", row.printed)),
-                            number(percentage(row.balanced)), number(interval(row.balanced))});
+    for (const LeadReading& lead : r.table_7_lead)
+      table.rows.push_back(row_of("lnnn", {lead.row.label(), fmt::format("{:.2f}", lead.row.printed),
+                                           percentage(lead.balanced), interval(lead.balanced)}));
     table.caption = fmt::format(
         "Best lead: kinematic law, balls released when the ramp reaches 2.2, balanced if r < 0.00134 from t = 630 to "
         "730; computed anew from {} starts a row. Release, time and tolerance were chosen by these very numbers.",
@@ -129,11 +121,9 @@ void table_7_evidence(const Reproduction& r, Document& d) {
   DocumentTable table{
       {"protocol", "balanced if", "shares, %", "starts a row", "χ²", "free cells"}, {}, "", true, {3, 5}};
   for (const Table7Candidate& c : table_7_candidates())
-    table.rows.push_back(
-        {text(c.protocol), text(c.test),
-         text(fmt::format("{:.2f}, {:.2f}, {:.2f}, {:.2f}", c.percent[0], c.percent[1], c.percent[2], c.percent[3])),
-         number(std::to_string(c.starts)), number(fmt::format("{:.1f}", c.chi_squared)),
-         number(std::to_string(c.free_cells))});
+    table.rows.push_back(row_of(
+        "tttnnn", {c.protocol, c.test, fmt::format("{:.2f}", fmt::join(c.percent, ", ")), std::to_string(c.starts),
+                   fmt::format("{:.1f}", c.chi_squared), std::to_string(c.free_cells)}));
   table.caption =
       "Fitted readings: χ² is the deviance from the printed 98.43, 97.19, 97.64, 93.64 with both samples' errors. A "
       "true reading stays below 6.0 in 95 % of cases (two free cells); choosing among protocols adds freedom";
@@ -154,8 +144,7 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
   DocumentTable table{{"row", "motion", "printed", "computed", "95 % interval", "p", "verdict"}, {}, "", false, {4, 5}};
   const bool kinematic = t.published->ramps;
   if (kinematic) {
-    table.header.push_back("kinematic");
-    table.header.push_back("kinematic − published (99 %)");
+    table.header.insert(table.header.end(), {"kinematic", "kinematic − published (99 %)"});
     table.spare.push_back(8);
   }
   for (const ReproducedRow& row : t.rows) {
@@ -163,14 +152,13 @@ void table_section(const Reproduction& r, const ReproducedTable& t, Document& d)
     for (const ReproducedCell& c : row.cells) {
       if (is_idle(c) && c.verdict == Verdict::agrees) continue;
       const CellWords words = cell_words(row, c);
-      table.rows.push_back({label(first ? row.published->label : ""), text(c.published->attractor),
-                            number(words.printed), number(words.computed), number(words.interval),
-                            number(words.p_value), text(name_of(c.verdict), tone_of(c.verdict))});
-      if (kinematic) {
-        table.rows.back().push_back(number(words.kinematic));
-        const bool balanced = c.published->attractor == "balanced";
-        table.rows.back().push_back(number(balanced && row.law_difference ? difference_text(*row.law_difference) : ""));
-      }
+      const bool differs = c.published->attractor == "balanced" && row.law_difference;
+      table.rows.push_back(row_of(
+          "ltnnnntnn",
+          {first ? row.published->label : "", c.published->attractor, words.printed, words.computed, words.interval,
+           words.p_value, name_of(c.verdict), words.kinematic, differs ? difference_text(*row.law_difference) : ""}));
+      table.rows.back()[6].tone = tone_of(c.verdict);
+      table.rows.back().resize(table.header.size());
       first = false;
     }
   }
@@ -215,8 +203,8 @@ void open_questions(const Reproduction& r, Document& d) {
       const auto same = [&](const OutcomeShare& other) { return other.name == a.name; };
       const auto at = std::find_if(b.rest.attractors.begin(), b.rest.attractors.end(), same);
       const Share rest = at == b.rest.attractors.end() ? wilson_share(0, b.rest.starts) : at->share;
-      table.rows.push_back({number(fmt::format("{}", b.speed)), text(title_of(a)), number(percentage(a.share)),
-                            number(interval(a.share)), number(percentage(rest)), number(interval(rest))});
+      table.rows.push_back(row_of("ntnnnn", {fmt::format("{}", b.speed), title_of(a), percentage(a.share),
+                                             interval(a.share), percentage(rest), interval(rest)}));
     }
   if (!r.open->boxes.empty())
     table.caption = fmt::format("{} starts a sample; undecided: {}.", r.open->boxes.front().box.starts,
@@ -234,20 +222,19 @@ void figures(const Reproduction& r, Document& d) {
   }
 }
 
-void ensemble_row(DocumentTable& table, const ReproducedRow& row, const std::optional<EnsembleResult>& e, bool ramps,
-                  const char* law, const std::string& explorer) {
-  if (!e) return;
-  const auto lost = e->lost();
-  DocumentCell study = text(row.published->study);
+std::vector<DocumentCell> ensemble_row(const ReproducedRow& row, const EnsembleResult& e, bool ramps, const char* law,
+                                       const std::string& explorer) {
+  const std::string& study = row.published->study;
+  std::vector<DocumentCell> cells =
+      row_of("ttnnnnnt",
+             {study, ramps ? law : "constant speed", std::to_string(e.starts), e.starts ? interval(e.undecided) : "-",
+              std::to_string(e.lost()), std::to_string(e.seed), fmt::format("{:.1f}", e.cpu_seconds),
+              fmt::format("equipoise basin studies/paper/{}.toml --starts {}{}", study, e.starts,
+                          ramps ? fmt::format(" --set speed.law={}", law) : "")});
   // The same address as the explorer writes (web/src/setting/setting.ts).
   if (!explorer.empty())
-    study.link = fmt::format("{}#study={}{}", explorer, row.published->study,
-                             ramps ? fmt::format("&set=speed.law%3D{}", law) : "");
-  table.rows.push_back({std::move(study), text(ramps ? law : "constant speed"), number(std::to_string(e->starts)),
-                        number(e->starts ? interval(e->undecided) : "-"), number(std::to_string(lost)),
-                        number(std::to_string(e->seed)), number(fmt::format("{:.1f}", e->cpu_seconds)),
-                        text(fmt::format("equipoise basin studies/paper/{}.toml --starts {}{}", row.published->study,
-                                         e->starts, ramps ? fmt::format(" --set speed.law={}", law) : ""))});
+    cells[0].link = fmt::format("{}#study={}{}", explorer, study, ramps ? fmt::format("&set=speed.law%3D{}", law) : "");
+  return cells;
 }
 
 void settings(const Reproduction& r, const std::string& explorer, Document& d) {
@@ -268,10 +255,10 @@ void settings(const Reproduction& r, const std::string& explorer, Document& d) {
   table.caption = "Every ensemble: its study, seed, cost, and the command that computes it alone";
   if (!explorer.empty()) table.caption += "; a study's name leads to the explorer, at that setting";
   for (const ReproducedTable& t : r.tables)
-    for (const ReproducedRow& row : t.rows) {
-      ensemble_row(table, row, row.by_published_law, t.published->ramps, "published", explorer);
-      ensemble_row(table, row, row.by_kinematic_law, t.published->ramps, "kinematic", explorer);
-    }
+    for (const ReproducedRow& row : t.rows)
+      row.for_each_law([&](const EnsembleResult& e, model::SpeedLaw law) {
+        table.rows.push_back(ensemble_row(row, e, t.published->ramps, name_of(law), explorer));
+      });
   if (!table.rows.empty()) d.blocks.push_back(std::move(table));
   d.blocks.push_back(
       Paragraph{fmt::format("Printed numbers: {}. Only the numbers are taken over.", published_citation)});

@@ -1,5 +1,5 @@
 // The plots of a reproduced paper.
-#include "equipoise/extras/reproduction/reproduction_plots.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
 
 #include <array>
 #include <map>

@@ -1,5 +1,5 @@
 // Words and numbers that every form of a reproduction shares.
-#include "equipoise/extras/reproduction/reproduction_words.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -56,19 +56,14 @@ std::string answer_text(const ConclusionResult& c) {
   return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
 }
 
-std::string summary_text(const Reproduction& r) {
-  std::string text = fmt::format("{:<10}{:>8}{:>9}{:>16}\n", "", "agree", "differ", "not comparable");
-  int agree = 0, differ = 0, rest = 0;
+CellCounts all_cells(const Reproduction& r) {
+  CellCounts all;
   for (const ReproducedTable& t : r.tables) {
-    text +=
-        fmt::format("table {:<4}{:>8}{:>9}{:>16}\n", t.published->number, t.agreeing, t.differing, t.not_comparable);
-    agree += t.agreeing;
-    differ += t.differing;
-    rest += t.not_comparable;
+    all.agreeing += t.agreeing;
+    all.differing += t.differing;
+    all.not_comparable += t.not_comparable;
   }
-  text += fmt::format("{:<10}{:>8}{:>9}{:>16}\n", "all", agree, differ, rest);
-  text += "Judged jointly over each table at 99 % by the errors of both samples, under the published law.\n";
-  return text;
+  return all;
 }
 
 std::string codes_text(const BasinSlice& map) {

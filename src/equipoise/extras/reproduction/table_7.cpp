@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/literature/paper_rotor.hpp"
 
@@ -27,6 +29,8 @@ Study lead_study(const Table7Row& row) {
 }
 
 }  // namespace
+
+std::string Table7Row::label() const { return fmt::format("{}, {}, {}", t0, t1, t2); }
 
 std::uint64_t called_balanced(const Observation& observation, const Table7Test& test) {
   const auto first = static_cast<std::size_t>(std::lround(test.from / observation.window));

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "equipoise/analyses/one_study/observation.hpp"
@@ -15,6 +16,7 @@ namespace equipoise {
 struct Table7Row {
   double t0, t1, t2;
   double printed;  ///< balanced, in percent of 300 000 starts
+  std::string label() const;
 };
 inline constexpr std::array<Table7Row, 4> table_7_rows{
     {{50, 400, 500, 98.43}, {100, 300, 500, 97.19}, {100, 400, 500, 97.64}, {200, 400, 500, 93.64}}};

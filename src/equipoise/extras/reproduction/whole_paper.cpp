@@ -11,7 +11,6 @@
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/literature/conclusions.hpp"
 #include "equipoise/extras/reproduction/open_questions.hpp"
 #include "equipoise/extras/reproduction/paper_figures.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"
@@ -30,76 +29,59 @@ constexpr std::uint64_t lead_starts = 20000;
 void total(Reproduction& r) {
   for (const ReproducedTable& t : r.tables)
     for (const ReproducedRow& row : t.rows)
-      for (const auto* e : {&row.by_published_law, &row.by_kinematic_law}) {
-        if (!*e) continue;
+      row.for_each_law([&](const EnsembleResult& e, model::SpeedLaw) {
         ++r.ensembles;
-        r.starts += (*e)->starts;
-        r.seconds += (*e)->seconds;
-        r.cpu_seconds += (*e)->cpu_seconds;
-      }
+        r.starts += e.starts;
+        r.seconds += e.seconds;
+        r.cpu_seconds += e.cpu_seconds;
+      });
 }
 
-class WholePaper {
- public:
-  explicit WholePaper(const ReproduceOptions& options) : options_(options) {}
-
-  Reproduction run() {
-    const auto begin = std::chrono::steady_clock::now();
-    Reproduction r;
-    r.cpu_target = cpu_target();
-    r.threads = thread_count(options_.threads);
-    r.tables = reproduce_tables(options_);
-    r.conclusions = judge_conclusions(r.tables);
-    const auto& tables = options_.tables;
-    if (!stopped() && std::count(tables.begin(), tables.end(), last_table)) lead_on_table_7(r);
-    for (std::size_t k = 0; k < options_.figures.size() && !stopped(); ++k) {
-      report(k, options_.figures[k]);
-      r.figures.push_back(paper_figure(options_.figures[k], options_.stop));
-    }
-    if (options_.future && !stopped()) r.open = future();
-    r.partial = stopped();
-    r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    r.run_cpu_seconds = cpu_seconds();
-    total(r);
-    return r;
+void lead_on_table_7(const ReproduceOptions& options, Reproduction& r) {
+  const std::uint64_t starts = options.starts > 0 ? std::min(options.starts, lead_starts) : lead_starts;
+  try {
+    r.table_7_lead = observe_table_7_lead(starts, options.threads, options.stop);
+  } catch (const RunError&) {
+    if (!is_set(options.stop)) throw;  // stopped: results so far are valid
   }
+}
 
- private:
-  bool stopped() const { return is_set(options_.stop); }
+OpenQuestions future(const ReproduceOptions& options) {
+  OpenQuestionSettings settings;
+  static_cast<RunOptions&>(settings) = options;
+  settings.slice_pixels = options.slice_pixels;
+  if (options.starts > 0) settings.starts = std::min(settings.starts, options.starts);
+  settings.folder = options.folder;
+  return open_questions(settings);
+}
 
-  void report(std::size_t figure, const std::string& id) const {
-    if (options_.progress) options_.progress({figure, options_.figures.size(), id, {}});
+Reproduction whole_paper(const ReproduceOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto stopped = [&] { return is_set(options.stop); };
+  Reproduction r;
+  r.cpu_target = cpu_target();
+  r.threads = thread_count(options.threads);
+  r.tables = reproduce_tables(options);
+  r.conclusions = judge_conclusions(r.tables);
+  if (!stopped() && std::count(options.tables.begin(), options.tables.end(), last_table)) lead_on_table_7(options, r);
+  for (std::size_t k = 0; k < options.figures.size() && !stopped(); ++k) {
+    if (options.progress) options.progress({k, options.figures.size(), options.figures[k], {}});
+    r.figures.push_back(paper_figure(options.figures[k], options.stop));
   }
-
-  void lead_on_table_7(Reproduction& r) const {
-    const std::uint64_t starts = options_.starts > 0 ? std::min(options_.starts, lead_starts) : lead_starts;
-    try {
-      for (const LeadReading& reading : observe_table_7_lead(starts, options_.threads, options_.stop))
-        r.table_7_lead.push_back({fmt::format("{}, {}, {}", reading.row.t0, reading.row.t1, reading.row.t2),
-                                  reading.row.printed, reading.balanced});
-    } catch (const RunError&) {
-      if (!stopped()) throw;  // stopped: results so far are valid
-    }
-  }
-
-  OpenQuestions future() const {
-    OpenQuestionSettings settings;
-    static_cast<RunOptions&>(settings) = options_;
-    settings.slice_pixels = options_.slice_pixels;
-    if (options_.starts > 0) settings.starts = std::min(settings.starts, options_.starts);
-    settings.folder = options_.folder;
-    return open_questions(settings);
-  }
-
-  const ReproduceOptions& options_;
-};
+  if (options.future && !stopped()) r.open = future(options);
+  r.partial = stopped();
+  r.run_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  r.run_cpu_seconds = cpu_seconds();
+  total(r);
+  return r;
+}
 
 }  // namespace
 
 std::vector<std::string> reproducible() {
   std::vector<std::string> list;
   for (int table = 1; table <= last_table; ++table) list.push_back(fmt::format("table-{}", table));
-  list.insert(list.end(), paper_figure_ids().begin(), paper_figure_ids().end());
+  for (const std::string& id : paper_figure_ids()) list.push_back(id);
   list.insert(list.end(), {"future", "tables", "figures", "all"});
   return list;
 }
@@ -126,7 +108,7 @@ ReproduceOptions options_for(const std::vector<std::string>& what) {
 
 Reproduction reproduce(const ReproduceOptions& options) {
   const ChosenCpuTarget chosen(options.cpu_target);
-  return reported(options, [](const ReproduceOptions& o) { return WholePaper(o).run(); });
+  return reported(options, whole_paper);
 }
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // A flood through neighbours that are alike; a region's own place is the point farthest from its edge.
-#include "equipoise/extras/planes/chart_regions.hpp"
+#include "equipoise/extras/curves/curve_starts.hpp"
 
 #include <algorithm>
 #include <map>
