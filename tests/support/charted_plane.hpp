@@ -43,7 +43,7 @@ struct ChartedPlane {
   ChartedPlane(const SliceAxis& x, const SliceAxis& y, const Study& study = charted_rotor())
       : chart(bifurcation_chart(study, settings(x, y))),
         studies(study, chart.plane.x, chart.plane.y),
-        plane(studies, chart.plane.x, chart.plane.y) {}
+        plane(studies) {}
   ChartedPlane(const ChartedPlane&) = delete;
   ChartedPlane& operator=(const ChartedPlane&) = delete;
 

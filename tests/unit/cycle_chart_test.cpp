@@ -51,7 +51,7 @@ const std::vector<CurvePlace>& torus_places() {
         if (p.frequency < 0.5 || p.x < 2.0935) continue;
         const CycleBranch branch = charted.born_at(p, {0.6, 0.8});
         for (const CycleCrossing& crossing : branch.crossings)
-          if (crossing.change == CycleChange::torus) {
+          if (crossing.change == CurveKind::cycle_torus) {
             CycleCurve torus(charted.plane, *charted.plane.system(crossing.near.at), crossing);
             if (torus.follow_from(crossing, nullptr, {})) return torus.places();
           }
@@ -200,7 +200,7 @@ TEST(CycleChart, FoldsBeginAtGeneralisedHopfPointsAlongTheHopfCurve) {
 TEST(CycleChart, SmallCyclesSwingAsTheNormalFormSays) {
   const BifurcationChart& chart = around_generalised();
   const PlaneStudies studies(charted_rotor(), chart.plane.x, chart.plane.y);
-  const BalancePlane plane(studies, chart.plane.x, chart.plane.y);
+  const BalancePlane plane(studies);
   int compared = 0;
   for (const ChartCurve& curve : chart.curves) {
     if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;
@@ -265,7 +265,7 @@ TEST(CycleChart, AtAPeriodDoublingAMultiplierIsMinusOne) {
     const CycleBranch branch = charted.born_at(*p, {0.8, -0.6});
     const StopFlag at_once{true};  // the first place is enough
     for (const CycleCrossing& crossing : branch.crossings) {
-      if (crossing.change != CycleChange::flip) continue;
+      if (crossing.change != CurveKind::cycle_flip) continue;
       CycleCurve flip(charted.plane, *charted.plane.system(crossing.near.at), crossing);
       flip.follow_from(crossing, &at_once, {});
       ASSERT_FALSE(flip.places().empty());

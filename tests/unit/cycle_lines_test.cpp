@@ -21,7 +21,7 @@ namespace cycle_lines_test {
 
 // A plane, and where cycles are born that change across it.
 struct BirthOfCycles {
-  CycleChange change;
+  CurveKind change;
   SliceAxis x, y;
   double hopf_x, frequency;  // of the Hopf point, about
   Eigen::Vector2d across;    // in the unit square
@@ -97,14 +97,14 @@ void crosses(const BirthOfCycles& birth, bool along_x, double off) {
   const Advance way = follower.advance(below, low, high);
   ASSERT_TRUE(way.arrived);
   Motion above = way.motion;
-  const int pair = birth.change == CycleChange::torus ? 2 : 1;
+  const int pair = birth.change == CurveKind::cycle_torus ? 2 : 1;
   ASSERT_EQ(std::abs(outside(above) - outside(below)), pair);
   EXPECT_EQ(std::min(outside(above), outside(below)), place.point().others);
   if (place.point().others == 0) {
     const auto events = changes_between(follower, {0, low, below}, {1, high, above});
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].cause,
-              birth.change == CycleChange::torus ? BranchCause::neimark_sacker : BranchCause::period_doubling);
+              birth.change == CurveKind::cycle_torus ? BranchCause::neimark_sacker : BranchCause::period_doubling);
     EXPECT_LE(events[0].low, place.value(along_x));
     EXPECT_GE(events[0].high, place.value(along_x));
   }
@@ -122,7 +122,7 @@ void crosses(const BirthOfCycles& birth, bool along_x, double off) {
   std::complex<double> nearest(INFINITY, 0.0);
   for (const std::complex<double>& value : Eigen::VectorXcd(above.orbit.decays()))
     if (std::fabs(std::log(std::abs(value))) < std::fabs(std::log(std::abs(nearest)))) nearest = value;
-  if (birth.change == CycleChange::torus)
+  if (birth.change == CurveKind::cycle_torus)
     EXPECT_GT(std::fabs(nearest.imag()), 0.01);
   else
     EXPECT_NEAR(nearest.real(), -1.0, 1e-2);
@@ -130,7 +130,7 @@ void crosses(const BirthOfCycles& birth, bool along_x, double off) {
 
 TEST(CycleLines, ABranchAlongSpeedEndsWhereTheCurveOfFoldsIs) {
   const PlaceOnCurve place(
-      {CycleChange::fold, {"speed.final", 1.84, 2.0, 16}, {"balancer.drag", 0.008, 0.03, 16}, 1.93, 0.66, {1.0, 0.0}});
+      {CurveKind::cycle_fold, {"speed.final", 1.84, 2.0, 16}, {"balancer.drag", 0.008, 0.03, 16}, 1.93, 0.66, {1.0, 0.0}});
   ASSERT_TRUE(place.found());
   const ParameterLine line = place.line(true, 2e-5);  // nearer than the Hopf curve
   const BranchContinuation follower(line, 0, nullptr);
@@ -195,7 +195,7 @@ speed = 1.485
 }
 
 TEST(CycleLines, ABranchAlongDragBecomesATorusWhereTheCurveOfToriIs) {
-  crosses({CycleChange::torus,
+  crosses({CurveKind::cycle_torus,
            {"speed.final", 2.05, 2.15, 16},
            {"balancer.drag", 0.001, 0.004, 16},
            2.108,
@@ -205,7 +205,7 @@ TEST(CycleLines, ABranchAlongDragBecomesATorusWhereTheCurveOfToriIs) {
 }
 
 TEST(CycleLines, ABranchAlongSpeedDoublesItsPeriodWhereTheCurveOfDoublingsIs) {
-  crosses({CycleChange::flip,
+  crosses({CurveKind::cycle_flip,
            {"speed.final", 1.1, 1.6, 16},
            {"rotor.eccentricity", 0.005, 0.05, 16},
            1.54,

@@ -26,7 +26,7 @@ std::vector<SpecialPoint> of_tori(bool slow, const SliceAxis& speed, const Slice
       if ((p.frequency < 0.3) != slow || p.x < 2.0935) continue;
       const CycleBranch branch = charted.born_at(p, across);
       for (const CycleCrossing& crossing : branch.crossings) {
-        if (crossing.change != CycleChange::torus) continue;
+        if (crossing.change != CurveKind::cycle_torus) continue;
         CycleCurve torus(charted.plane, *charted.plane.system(crossing.near.at), crossing);
         if (torus.follow_from(crossing, nullptr, {})) return torus.specials();
       }

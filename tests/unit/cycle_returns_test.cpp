@@ -48,7 +48,7 @@ std::optional<SpecialPoint> end_of_doubled_fold(const SliceAxis& speed, const Sl
                                                 const Eigen::Vector2d& born, double least_drag) {
   const ChartedPlane charted(speed, drag, heavier());
   const auto crossing = crossing_of(charted, of_balance, born[0], born[1], [&](const CycleCrossing& c) {
-    return c.change == CycleChange::fold && charted.plane.y(c.near.at) > least_drag;
+    return c.change == CurveKind::cycle_fold && charted.plane.y(c.near.at) > least_drag;
   });
   if (!crossing) return std::nullopt;
   CycleCurve fold(charted.plane, *charted.plane.system(crossing->near.at), *crossing);
@@ -94,7 +94,7 @@ TEST(CycleReturns, AClosedCurveIsPassedOnceThoughCyclesBeginAtAnotherTime) {
   const ChartedPlane charted({"speed.final", 1.1, 1.3, 16}, {"balancer.drag", 0.002, 0.1, 16}, heavier());
   const auto crossing = crossing_of(charted, "balls opposite", 1.18445, 0.03539, [&](const CycleCrossing& c) {
     const double speed = charted.plane.x(c.near.at);
-    return c.change == CycleChange::flip && speed > 1.115 && speed < 1.125;
+    return c.change == CurveKind::cycle_flip && speed > 1.115 && speed < 1.125;
   });
   ASSERT_TRUE(crossing);
   CycleCurve flip(charted.plane, *charted.plane.system(crossing->near.at), *crossing);

@@ -18,51 +18,32 @@ namespace equipoise {
 
 namespace {
 
-// How a piece of a curve is drawn.
-enum class Stroke {
-  soft,
-  abrupt,
-  hopf,
-  zero,
-  existence,
-  fold,
-  pitchfork,
-  locked_hopf,
-  cycle_fold,
-  cycle_flip,
-  cycle_torus
-};
-
+// How pieces of curves of a kind are drawn; those of Hopf curves by what is lost there.
 struct StrokeStyle {
-  Stroke stroke;
+  CurveKind kind;
+  char loss;  // see loss_at()
   SvgPen pen;
   const char* words;
 };
 const std::array<StrokeStyle, 11> strokes{{
-    {Stroke::soft, {"#000000", "", 2.0}, "balance is lost softly"},
-    {Stroke::abrupt, {"#C00000", "", 2.0, 1.0, true, "7 4"}, "balance is lost abruptly"},
-    {Stroke::hopf, {"#000000", "", 0.8}, "a swing begins"},
-    {Stroke::zero, {"#000000", "", 1.1, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
-    {Stroke::existence, {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, "balance ends"},
-    {Stroke::fold, {"#6A3D9A", "", 1.5}, "two locked states merge"},
-    {Stroke::pitchfork, {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, "balls of a locked state part"},
-    {Stroke::locked_hopf, {"#1B7837", "", 1.5, 1.0, true, "6 3"}, "a locked state begins to swing"},
-    {Stroke::cycle_fold, {"#E66101", "", 1.5}, "two cycles merge"},
-    {Stroke::cycle_flip, {"#E66101", "", 1.5, 1.0, true, "2 3"}, "a cycle's period doubles"},
-    {Stroke::cycle_torus, {"#E66101", "", 1.5, 1.0, true, "7 3"}, "a cycle becomes a torus"},
+    {CurveKind::hopf, 's', {"#000000", "", 2.0}, "balance is lost softly"},
+    {CurveKind::hopf, 'a', {"#C00000", "", 2.0, 1.0, true, "7 4"}, "balance is lost abruptly"},
+    {CurveKind::hopf, ' ', {"#000000", "", 0.8}, "a swing begins"},
+    {CurveKind::zero, ' ', {"#000000", "", 1.1, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
+    {CurveKind::existence, ' ', {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, "balance ends"},
+    {CurveKind::fold, ' ', {"#6A3D9A", "", 1.5}, "two locked states merge"},
+    {CurveKind::pitchfork, ' ', {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, "balls of a locked state part"},
+    {CurveKind::hopf, 'l', {"#1B7837", "", 1.5, 1.0, true, "6 3"}, "a locked state begins to swing"},
+    {CurveKind::cycle_fold, ' ', {"#E66101", "", 1.5}, "two cycles merge"},
+    {CurveKind::cycle_flip, ' ', {"#E66101", "", 1.5, 1.0, true, "2 3"}, "a cycle's period doubles"},
+    {CurveKind::cycle_torus, ' ', {"#E66101", "", 1.5, 1.0, true, "7 3"}, "a cycle becomes a torus"},
 }};
 
-Stroke stroke_of(const ChartCurve& curve, const CurvePoint& p) {
-  if (curve.kind == CurveKind::zero) return Stroke::zero;
-  if (curve.kind == CurveKind::fold) return Stroke::fold;
-  if (curve.kind == CurveKind::pitchfork) return Stroke::pitchfork;
-  if (curve.kind == CurveKind::cycle_fold) return Stroke::cycle_fold;
-  if (curve.kind == CurveKind::cycle_flip) return Stroke::cycle_flip;
-  if (curve.kind == CurveKind::cycle_torus) return Stroke::cycle_torus;
-  if (curve.of != of_balance) return Stroke::locked_hopf;
-  if (curve.kind == CurveKind::existence) return Stroke::existence;
-  if (p.others > 0 || std::isnan(p.lyapunov)) return Stroke::hopf;
-  return p.lyapunov < 0.0 ? Stroke::soft : Stroke::abrupt;
+// Of a Hopf curve: balance softly or abruptly, a locked state, or nothing: it was unstable before.
+char loss_at(const ChartCurve& curve, const CurvePoint& p) {
+  if (curve.kind != CurveKind::hopf) return ' ';
+  if (curve.of != of_balance) return 'l';
+  return p.others > 0 || std::isnan(p.lyapunov) ? ' ' : p.lyapunov < 0.0 ? 's' : 'a';
 }
 
 struct BoxLook {
@@ -78,9 +59,9 @@ constexpr std::array<BoxLook, 3> box_looks{{{ProvedKind::stable, "#8CC3E6", Bala
 Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
   Border border{{}, style.pen, style.words};
   for (const ChartCurve& curve : chart.curves)
-    for (std::size_t k = 1, last = 0; k < curve.points.size(); ++k) {
+    for (std::size_t k = 1, last = 0; curve.kind == style.kind && k < curve.points.size(); ++k) {
       const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
-      if (stroke_of(curve, std::isnan(a.lyapunov) ? b : a) != style.stroke) continue;
+      if (loss_at(curve, std::isnan(a.lyapunov) ? b : a) != style.loss) continue;
       if (last != k - 1 || last == 0) border.lines.push_back({{a.x, a.y}});
       border.lines.back().push_back({b.x, b.y});
       last = k;
@@ -124,6 +105,15 @@ void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart,
   const SvgPen ring{"#000000", "#ffffff", 1.5};
   for (const SpecialPoint& p : chart.specials) svg.circle(axes.at(p.x, p.y), 3.5, ring);
   if (!chart.specials.empty()) legend.push_back({ring, "where curves change their kind", LegendEntry::Mark::ring});
+}
+
+// What is at rest and stable: "balance, balls together".
+std::string stable_words(const BifurcationChart& chart, const ChartRegion& region) {
+  std::vector<std::string> stable;
+  if (region.balance == BalanceKind::stable) stable.push_back(of_balance);
+  for (std::size_t k = 0; k < region.locked.size(); ++k)
+    if (region.locked[k].stable > 0) stable.push_back(chart.locked[k]);
+  return stable.empty() ? "nothing" : fmt::format("{}", fmt::join(stable, ", "));
 }
 
 void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& letters) {

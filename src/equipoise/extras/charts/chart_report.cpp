@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -95,9 +94,9 @@ std::string proof_sentence(const BifurcationChart& chart) {
 }
 
 // In the units of the axes.
-std::string place_text(const BifurcationChart& chart, double x, double y) {
-  return plain_number(x * shown_axis(chart.study, chart.plane.x).factor, 4) + ", " +
-         plain_number(y * shown_axis(chart.study, chart.plane.y).factor, 4);
+std::string place_text(const BifurcationChart& chart, double x, double y, int digits = 4) {
+  return plain_number(x * shown_axis(chart.study, chart.plane.x).factor, digits) + ", " +
+         plain_number(y * shown_axis(chart.study, chart.plane.y).factor, digits);
 }
 
 std::string axis_words(const BifurcationChart& chart, const SliceAxis& axis) {
@@ -113,16 +112,12 @@ const char* curve_words(CurveKind kind) {
 
 const char* loss_words(const BifurcationChart& chart, const ChartCurve& curve) {
   if (curve.kind == CurveKind::existence) return "it ends";
-  if (is_of_cycles(curve.kind)) {
+  if (is_of_cycles(curve.kind) || curve.of != of_balance) {
     const auto stable = [](const CurvePoint& p) { return p.others == 0; };
-    const auto count = static_cast<std::size_t>(std::count_if(curve.points.begin(), curve.points.end(), stable));
-    if (count == 0) return "unstable cycles";
-    return count == curve.points.size() ? "a stable cycle" : "a cycle, stable on a part";
-  }
-  if (curve.of != of_balance) {
-    const auto stable = [](const CurvePoint& p) { return p.others == 0; };
-    const bool some = std::any_of(curve.points.begin(), curve.points.end(), stable);
-    return some ? "a stable state" : "unstable states";
+    const bool all = std::all_of(curve.points.begin(), curve.points.end(), stable),
+               some = std::any_of(curve.points.begin(), curve.points.end(), stable);
+    if (!is_of_cycles(curve.kind)) return some ? "a stable state" : "unstable states";
+    return !some ? "unstable cycles" : all ? "a stable cycle" : "a cycle, stable on a part";
   }
   const BalanceLoss loss = loss_on(chart, curve);
   if (loss.real > 0.0) return "without a swing";
@@ -185,6 +180,16 @@ std::string specials_table(const BifurcationChart& chart, const TextStyle& style
   return table_text(table, style);
 }
 
+// Numbers of the curves of cycles, or of all others, that end so.
+std::vector<std::size_t> curves_that_end(const BifurcationChart& chart, bool of_cycles, CurveEnd end) {
+  std::vector<std::size_t> which;
+  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
+    const ChartCurve& c = chart.curves[k];
+    if (is_of_cycles(c.kind) == of_cycles && (c.ends[0] == end || c.ends[1] == end)) which.push_back(k + 1);
+  }
+  return which;
+}
+
 std::string cycles_end_text(const BifurcationChart& chart) {
   const std::pair<CurveEnd, std::string> reasons[] = {
       {CurveEnd::plane, "at the plane's edge"},
@@ -200,29 +205,40 @@ std::string cycles_end_text(const BifurcationChart& chart) {
       {CurveEnd::lost, "where no next point was found"},
       {CurveEnd::stopped, "where the computation was stopped"}};
   std::vector<std::string> parts;
-  for (const auto& [end, reason] : reasons) {
-    std::vector<std::size_t> which;
-    for (std::size_t k = 0; k < chart.curves.size(); ++k) {
-      const ChartCurve& c = chart.curves[k];
-      if (is_of_cycles(c.kind) && (c.ends[0] == end || c.ends[1] == end)) which.push_back(k + 1);
-    }
-    if (!which.empty()) parts.push_back(fmt::format("{} ({})", reason, fmt::join(which, ", ")));
-  }
+  for (const auto& [end, reason] : reasons)
+    if (const auto which = curves_that_end(chart, true, end); !which.empty())
+      parts.push_back(fmt::format("{} ({})", reason, fmt::join(which, ", ")));
   return parts.empty() ? "" : fmt::format("Curves of cycles end, by number: {}.\n", fmt::join(parts, "; "));
 }
 
-// Of all that are not of cycles.
 std::string lost_curves_text(const BifurcationChart& chart) {
-  std::vector<std::size_t> which;
-  for (std::size_t k = 0; k < chart.curves.size(); ++k) {
-    const ChartCurve& c = chart.curves[k];
-    if (!is_of_cycles(c.kind) && (c.ends[0] == CurveEnd::lost || c.ends[1] == CurveEnd::lost)) which.push_back(k + 1);
-  }
+  const auto which = curves_that_end(chart, false, CurveEnd::lost);
   if (which.empty()) return "";
   return fmt::format("Curves that end inside the plane because no next point was found, by number: {}.\n",
                      fmt::join(which, ", ")) +
          (chart.plane.of_several() ? "Where another balanced state becomes the most stable one a curve may end so.\n"
                                    : "");
+}
+
+// A paragraph a region: letter, part of the plane, what is at rest there.
+std::string regions_list(const BifurcationChart& chart, const TextStyle& style) {
+  std::string text;
+  for (std::size_t k = 0; k < told_regions(chart); ++k) {
+    const ChartRegion& r = chart.regions[k];
+    text += filled(fmt::format("{} {:5.1f} %  ", region_letter(k), 100.0 * r.part),
+                   fmt::format("{} (e.g. at {})", region_words(chart, r), place_text(chart, r.x, r.y, 3)), style);
+  }
+  return text;
+}
+
+// What the list leaves out, and what regions do not tell.
+std::string region_notes(const BifurcationChart& chart) {
+  std::string text;
+  if (!chart.no_locked.empty()) text += fmt::format("Of other states at rest nothing is told: {}.\n", chart.no_locked);
+  if (chart.regions.empty()) return text;
+  if (const std::size_t more = chart.regions.size() - told_regions(chart); more > 0)
+    text += fmt::format("Smaller regions are left out ({}); --json has them.\n", more);
+  return text + "Regions tell of states at rest, as the grid's points have them, not of motions that go on.\n";
 }
 
 std::string chart_notes(const BifurcationChart& chart) {
@@ -269,6 +285,17 @@ ChartJson curve_json(const ChartCurve& c) {
 }
 
 }  // namespace
+
+std::string region_words(const BifurcationChart& chart, const ChartRegion& region) {
+  std::string text = fmt::format("balance {}", balance_words(region.balance));
+  for (std::size_t k = 0; k < region.locked.size(); ++k)
+    for (const auto& [count, kind] :
+         {std::pair{region.locked[k].stable, BalanceKind::stable}, {region.locked[k].unstable, BalanceKind::unstable}})
+      if (count > 0)
+        text += "; " + fmt::format("{} {}{}", chart.locked[k], balance_words(kind),
+                                   count > 1 ? fmt::format(" ({})", count) : std::string());
+  return text;
+}
 
 BalanceLoss balance_loss(const BifurcationChart& chart) {
   BalanceLoss loss;

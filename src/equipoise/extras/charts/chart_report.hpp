@@ -2,8 +2,8 @@
 // This room: planes as text, tables and pictures.
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -40,17 +40,14 @@ std::string chart_plot(const BifurcationChart& chart, const std::string& title);
 /// "balance stable; balls together unstable (2)".
 std::string region_words(const BifurcationChart& chart, const ChartRegion& region);
 
-/// Of them those that are stable: "balance, balls together".
-std::string stable_words(const BifurcationChart& chart, const ChartRegion& region);
-
 /// Regions that are told of and drawn, the largest first: no part below half a percent, and at most as many as letters.
-std::size_t told_regions(const BifurcationChart& chart);
+inline std::size_t told_regions(const BifurcationChart& chart) {
+  constexpr std::size_t letters = 26;
+  std::size_t count = 0;
+  while (count < letters && count < chart.regions.size() && chart.regions[count].part >= 0.005) ++count;
+  return count;
+}
 /// "A" of the largest.
-std::string region_letter(std::size_t number);
-
-/// A paragraph a region: letter, part of the plane, what is at rest there.
-std::string regions_list(const BifurcationChart& chart, const TextStyle& style);
-/// What the table leaves out, and what regions do not tell.
-std::string region_notes(const BifurcationChart& chart);
+inline std::string region_letter(std::size_t number) { return std::string(1, static_cast<char>('A' + number)); }
 
 }  // namespace equipoise

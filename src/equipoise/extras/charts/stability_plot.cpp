@@ -40,20 +40,9 @@ StabilityPlane drawn_part(const StabilityPlane& plane) {
 }
 
 const char* colour_of_kind(BalanceKind kind) {
-  switch (kind) {
-    case BalanceKind::stable:
-      return dark_colour;
-    case BalanceKind::unstable:
-      return light_colour;
-    case BalanceKind::none:
-      return "#C8C8C8";
-    case BalanceKind::marginal:
-      return "#F4F0D0";
-    case BalanceKind::unknown:
-      return "#8C8C8C";
-    default:
-      return "#FFFFFF";
-  }
+  constexpr std::array colours{"#C8C8C8", dark_colour, light_colour, "#F4F0D0", "#8C8C8C"};
+  const auto place = static_cast<std::size_t>(kind);
+  return place < colours.size() ? colours[place] : "#FFFFFF";
 }
 
 // Lighter for slow rates.

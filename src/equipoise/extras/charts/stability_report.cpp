@@ -154,18 +154,9 @@ PlaneJson plane_axis_json(const SliceAxis& axis) {
 }  // namespace
 
 const char* balance_words(BalanceKind kind) {
-  switch (kind) {
-    case BalanceKind::stable:
-      return "stable";
-    case BalanceKind::unstable:
-      return "unstable";
-    case BalanceKind::none:
-      return "impossible";
-    case BalanceKind::marginal:
-      return "undecided by linear theory";
-    default:
-      return "not found";
-  }
+  constexpr std::array words{"impossible", "stable", "unstable", "undecided by linear theory", "not found"};
+  const auto place = static_cast<std::size_t>(kind);
+  return place < words.size() ? words[place] : words.back();
 }
 
 std::string stability_answer(const StabilityPlane& plane) {

@@ -41,10 +41,7 @@ std::optional<VectorXd> BalanceCurve::equation(const VectorXd& at) const {
 }
 
 std::optional<CurvePlace> BalanceCurve::described(const VectorXd& at) const {
-  CurvePlace place;
-  place.at = at;
-  place.point.x = plane_.x(at);
-  place.point.y = plane_.y(at);
+  CurvePlace place = place_at(at);
   if (kind_ == CurveKind::existence) return place;
   const auto spectrum = plane_.spectrum(at);
   if (!spectrum) return std::nullopt;

@@ -10,17 +10,16 @@
 
 namespace equipoise {
 
-const Study* BalancePlane::study_at(const Eigen::VectorXd& at) const {
+std::optional<Study> BalancePlane::study_at(const Eigen::VectorXd& at) const {
   try {
-    study_ = studies_.at(x(at), y(at));
+    return studies_.at(x(at), y(at));
   } catch (const InputError&) {
-    return nullptr;
+    return std::nullopt;
   }
-  return &study_;
 }
 
 std::optional<model::System> BalancePlane::system(const Eigen::VectorXd& at) const {
-  const Study* study = study_at(at);
+  const auto study = study_at(at);
   std::optional<model::System> found;
   if (study) found.emplace(study->system());
   if (found && found->prescribed() && found->speed() == 0.0) return std::nullopt;
@@ -28,17 +27,17 @@ std::optional<model::System> BalancePlane::system(const Eigen::VectorXd& at) con
 }
 
 std::optional<BalanceSpectrum> BalancePlane::spectrum(const Eigen::VectorXd& at) const {
-  const Study* study = study_at(at);
+  const auto study = study_at(at);
   return study ? balance_spectrum(*study) : std::nullopt;
 }
 
 std::optional<double> BalancePlane::margin(const Eigen::VectorXd& at) const {
-  const Study* study = study_at(at);
+  const auto study = study_at(at);
   return study ? std::optional(balance_margin(study->parameters)) : std::nullopt;
 }
 
 std::optional<BalanceSpectrum> BalancePlane::in_line(const Eigen::VectorXd& at) const {
-  const Study* study = study_at(at);
+  const auto study = study_at(at);
   if (!study || !study->system().prescribed() || study->parameters.tilts()) return std::nullopt;
   const model::System system(study->parameters, study->system().speed());
   const model::Parameters& p = study->parameters;

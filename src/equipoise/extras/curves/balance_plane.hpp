@@ -12,9 +12,9 @@ namespace equipoise {
 
 class BalancePlane {
  public:
-  BalancePlane(const PlaneStudies& studies, const SliceAxis& x, const SliceAxis& y)
-      : studies_(studies), x_(x), y_(y), study_(studies.at(x.centre(0), y.centre(0))) {}
+  explicit BalancePlane(const PlaneStudies& studies) : studies_(studies), x_(studies.x()), y_(studies.y()) {}
 
+  const PlaneStudies& studies() const { return studies_; }
   double x(const Eigen::VectorXd& at) const { return x_.low + at[0] * (x_.high - x_.low); }
   double y(const Eigen::VectorXd& at) const { return y_.low + at[1] * (y_.high - y_.low); }
   Eigen::VectorXd place(double x, double y) const {
@@ -31,11 +31,10 @@ class BalancePlane {
   std::optional<BalanceSpectrum> in_line(const Eigen::VectorXd& at) const;
 
  private:
-  const Study* study_at(const Eigen::VectorXd& at) const;
+  std::optional<Study> study_at(const Eigen::VectorXd& at) const;
 
   const PlaneStudies& studies_;
   SliceAxis x_, y_;
-  mutable Study study_;
 };
 
 }  // namespace equipoise

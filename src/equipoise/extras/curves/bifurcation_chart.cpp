@@ -18,10 +18,6 @@ namespace {
 BifurcationChart computed_chart(const Study& study, const ChartSettings& settings) {
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin = cpu_seconds();
-  StabilitySettings grid;
-  static_cast<RunOptions&>(grid) = settings;
-  grid.x = settings.x;
-  grid.y = settings.y;
   // An axis may bring what the study itself has not, such as gravity.
   const PlaneStudies studies(study, settings.x, settings.y,
                              [](const Study& there) { check_offers(there, model::ResultKind::curves); });
@@ -31,16 +27,15 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   chart.plane.y = settings.y;
   chart.cycles = settings.cycles;
   if (!settings.output.empty()) check_chart_file(settings.output, chart);
-  chart.plane = stability(studies, grid);
+  chart.plane = stability(studies, settings);
   if (chart.plane.complete) {
-    const BalancePlane plane(studies, settings.x, settings.y);
+    const BalancePlane plane(studies);
     add_curves(plane, settings.stop, chart);
-    add_locked_states(studies, plane, chart.plane.threads, settings.stop, chart);
+    add_locked_states(plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
     if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
     add_curves_between_boxes(plane, settings.stop, chart);
-    if (settings.cycles && !is_set(settings.stop))
-      add_cycles(studies, plane, settings, chart);  // which then tells what it left
+    if (settings.cycles && !is_set(settings.stop)) add_cycles(plane, settings, chart);  // which then tells what it left
   }
   chart.complete = chart.plane.complete && !is_set(settings.stop);
   chart.threads = chart.plane.threads;

@@ -13,12 +13,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-struct CurveStart {
-  CurveKind kind = CurveKind::hopf;
-  VectorXd at;
-  EigenPair pair;
-};
-
 class CurveSearch {
  public:
   CurveSearch(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart)
@@ -87,12 +81,12 @@ class CurveSearch {
 
   void begin_at(const BalanceBoundary& b) {
     const VectorXd at = b.along_x ? plane_.place(b.value, grid_.own->y) : plane_.place(grid_.own->x, b.value);
-    if (b.change == BalanceBoundary::Change::hopf) follow({CurveKind::hopf, at, {0.0, b.frequency * b.frequency, {}}});
-    if (b.change == BalanceBoundary::Change::zero) follow({CurveKind::zero, at, {}});
+    if (b.change == BalanceBoundary::Change::hopf) follow(CurveKind::hopf, at, {0.0, b.frequency * b.frequency, {}});
+    if (b.change == BalanceBoundary::Change::zero) follow(CurveKind::zero, at);
     constexpr double rounding = 1e-9;  // elsewhere balance ends for want of room
     const auto margin = plane_.margin(at);
     if (b.change == BalanceBoundary::Change::existence && margin && std::fabs(*margin) < rounding)
-      follow({CurveKind::existence, at, {}});
+      follow(CurveKind::existence, at);
   }
 
   VectorXd place(int column, int row) const { return plane_.place(grid_.x.centre(column), grid_.y.centre(row)); }
@@ -103,7 +97,7 @@ class CurveSearch {
     const bool has_a = std::isfinite(a.growth), has_b = std::isfinite(b.growth);
     if (has_a && has_b && a.unstable != b.unstable) return rates_cross(from, to, a.unstable);
     if ((a.kind == BalanceKind::none) != (b.kind == BalanceKind::none) && a.margin * b.margin < 0.0)
-      follow({CurveKind::existence, between_signs(from, to, a.margin), {}});
+      follow(CurveKind::existence, between_signs(from, to, a.margin));
   }
 
   void rates_cross(const VectorXd& from, const VectorXd& to, int unstable) {
@@ -120,8 +114,8 @@ class CurveSearch {
     const auto nearest = std::min_element(rates.begin(), rates.end(), [](const auto& p, const auto& q) {
       return std::fabs(p.real()) < std::fabs(q.real());
     });
-    if (nearest->imag() == 0.0) return follow({CurveKind::zero, other, {}});
-    follow({CurveKind::hopf, other, {0.0, std::norm(*nearest), {}}});
+    if (nearest->imag() == 0.0) return follow(CurveKind::zero, other);
+    follow(CurveKind::hopf, other, {0.0, std::norm(*nearest), {}});
   }
 
   VectorXd between_signs(const VectorXd& from, const VectorXd& to, double margin) const {
@@ -134,11 +128,10 @@ class CurveSearch {
     return other;
   }
 
-  void follow(const CurveStart& start) {
-    if (is_known(plane_, chart_, start.kind, of_balance, start.at, std::sqrt(std::max(0.0, start.pair.product))))
-      return;
-    BalanceCurve curve(plane_, start.kind, start.pair);
-    if (curve.follow(start.at, stop_)) add_curve(plane_, start.kind, of_balance, curve, chart_);
+  void follow(CurveKind kind, const VectorXd& at, const EigenPair& pair = {}) {
+    if (is_known(plane_, chart_, kind, of_balance, at, std::sqrt(std::max(0.0, pair.product)))) return;
+    BalanceCurve curve(plane_, kind, pair);
+    if (curve.follow(at, stop_)) add_curve(plane_, kind, of_balance, curve, chart_);
   }
 
   const BalancePlane& plane_;
@@ -183,7 +176,6 @@ void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of,
              (plane.place(other.x, other.y) - at).norm() < same;
     });
   };
-  found.error = std::max(found.error, curve.error());
   chart.curves.push_back(std::move(found));
   for (SpecialPoint special : curve.specials()) {
     special.curve = chart.curves.size() - 1;

@@ -32,12 +32,11 @@ void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, B
 /// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
 /// curve begins, unless it is known. For a chart that has all other curves. Curves are followed as soon as the cycles
 /// before theirs are: a run that is stopped has those that it got to.
-void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
+void add_cycles(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
 
 /// Curves of locked states and the chart's regions. Of a rotor whose locked states are not known regions tell of
 /// balance alone, and chart.no_locked says why. The result does not depend on the number of threads.
-void add_locked_states(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
-                       BifurcationChart& chart);
+void add_locked_states(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart);
 
 /// What exists at a point.
 struct RegionPattern {

@@ -21,17 +21,11 @@ constexpr CurveFollower::Limits cycle_limits{CurveFollower::longest_step, 1e-9, 
 constexpr double cycle_difference = 1e-6;  // in the unit square
 constexpr double smallest_swing = 0.005;   // radians; a smaller cycle is taken to shrink to a state at rest
 
-CurveKind kind_of(CycleChange change) {
-  return change == CycleChange::fold   ? CurveKind::cycle_fold
-         : change == CycleChange::flip ? CurveKind::cycle_flip
-                                       : CurveKind::cycle_torus;
-}
-
 // The multipliers that a curve is about: nearest to 1, -1, or the pair.
-std::vector<Index> own_multipliers(const VectorXcd& all, CycleChange change, const EigenPair& pair) {
+std::vector<Index> own_multipliers(const VectorXcd& all, CurveKind change, const EigenPair& pair) {
   Index first = 0;
-  if (change != CycleChange::torus) {
-    (all.array() - (change == CycleChange::fold ? 1.0 : -1.0)).abs().minCoeff(&first);
+  if (change != CurveKind::cycle_torus) {
+    (all.array() - (change == CurveKind::cycle_fold ? 1.0 : -1.0)).abs().minCoeff(&first);
     return {first};
   }
   const double beside = pair.product - pair.mean * pair.mean;
@@ -46,8 +40,7 @@ std::vector<Index> own_multipliers(const VectorXcd& all, CycleChange change, con
 }  // namespace
 
 CycleCurve::CycleCurve(const BalancePlane& plane, const model::System& system, const CycleCrossing& crossing)
-    : FollowedCurve(plane, kind_of(crossing.change), {crossing.cosine, 1.0, {}}, cycle_limits, most_cycle_points),
-      change_(crossing.change),
+    : FollowedCurve(plane, crossing.change, {crossing.cosine, 1.0, {}}, cycle_limits, most_cycle_points),
       birth_period_(crossing.birth_period),
       shooting_(system, crossing.near.shape, curve_tolerance),
       test_(crossing.change, crossing.cosine) {}
@@ -105,10 +98,7 @@ std::optional<MatrixXd> CycleCurve::slopes(const VectorXd& at) const {
 
 std::optional<CurvePlace> CycleCurve::described(const VectorXd& at) const {
   if (!look_at(at)) return std::nullopt;
-  CurvePlace place;
-  place.at = at;
-  place.point.x = plane_.x(at);
-  place.point.y = plane_.y(at);
+  CurvePlace place = place_at(at);
   place.point.frequency = two_pi / seen_.shape.period;
   place.point.swing = cycle_swing(*seen_.system, seen_.shape);
   const VectorXd& first = seen_.shape.nodes.front();
@@ -118,9 +108,9 @@ std::optional<CurvePlace> CycleCurve::described(const VectorXd& at) const {
   place.point.rates.assign(multipliers.begin(), multipliers.end());
   place.pair = {seen_.value->cosine, seen_.value->value + 1.0, {}};
   place.point.others = unstable_multipliers(multipliers);
-  for (const Index k : own_multipliers(multipliers, change_, place.pair))
+  for (const Index k : own_multipliers(multipliers, kind_, place.pair))
     place.point.others -= std::abs(multipliers[k]) > 1.0;
-  if (change_ == CycleChange::torus) return place;
+  if (kind_ == CurveKind::cycle_torus) return place;
   place.right = seen_.value->right;
   place.left = seen_.value->left;
   const Index n = shooting_.dimension();
@@ -164,7 +154,7 @@ void CycleCurve::stay_near(const CurvePlace& place) const {
 // A torus's pair turns with the period, once for every further swing of the faster of two.
 bool CycleCurve::too_far(const CurvePlace& before, const CurvePlace& place) const {
   constexpr double farthest = 0.35;  // radians: a fifth of what lies between resonances of 1:2 and 1:4
-  if (change_ != CycleChange::torus) return false;
+  if (kind_ != CurveKind::cycle_torus) return false;
   const auto angle = [](const CurvePlace& p) { return std::acos(std::clamp(p.pair.mean, -1.0, 1.0)); };
   return std::fabs(angle(before) - angle(place)) > farthest;
 }
@@ -215,7 +205,7 @@ std::optional<CurveEnd> CycleCurve::end_at(const CurvePlace& before, const Curve
     return CurveEnd::vanishes;
   if (const auto end = end_of_repeating(before, place, way)) return end;
   if (b.period > longest_period(*plane_.system(place.at), b, birth_period_)) return CurveEnd::long_period;
-  if (change_ == CycleChange::torus && std::fabs(place.pair.mean) >= 1.0) {
+  if (kind_ == CurveKind::cycle_torus && std::fabs(place.pair.mean) >= 1.0) {
     const double end = place.pair.mean > 0.0 ? 1.0 : -1.0;
     if (auto last = zero_of(before, place, [&](const CurvePlace& p) { return p.pair.mean - end; }))
       way.places.push_back(*std::move(last));
@@ -232,8 +222,7 @@ void CycleCurve::end_inside(const CurveFollower::Step&, double, const CurvePlace
     return;
   }
   const double swing = before.point.swing;
-  const bool shrinks =
-      way.places.size() > 1 && swing < way.places.front().point.swing && swing < 2.0 * smallest_swing;
+  const bool shrinks = way.places.size() > 1 && swing < way.places.front().point.swing && swing < 2.0 * smallest_swing;
   way.end = shrinks ? CurveEnd::vanishes : CurveEnd::lost;
 }
 
@@ -245,7 +234,7 @@ void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, st
   };
   const auto crossing = [&](const CurvePlace& p) {
     const VectorXcd all = all_at(p);
-    const auto own = own_multipliers(all, change_, p.pair);
+    const auto own = own_multipliers(all, kind_, p.pair);
     std::complex<double> nearest(INFINITY, 0.0);
     for (Index k = 0; k < all.size(); ++k)
       if (std::find(own.begin(), own.end(), k) == own.end() &&
@@ -259,16 +248,16 @@ void CycleCurve::add_changed_others(const CurvePlace& a, const CurvePlace& b, st
   const bool complex = at.imag() != 0.0;
   // Rounding turns a double real multiplier, the curve's own and this, into a pair: a zero of double_zero, too.
   if (const VectorXcd all = all_at(*place);
-      complex && change_ != CycleChange::torus && all[own_multipliers(all, change_, place->pair)[0]] == std::conj(at))
+      complex && kind_ != CurveKind::cycle_torus && all[own_multipliers(all, kind_, place->pair)[0]] == std::conj(at))
     return;
   std::optional<SpecialKind> kind;
   if (complex)
-    kind = change_ == CycleChange::fold   ? SpecialKind::fold_torus
-           : change_ == CycleChange::flip ? SpecialKind::flip_torus
-                                          : SpecialKind::double_torus;
-  else if (change_ == CycleChange::torus)
+    kind = kind_ == CurveKind::cycle_fold   ? SpecialKind::fold_torus
+           : kind_ == CurveKind::cycle_flip ? SpecialKind::flip_torus
+                                            : SpecialKind::double_torus;
+  else if (kind_ == CurveKind::cycle_torus)
     kind = at.real() > 0.0 ? SpecialKind::fold_torus : SpecialKind::flip_torus;
-  else if ((change_ == CycleChange::fold) == (at.real() < 0.0))
+  else if ((kind_ == CurveKind::cycle_fold) == (at.real() < 0.0))
     kind = SpecialKind::fold_flip;
   if (kind) found.push_back(special(*kind, *place));  // else the same multiplier twice: a zero of double_zero
 }
@@ -281,15 +270,15 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
   };
   const auto double_zero = [](const CurvePlace& p) { return p.double_zero; };
   const std::vector<Sign> signs =
-      change_ == CycleChange::fold ? std::vector<Sign>{{SpecialKind::resonance_1_1, double_zero}}
-      : change_ == CycleChange::flip
+      kind_ == CurveKind::cycle_fold ? std::vector<Sign>{{SpecialKind::resonance_1_1, double_zero}}
+      : kind_ == CurveKind::cycle_flip
           ? std::vector<Sign>{{SpecialKind::resonance_1_2, double_zero}}
           : std::vector<Sign>{{SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
                               {SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }}};
   for (std::size_t k = 1; k < places_.size(); ++k) {
     const CurvePlace &a = places_[k - 1], &b = places_[k];
     const auto turn = [&](const CurvePlace& p) { return turn_at(p); };
-    if (change_ == CycleChange::fold && may_turn(k) && turn(a) * turn(b) < 0.0)
+    if (kind_ == CurveKind::cycle_fold && may_turn(k) && turn(a) * turn(b) < 0.0)
       if (const auto place = zero_of(a, b, turn)) found.push_back(special(SpecialKind::cycle_cusp, *place));
     for (const Sign& sign : signs)
       if (sign.value(a) * sign.value(b) < 0.0)
@@ -297,7 +286,7 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
     add_changed_others(a, b, found);
   }
   for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
-    if (end == CurveEnd::single_cycle && change_ == CycleChange::fold)
+    if (end == CurveEnd::single_cycle && kind_ == CurveKind::cycle_fold)
       found.push_back(special(SpecialKind::generalised_flip, *place));
   constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more
   for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})

@@ -52,7 +52,6 @@ class CycleCurve : public FollowedCurve {
   std::optional<CurvePlace> zero_of(const CurvePlace& a, const CurvePlace& b, const Value& value) const;
   void add_changed_others(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
 
-  CycleChange change_;
   double birth_period_;
   mutable CycleShooting shooting_;
   mutable CycleTest test_;

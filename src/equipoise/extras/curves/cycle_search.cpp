@@ -29,8 +29,8 @@ struct CycleOrigin {
 
 class CycleSearch {
  public:
-  CycleSearch(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart)
-      : studies_(studies), plane_(plane), run_(run), stop_(run.stop), chart_(chart) {}
+  CycleSearch(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart)
+      : plane_(plane), run_(run), stop_(run.stop), chart_(chart) {}
 
   void run() {
     std::vector<CycleOrigin> origins;
@@ -44,10 +44,8 @@ class CycleSearch {
     in_parallel(run_.threads, origins.size(), [&](std::size_t) {
       const std::size_t own = begun++;  // in their order: the first curves need not wait for the last branch
       CycleBranch branch;
-      if (!is_set(stop_)) {
-        const BalancePlane plane(studies_, chart_.plane.x, chart_.plane.y);  // holds a study that it changes
-        branch = cycle_branch([&](const VectorXd& at) { return plane.system(at); }, origins[own].start, stop_);
-      }
+      if (!is_set(stop_))
+        branch = cycle_branch([&](const VectorXd& at) { return plane_.system(at); }, origins[own].start, stop_);
       std::unique_lock lock(mutex);
       crossings[own] = std::move(branch.crossings);
       if (following) return;
@@ -55,7 +53,11 @@ class CycleSearch {
       for (; first < origins.size() && crossings[first]; ++first) {
         const std::vector<CycleCrossing> here = std::move(*crossings[first]);
         lock.unlock();
-        for (const CycleCrossing& crossing : here) follow_or_count(crossing, origins[first].of);
+        for (const CycleCrossing& crossing : here)
+          if (is_set(stop_))
+            ++chart_.cycles_left;
+          else
+            follow(crossing, origins[first].of);
         if (run_.progress && !is_set(stop_)) run_.progress({first + 1, origins.size(), "cycles", {}});
         lock.lock();
       }
@@ -64,12 +66,6 @@ class CycleSearch {
   }
 
  private:
-  void follow_or_count(const CycleCrossing& crossing, const std::string& of) {
-    if (is_set(stop_))
-      ++chart_.cycles_left;
-    else
-      follow(crossing, of);
-  }
   VectorXd place(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
   // At equal distances along the curve, and beside special points, where curves of cycles begin; then across it.
@@ -120,9 +116,7 @@ class CycleSearch {
   void follow(const CycleCrossing& crossing, const std::string& of) {
     const auto system = plane_.system(crossing.near.at);
     if (!system) return;
-    const CurveKind kind = crossing.change == CycleChange::fold   ? CurveKind::cycle_fold
-                           : crossing.change == CycleChange::flip ? CurveKind::cycle_flip
-                                                                  : CurveKind::cycle_torus;
+    const CurveKind kind = crossing.change;
     const auto known = [&](const VectorXd& at, double frequency) {
       return is_known(plane_, chart_, kind, of, at, frequency);
     };
@@ -167,7 +161,6 @@ class CycleSearch {
     return best;
   }
 
-  const PlaneStudies& studies_;
   const BalancePlane& plane_;
   const RunOptions& run_;
   const StopFlag* stop_;
@@ -176,12 +169,11 @@ class CycleSearch {
 
 }  // namespace
 
-void add_cycles(const PlaneStudies& studies, const BalancePlane& plane, const RunOptions& run,
-                BifurcationChart& chart) {
+void add_cycles(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
   if (system && !system->smooth()) chart.no_cycles = "balls that touch or stick make them break off";
   chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};
-  if (chart.no_cycles.empty()) CycleSearch(studies, plane, run, chart).run();
+  if (chart.no_cycles.empty()) CycleSearch(plane, run, chart).run();
 }
 
 }  // namespace equipoise

@@ -84,6 +84,13 @@ class FollowedCurve {
     }
     return found;
   }
+  CurvePlace place_at(const Eigen::VectorXd& at) const {
+    CurvePlace place;
+    place.at = at;
+    place.point.x = plane_.x(at);
+    place.point.y = plane_.y(at);
+    return place;
+  }
   static SpecialPoint special(SpecialKind kind, const CurvePlace& place, double second = 0.0) {
     return {kind, 0, place.point.x, place.point.y, place.point.frequency, second, place.point.state};
   }

@@ -114,10 +114,7 @@ std::optional<BalanceSpectrum> LockedCurve::spectrum(const VectorXd& at) const {
 std::optional<CurvePlace> LockedCurve::described(const VectorXd& at) const {
   const auto here = spectrum(at);
   if (!here) return std::nullopt;
-  CurvePlace place;
-  place.at = at;
-  place.point.x = plane_.x(at);
-  place.point.y = plane_.y(at);
+  CurvePlace place = place_at(at);
   place.point.frequency = 0.0;
   put_state(*here, place.point);
   if (kind_ == CurveKind::hopf) {

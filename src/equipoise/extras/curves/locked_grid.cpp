@@ -17,23 +17,15 @@ using Eigen::VectorXd;
 
 constexpr std::size_t points_of_chunk = 64;  // milliseconds of work
 
-struct LockedPoint {
-  VectorXd state;
-  int unstable = 0;
-  std::vector<std::complex<double>> rates;
-};
-
 class LockedSearch {
  public:
-  LockedSearch(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
-               BifurcationChart& chart)
-      : studies_(studies),
-        plane_(plane),
+  LockedSearch(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart)
+      : plane_(plane),
         threads_(threads),
         stop_(stop),
         chart_(chart),
         grid_(chart.plane),
-        middle_(studies.at(grid_.x.centre(grid_.x.pixels / 2), grid_.y.centre(grid_.y.pixels / 2)).system()) {}
+        middle_(plane.studies().at(grid_.x.centre(grid_.x.pixels / 2), grid_.y.centre(grid_.y.pixels / 2)).system()) {}
 
   void run() {
     chart_.no_locked = locked_states_lack(middle_);
@@ -53,18 +45,15 @@ class LockedSearch {
   }
 
  private:
-  std::vector<LockedPoint> points_of(const model::System& system, std::size_t kind) const {
-    std::vector<LockedPoint> found;
-    for (VectorXd& state : locked_states(system, kinds_[kind])) {
-      BalanceSpectrum at = locked_spectrum(system, symmetries_[kind], state);
-      const int unstable = at.unstable();
-      found.push_back({std::move(state), unstable, std::move(at.rates)});
-    }
+  std::vector<BalanceSpectrum> points_of(const model::System& system, std::size_t kind) const {
+    std::vector<BalanceSpectrum> found;
+    for (const VectorXd& state : locked_states(system, kinds_[kind]))
+      found.push_back(locked_spectrum(system, symmetries_[kind], state));
     return found;
   }
-  std::vector<LockedPoint> points_at(const VectorXd& at, std::size_t kind) const {
+  std::vector<BalanceSpectrum> points_at(const VectorXd& at, std::size_t kind) const {
     const auto system = plane_.system(at);
-    return system ? points_of(*system, kind) : std::vector<LockedPoint>();
+    return system ? points_of(*system, kind) : std::vector<BalanceSpectrum>();
   }
 
   // What exists at each point: of each kind the number of states, then each one's unstable eigenvalues.
@@ -91,10 +80,10 @@ class LockedSearch {
     RegionPattern pattern{grid_.points[k].kind, {}};
     const auto columns = static_cast<std::size_t>(grid_.x.pixels);
     const double x = grid_.x.centre(static_cast<int>(k % columns)), y = grid_.y.centre(static_cast<int>(k / columns));
-    const model::System system = studies_.at(x, y).system();
+    const model::System system = plane_.studies().at(x, y).system();
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
       pattern.unstable.emplace_back();
-      for (const LockedPoint& point : points_of(system, kind)) pattern.unstable.back().push_back(point.unstable);
+      for (const BalanceSpectrum& point : points_of(system, kind)) pattern.unstable.back().push_back(point.unstable());
     }
     return pattern;
   }
@@ -141,18 +130,18 @@ class LockedSearch {
   void crossings(const VectorXd& from, const VectorXd& to, std::size_t kind) {
     const auto begin = points_at(from, kind), end = points_at(to, kind);
     for (std::size_t k = 0; k < begin.size() && k < end.size(); ++k)
-      if (begin[k].unstable != end[k].unstable) crossing(from, to, begin[k].unstable, k, kind);
+      if (begin[k].unstable() != end[k].unstable()) crossing(from, to, begin[k].unstable(), k, kind);
   }
 
   void crossing(const VectorXd& from, const VectorXd& to, int unstable, std::size_t number, std::size_t kind) {
     VectorXd same = from, other = to;
-    std::optional<LockedPoint> found;
+    std::optional<BalanceSpectrum> found;
     for (int k = 0; k < 36; ++k) {
       const VectorXd middle = 0.5 * (same + other);
       auto points = points_at(middle, kind);
       if (number >= points.size()) return;
-      found = std::move(points[number]);
-      (found->unstable == unstable ? same : other) = middle;
+      found.emplace(std::move(points[number]));
+      (found->unstable() == unstable ? same : other) = middle;
     }
     const auto nearest = std::min_element(found->rates.begin(), found->rates.end(), [](const auto& p, const auto& q) {
       return std::fabs(p.real()) < std::fabs(q.real());
@@ -178,7 +167,6 @@ class LockedSearch {
       add_curve(plane_, curve_kind, of, curve, chart_);
   }
 
-  const PlaneStudies& studies_;
   const BalancePlane& plane_;
   int threads_;
   const StopFlag* stop_;
@@ -193,9 +181,8 @@ class LockedSearch {
 
 }  // namespace
 
-void add_locked_states(const PlaneStudies& studies, const BalancePlane& plane, int threads, const StopFlag* stop,
-                       BifurcationChart& chart) {
-  LockedSearch(studies, plane, threads, stop, chart).run();
+void add_locked_states(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart) {
+  LockedSearch(plane, threads, stop, chart).run();
 }
 
 }  // namespace equipoise

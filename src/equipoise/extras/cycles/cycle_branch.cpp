@@ -146,11 +146,11 @@ class BranchOfCycles {
     Index nearest = 0;
     near.multipliers.array().abs().log().abs().minCoeff(&nearest);
     const std::complex<double> multiplier = near.multipliers[nearest];
-    CycleCrossing crossing{CycleChange::torus, near, multiplier.real(), shape_.period};
+    CycleCrossing crossing{CurveKind::cycle_torus, near, multiplier.real(), shape_.period};
     if (multiplier.imag() == 0.0) {
-      crossing.change = multiplier.real() < 0.0 ? CycleChange::flip : CycleChange::fold;
+      crossing.change = multiplier.real() < 0.0 ? CurveKind::cycle_flip : CurveKind::cycle_fold;
       const auto along = [&](const CyclePlace& p) { return (p.at - near.at).dot(start_.direction); };
-      if (crossing.change == CycleChange::fold && !(along(before) * along(after) > 0.0)) return;
+      if (crossing.change == CurveKind::cycle_fold && !(along(before) * along(after) > 0.0)) return;
     }
     branch.crossings.push_back(std::move(crossing));
   }

@@ -33,7 +33,7 @@ struct CyclePlace {
 };
 
 struct CycleCrossing {
-  CycleChange change = CycleChange::fold;
+  CurveKind change = CurveKind::cycle_fold;
   CyclePlace near;
   double cosine = 0.0;  ///< of the angle of a torus's pair
   double birth_period = 0.0;

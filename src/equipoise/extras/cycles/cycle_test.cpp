@@ -44,7 +44,7 @@ std::optional<MatrixXd> plane_of(const MatrixXd& a, const std::array<std::comple
 MatrixXd CycleTest::matrix(const CycleArcs& arcs) const {
   const MatrixXd monodromy = arcs.monodromy();
   const Index n = monodromy.rows();
-  if (change_ == CycleChange::flip) return monodromy + MatrixXd::Identity(n, n);
+  if (change_ == CurveKind::cycle_flip) return monodromy + MatrixXd::Identity(n, n);
   MatrixXd a = MatrixXd::Zero(n + 1, n + 1);
   a.topLeftCorner(n, n) = monodromy - MatrixXd::Identity(n, n);
   a.col(n).head(n) = arcs.rates.back();
@@ -54,7 +54,7 @@ MatrixXd CycleTest::matrix(const CycleArcs& arcs) const {
 
 bool CycleTest::begin(const CycleArcs& arcs, const VectorXd& phase) {
   phase_ = phase;
-  if (change_ == CycleChange::torus) return true;
+  if (change_ == CurveKind::cycle_torus) return true;
   const MatrixXd a = matrix(arcs);
   row_ = column_ = VectorXd::Ones(a.rows()).normalized();
   for (int round = 0; round < 4; ++round) {
@@ -103,7 +103,7 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
 }
 
 std::optional<CycleTest::Value> CycleTest::at(const CycleArcs& arcs) const {
-  if (change_ == CycleChange::torus) return torus(arcs);
+  if (change_ == CurveKind::cycle_torus) return torus(arcs);
   const MatrixXd a = matrix(arcs);
   const Index n = arcs.slopes.front().rows();
   const Bordered b = bordered(a, row_, column_);
@@ -112,7 +112,7 @@ std::optional<CycleTest::Value> CycleTest::at(const CycleArcs& arcs) const {
   if (!std::isfinite(b.value)) return std::nullopt;
   found.right = b.right.normalized();
   found.left = b.left.normalized();
-  found.weights = {-b.left.head(n), b.right.head(n), change_ == CycleChange::fold ? b.right[n] : 0.0};
+  found.weights = {-b.left.head(n), b.right.head(n), change_ == CurveKind::cycle_fold ? b.right[n] : 0.0};
   return found;
 }
 

@@ -6,11 +6,9 @@
 #include <Eigen/Core>
 
 #include "equipoise/extras/cycles/cycle_shooting.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
 
 namespace equipoise {
-
-/// What happens to a cycle: multipliers 1, -1, or a pair on the unit circle.
-enum class CycleChange { fold, flip, torus };
 
 /// Of folds and period doublings g of [A b; c' 0] [v; g] = [0; 1] (W. Govaerts, Numerical Methods for Bifurcations of
 /// Dynamical Equilibria, 2000): A is the monodromy matrix minus 1, bordered by the shift in time and the phase; or the
@@ -18,7 +16,7 @@ enum class CycleChange { fold, flip, torus };
 class CycleTest {
  public:
   /// `cosine`: of the angle of a torus's pair.
-  CycleTest(CycleChange change, double cosine) : change_(change), cosine_(cosine) {}
+  CycleTest(CurveKind change, double cosine) : change_(change), cosine_(cosine) {}
 
   /// The vectors b and c from a cycle near the curve. False if they are not defined.
   bool begin(const CycleArcs& arcs, const Eigen::VectorXd& phase);
@@ -41,7 +39,7 @@ class CycleTest {
   Eigen::MatrixXd matrix(const CycleArcs& arcs) const;
   std::optional<Value> torus(const CycleArcs& arcs) const;
 
-  CycleChange change_;
+  CurveKind change_;
   double cosine_;
   Eigen::VectorXd phase_, row_, column_;
 };

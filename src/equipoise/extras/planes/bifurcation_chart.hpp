@@ -67,17 +67,17 @@ inline constexpr std::array<CurveNumber, 6> curve_numbers{{
 
 /// Why a curve ends. The values stand in files.
 enum class CurveEnd : signed char {
-  plane = 0,        ///< at the plane's edge
-  closed = 1,       ///< at its own beginning
-  no_balance = 2,   ///< where the balanced state ends
-  no_pair = 3,      ///< the pair's frequency falls to 0 (Bogdanov-Takens)
-  lost = 4,         ///< it could not be followed further
-  vanishes = 5,     ///< the cycle shrinks to a state at rest
-  long_period = 6,  ///< the cycle's period grows beyond a bound
-  resonance = 7,    ///< a torus's pair of multipliers meets at 1 or -1
-  points = 8,       ///< the curve has as many points as it may have
-  multiplier = 9,   ///< a multiplier of the cycle grows beyond a bound
-  stopped = 10,     ///< the computation was stopped
+  plane = 0,          ///< at the plane's edge
+  closed = 1,         ///< at its own beginning
+  no_balance = 2,     ///< where the balanced state ends
+  no_pair = 3,        ///< the pair's frequency falls to 0 (Bogdanov-Takens)
+  lost = 4,           ///< it could not be followed further
+  vanishes = 5,       ///< the cycle shrinks to a state at rest
+  long_period = 6,    ///< the cycle's period grows beyond a bound
+  resonance = 7,      ///< a torus's pair of multipliers meets at 1 or -1
+  points = 8,         ///< the curve has as many points as it may have
+  multiplier = 9,     ///< a multiplier of the cycle grows beyond a bound
+  stopped = 10,       ///< the computation was stopped
   single_cycle = 11,  ///< the cycle is a single one passed twice: on a curve of period doublings
 };
 inline constexpr std::array<const char*, 12> curve_end_names{"plane",  "closed",     "no-balance",  "no-pair",
@@ -94,28 +94,27 @@ struct ChartCurve {
 
 /// A point where a curve changes its kind. The values stand in files.
 enum class SpecialKind : signed char {
-  generalised_hopf = 0,  ///< the first Lyapunov coefficient passes through 0
-  double_hopf = 1,       ///< a second pair lies on the imaginary axis
-  zero_hopf = 2,         ///< a real eigenvalue is zero beside the pair
-  bogdanov_takens = 3,   ///< the pair's frequency is 0
-  cusp = 4,              ///< two folds meet
-  fold_hopf = 5,         ///< a pair lies on the imaginary axis where two locked states merge
-  cycle_cusp = 6,        ///< two folds of cycles meet
-  resonance_1_1 = 7,     ///< a second multiplier of a cycle is 1
-  resonance_1_2 = 8,     ///< or -1
-  resonance_1_3 = 9,     ///< a torus's pair of multipliers is at a third of a turn
-  resonance_1_4 = 10,    ///< or at a quarter
-  fold_flip = 11,        ///< multipliers 1 and -1
-  fold_torus = 12,       ///< a multiplier 1 and a pair on the unit circle
-  flip_torus = 13,       ///< a multiplier -1 and a pair
-  double_torus = 14,     ///< two pairs
+  generalised_hopf = 0,   ///< the first Lyapunov coefficient passes through 0
+  double_hopf = 1,        ///< a second pair lies on the imaginary axis
+  zero_hopf = 2,          ///< a real eigenvalue is zero beside the pair
+  bogdanov_takens = 3,    ///< the pair's frequency is 0
+  cusp = 4,               ///< two folds meet
+  fold_hopf = 5,          ///< a pair lies on the imaginary axis where two locked states merge
+  cycle_cusp = 6,         ///< two folds of cycles meet
+  resonance_1_1 = 7,      ///< a second multiplier of a cycle is 1
+  resonance_1_2 = 8,      ///< or -1
+  resonance_1_3 = 9,      ///< a torus's pair of multipliers is at a third of a turn
+  resonance_1_4 = 10,     ///< or at a quarter
+  fold_flip = 11,         ///< multipliers 1 and -1
+  fold_torus = 12,        ///< a multiplier 1 and a pair on the unit circle
+  flip_torus = 13,        ///< a multiplier -1 and a pair
+  double_torus = 14,      ///< two pairs
   generalised_flip = 15,  ///< of a period doubling the cubic coefficient is 0: a fold of doubled cycles ends there
 };
 inline constexpr std::array<const char*, 16> special_kind_names{
-    "generalised-hopf", "double-hopf", "zero-hopf",     "bogdanov-takens", "cusp",
-    "fold-hopf",        "cycle-cusp",  "resonance-1-1", "resonance-1-2",   "resonance-1-3",
-    "resonance-1-4",    "fold-flip",   "fold-torus",    "flip-torus",      "double-torus",
-    "generalised-flip"};
+    "generalised-hopf", "double-hopf",   "zero-hopf",     "bogdanov-takens", "cusp",          "fold-hopf",
+    "cycle-cusp",       "resonance-1-1", "resonance-1-2", "resonance-1-3",   "resonance-1-4", "fold-flip",
+    "fold-torus",       "flip-torus",    "double-torus",  "generalised-flip"};
 
 struct SpecialPoint {
   SpecialKind kind = SpecialKind::generalised_hopf;

@@ -118,8 +118,12 @@ struct StabilityPlane {
     return (own && own->point.one_of_many) || count_if([](const BalancePoint& p) { return p.one_of_many; }) > 0;
   }
   /// Whether some of its points have several balanced states, isolated, whose rates differ.
-  bool of_several() const { return count_if([](const BalancePoint& p) { return p.of_several; }) > 0; }
-  bool contact() const { return count_if([](const BalancePoint& p) { return p.contact; }) > 0; }
+  bool of_several() const {
+    return count_if([](const BalancePoint& p) { return p.of_several; }) > 0;
+  }
+  bool contact() const {
+    return count_if([](const BalancePoint& p) { return p.contact; }) > 0;
+  }
 };
 
 }  // namespace equipoise

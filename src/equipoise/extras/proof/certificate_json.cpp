@@ -23,107 +23,45 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "equipoise certificate 1";
 
-// nlohmann/json writes the shortest text that reads back to the same double.
-template <class Values>
-std::string numbers(const Values& values, std::size_t count) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < count; ++i) list.push_back(values[i]);
-  return list.dump();
-}
+// The entries of a certificate are listed once, in entries(): a Writer puts them into JSON, a Reader takes them from
+// it.
+class Writer {
+ public:
+  static constexpr bool reads = false;
 
-std::string rows(const Eigen::MatrixXd& m) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    const Eigen::VectorXd row = m.row(i);
-    text += (i ? ",\n   " : "\n   ") + numbers(row, static_cast<std::size_t>(row.size()));
+  template <class Value>
+  void operator()(const char* key, const Value& value) {
+    json[key] = value;
   }
-  return text + "\n  ]";
-}
-
-// Multipliers of a box.
-std::size_t vertices_of(const Certificate& c) { return std::size_t{1} << (c.parameters.balls + (c.motor ? 1 : 0)); }
-
-// Entries only for a driven rotor, or for an off-centre race.
-std::string machine_text(const Certificate& c) {
-  const model::Parameters& p = c.parameters;
-  std::string text;
-  if (!p.race_is_centred()) text += fmt::format("  \"race_offset\": {},\n", numbers(p.race_offset, 2));
-  if (!c.motor) return text;
-  text += fmt::format("  \"inertia\": {},\n", Json(p.inertia).dump());
-  if (p.rolls)
-    text += fmt::format("  \"ball_radius\": {},\n", numbers(p.ball_radius, static_cast<std::size_t>(p.balls)));
-  Json motor{{"constant", c.motor->constant},
-             {"slope", c.motor->slope},
-             {"integral", c.motor->integral},
-             {"aim", c.motor->aim}};
-  if (std::isfinite(c.motor->limit)) motor["limit"] = c.motor->limit;
-  return text + fmt::format("  \"motor\": {},\n", motor.dump());
-}
-
-// Of a rotor that tilts; its supports are alike in X and Y.
-std::string tilt_text(const model::Parameters& p) {
-  if (!p.tilts()) return "";
-  const Json tilt{{"transverse_inertia", p.tilt.transverse_inertia},
-                  {"polar_inertia", p.tilt.polar_inertia},
-                  {"misalignment", p.tilt.misalignment},
-                  {"stiffness", p.tilt.stiffness[0]},
-                  {"damping", p.tilt.damping[0]}};
-  return fmt::format("  \"eccentricity_angle\": {},\n  \"tilt\": {},\n  \"plane\": {},\n",
-                     Json(p.eccentricity_angle).dump(), tilt.dump(),
-                     numbers(p.tilt.plane, static_cast<std::size_t>(p.balls)));
-}
-
-std::string rotor_text(const model::Parameters& p) {
-  const auto n = static_cast<std::size_t>(p.balls);
-  std::string text;
-  text += fmt::format("  \"balls\": {},\n", p.balls);
-  text += fmt::format("  \"eccentricity\": {},\n", Json(p.eccentricity).dump());
-  text += fmt::format("  \"damping\": {},\n", Json(p.damping[0]).dump());
-  text += fmt::format("  \"stiffness\": {},\n", Json(p.stiffness[0]).dump());
-  text += fmt::format("  \"mass\": {},\n", numbers(p.mass, n));
-  text += fmt::format("  \"drag\": {},\n", numbers(p.drag, n));
-  if (p.rolls) text += "  \"rolls\": true,\n";
-  return text;
-}
-
-std::string certificate_text(const Certificate& c) {
-  const auto n = static_cast<std::size_t>(c.parameters.balls), vertices = vertices_of(c);
-  std::string text = " {\n" + rotor_text(c.parameters) + tilt_text(c.parameters) + machine_text(c);
-  text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
-  text += fmt::format("  \"phi\": {},\n", numbers(c.phi, n));
-  text += fmt::format("  \"level\": {},\n", Json(c.level).dump());
-  text += fmt::format("  \"form\": {},\n", rows(c.form));
-  text += fmt::format("  \"frame\": {},\n", rows(c.frame));
-  text += "  \"boxes\": [";
-  for (std::size_t i = 0; i < c.boxes.size(); ++i) {
-    std::vector<double> line;
-    for (std::size_t k = 0; k < n; ++k) {
-      line.push_back(c.boxes[i].low[k]);
-      line.push_back(c.boxes[i].high[k]);
-    }
-    line.insert(line.end(), c.boxes[i].multiplier.begin(), c.boxes[i].multiplier.begin() + vertices);
-    text += (i ? ",\n   " : "\n   ") + numbers(line, line.size());
+  template <class Values>
+  void operator()(const char* key, const Values& values, std::size_t count) {
+    json[key] = std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
   }
-  return text + "\n  ]\n }";
-}
+  void matrix(const char* key, const Eigen::MatrixXd& m, int) {
+    for (const auto row : m.rowwise()) json[key].push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  // The same in X and Y.
+  template <class Values>
+  void alike(const char* key, const Values& values) {
+    json[key] = values[0];
+  }
+  template <class Entries>
+  void object(const char* key, const Entries& entries) {
+    Writer inner;
+    entries(inner);
+    json[key] = inner.json;
+  }
+  // Whether an entry is there that only some certificates have.
+  bool has(const char*, bool there) const { return there; }
 
-std::string member_text(const MemberCertificate& c) {
-  std::string text = " {\n" + rotor_text(c.parameters);
-  text += fmt::format("  \"speed\": {},\n", Json(c.speed).dump());
-  text += fmt::format("  \"phi\": {},\n", numbers(c.phi, static_cast<std::size_t>(c.parameters.balls)));
-  text += fmt::format("  \"attracts\": {},\n", c.attracts);
-  text += fmt::format("  \"radius\": {},\n", Json(c.radius).dump());
-  if (c.attracts)
-    text += fmt::format("  \"rate\": {},\n  \"least\": {},\n  \"level\": {},\n", Json(c.rate).dump(),
-                        Json(c.least).dump(), Json(c.level).dump());
-  else
-    text += fmt::format("  \"escape\": {},\n", numbers(c.escape, static_cast<std::size_t>(c.escape.size())));
-  return text + fmt::format("  \"form\": {}\n }}", rows(c.form));
-}
+  Json json;
+};
 
-// Reads one certificate; errors name the offending key.
+// Its errors name the offending key.
 class Reader {
  public:
+  static constexpr bool reads = true;
+
   Reader(const Json& object, std::string where, std::string prefix)
       : object_(object), where_(std::move(where)), prefix_(std::move(prefix)) {
     if (!object.is_object()) fail("", words::reports::must_be_object);
@@ -132,43 +70,56 @@ class Reader {
   [[noreturn]] void fail(const std::string& key, const std::string& problem) const {
     throw InputError(where_, key.empty() ? prefix_ : prefix_ + "." + key, "", problem);
   }
-  double number(const std::string& key) const { return as_number(member(key), key); }
-  bool has(const std::string& key) const { return object_.contains(key); }
-  Reader object(const std::string& key) const { return {member(key), where_, prefix_ + "." + key}; }
-  bool flag(const std::string& key) const {
+  void require_positive(const char* key, double value) const {
+    if (!(value > 0.0)) fail(key, words::reports::must_be_positive);
+  }
+  void operator()(const char* key, double& value) const { value = as_number(member(key), key); }
+  void operator()(const char* key, bool& value) const {
     const auto found = object_.find(key);
-    if (found == object_.end()) return false;
-    if (!found->is_boolean()) fail(key, words::reports::must_be_true_or_false);
-    return found->get<bool>();
+    if (found != object_.end() && !found->is_boolean()) fail(key, words::reports::must_be_true_or_false);
+    value = found != object_.end() && found->get<bool>();
   }
-  std::vector<double> list(const std::string& key, std::size_t count) const { return as_list(member(key), key, count); }
-  Eigen::MatrixXd matrix(const std::string& key, int size) const {
-    const auto values = lists(key, static_cast<std::size_t>(size));
-    if (values.size() != static_cast<std::size_t>(size)) fail(key, fmt::format(words::reports::must_have_rows, size));
-    Eigen::MatrixXd result(size, size);
+  template <class Values>
+  void operator()(const char* key, Values& values, std::size_t count) const {
+    const std::vector<double> list = as_list(member(key), key, count);
+    std::copy(list.begin(), list.end(), values.begin());
+  }
+  void matrix(const char* key, Eigen::MatrixXd& m, int size) const {
+    const auto rows = lines(key, static_cast<std::size_t>(size));
+    if (rows.size() != static_cast<std::size_t>(size)) fail(key, fmt::format(words::reports::must_have_rows, size));
+    m.resize(size, size);
     for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j) result(i, j) = values[i][j];
-    return result;
+      for (int j = 0; j < size; ++j) m(i, j) = rows[i][j];
   }
-  std::vector<std::vector<double>> lists(const std::string& key, std::size_t count) const {
+  void alike(const char* key, std::array<double, 2>& value) const { value.fill(as_number(member(key), key)); }
+  void alike(const char* key, std::array<std::array<double, 2>, 2>& values) const {
+    (*this)(key, values[0], 2);
+    values[1] = values[0];
+  }
+  template <class Entries>
+  void object(const char* key, const Entries& entries) const {
+    entries(Reader(member(key), where_, prefix_ + "." + key));
+  }
+  bool has(const char* key, bool) const { return object_.contains(key); }
+  std::vector<std::vector<double>> lines(const char* key, std::size_t count) const {
     const Json& array = member(key);
     if (!array.is_array()) fail(key, words::reports::must_be_lists_of_numbers);
     std::vector<std::vector<double>> result;
-    for (const Json& row : array) result.push_back(as_list(row, key, count));
+    for (const Json& line : array) result.push_back(as_list(line, key, count));
     return result;
   }
 
  private:
-  const Json& member(const std::string& key) const {
+  const Json& member(const char* key) const {
     const auto found = object_.find(key);
     if (found == object_.end()) fail(key, words::reports::is_missing);
     return *found;
   }
-  double as_number(const Json& value, const std::string& key) const {
+  double as_number(const Json& value, const char* key) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, words::reports::must_be_finite);
     return value.get<double>();
   }
-  std::vector<double> as_list(const Json& array, const std::string& key, std::size_t count) const {
+  std::vector<double> as_list(const Json& array, const char* key, std::size_t count) const {
     if (!array.is_array() || array.size() != count) fail(key, fmt::format(words::reports::must_be_numbers, count));
     std::vector<double> result;
     for (const Json& value : array) result.push_back(as_number(value, key));
@@ -179,114 +130,121 @@ class Reader {
   std::string where_, prefix_;
 };
 
-void read_tilt(const Reader& r, model::Parameters& p) {
-  if (!r.has("tilt")) return;
-  const Reader tilt = r.object("tilt");
-  p.eccentricity_angle = r.number("eccentricity_angle");
-  p.tilt.transverse_inertia = tilt.number("transverse_inertia");
-  if (!(p.tilt.transverse_inertia > 0.0)) tilt.fail("transverse_inertia", words::reports::must_be_positive);
-  p.tilt.polar_inertia = tilt.number("polar_inertia");
-  p.tilt.misalignment = tilt.number("misalignment");
-  const std::vector<double> stiffness = tilt.list("stiffness", 2), damping = tilt.list("damping", 2),
-                            plane = r.list("plane", static_cast<std::size_t>(p.balls));
-  p.tilt.stiffness.fill({stiffness[0], stiffness[1]});
-  p.tilt.damping.fill({damping[0], damping[1]});
-  std::copy(plane.begin(), plane.end(), p.tilt.plane.begin());
+void put_balls(Writer& a, int balls, int, int) { a("balls", balls); }
+void put_balls(const Reader& a, int& balls, int fewest, int most) {
+  double number = 0.0;
+  a("balls", number);
+  if (!(number >= fewest && number <= most && number == std::floor(number)))
+    a.fail("balls", fmt::format(words::reports::must_be_whole, fewest, most));
+  balls = static_cast<int>(number);
 }
 
-void read_machine(const Reader& r, Certificate& c) {
-  model::Parameters& p = c.parameters;
-  read_tilt(r, p);
-  if (r.has("race_offset")) {
-    const std::vector<double> offset = r.list("race_offset", 2);
-    p.race_offset = {offset[0], offset[1]};
-  }
-  if (!r.has("motor")) return;
-  p.inertia = r.number("inertia");
-  if (!(p.inertia > 0.0)) r.fail("inertia", words::reports::must_be_positive);
-  if (p.rolls) {
-    const std::vector<double> radius = r.list("ball_radius", static_cast<std::size_t>(p.balls));
-    std::copy(radius.begin(), radius.end(), p.ball_radius.begin());
-  }
-  const Reader motor = r.object("motor");
-  c.motor = model::DriveSegment{.begin = 0.0,
-                                .end = std::numeric_limits<double>::infinity(),
-                                .constant = motor.number("constant"),
-                                .slope = motor.number("slope"),
-                                .integral = motor.number("integral"),
-                                .aim = motor.number("aim")};
-  if (motor.has("limit")) c.motor->limit = motor.number("limit");
-}
-
-model::Parameters rotor_from(const Reader& r, int fewest, int most) {
-  model::Parameters p;
-  const double balls = r.number("balls");
-  if (!(balls >= fewest && balls <= most && balls == std::floor(balls)))
-    r.fail("balls", fmt::format(words::reports::must_be_whole, fewest, most));
-  p.balls = static_cast<int>(balls);
+template <class Archive, class Parameters>
+void rotor_entries(Archive& a, Parameters& p, int fewest, int most) {
+  put_balls(a, p.balls, fewest, most);
   const auto n = static_cast<std::size_t>(p.balls);
-  p.eccentricity = r.number("eccentricity");
-  p.damping.fill(r.number("damping"));
-  p.stiffness.fill(r.number("stiffness"));
-  const std::vector<double> mass = r.list("mass", n), drag = r.list("drag", n);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!(mass[i] > 0.0)) r.fail("mass", words::reports::must_be_positive);
-    p.mass[i] = mass[i];
-    p.drag[i] = drag[i];
+  a("eccentricity", p.eccentricity);
+  a.alike("damping", p.damping);
+  a.alike("stiffness", p.stiffness);
+  a("mass", p.mass, n);
+  a("drag", p.drag, n);
+  if (a.has("rolls", p.rolls)) a("rolls", p.rolls);
+  if constexpr (Archive::reads)
+    for (std::size_t i = 0; i < n; ++i) a.require_positive("mass", p.mass[i]);
+}
+
+// Multipliers of a box.
+std::size_t vertices_of(const Certificate& c) { return std::size_t{1} << (c.parameters.balls + (c.motor ? 1 : 0)); }
+
+// use(number) for all numbers of a box, in the order in which they are written.
+template <class Box, class Use>
+void numbers_of(Box& box, const Certificate& c, const Use& use) {
+  for (int k = 0; k < c.parameters.balls; ++k) {
+    use(box.low[k]);
+    use(box.high[k]);
   }
-  p.rolls = r.flag("rolls");
-  return p;
+  for (std::size_t v = 0; v < vertices_of(c); ++v) use(box.multiplier[v]);
 }
 
-std::array<double, model::max_balls> angles_from(const Reader& r, int balls) {
-  std::array<double, model::max_balls> phi{};
-  const std::vector<double> list = r.list("phi", static_cast<std::size_t>(balls));
-  std::copy(list.begin(), list.end(), phi.begin());
-  return phi;
-}
-
-Certificate certificate_from(const Reader& r) {
-  Certificate c;
-  c.parameters = rotor_from(r, 1, r.has("tilt") ? 4 : 2);
-  c.phi = angles_from(r, c.parameters.balls);
-  const auto n = static_cast<std::size_t>(c.parameters.balls);
-  read_machine(r, c);
-  c.speed = r.number("speed");
-  c.level = r.number("level");
-  c.form = r.matrix("form", c.system().dimension());
-  c.frame = r.matrix("frame", c.system().dimension());
-  if (c.parameters.tilts()) return c;  // needs no boxes
-  const std::size_t vertices = vertices_of(c);
-  for (const std::vector<double>& line : r.lists("boxes", 2 * n + vertices)) {
-    Certificate::Box box;
-    for (std::size_t k = 0; k < n; ++k) {
-      box.low[k] = line[2 * k];
-      box.high[k] = line[2 * k + 1];
-    }
-    for (std::size_t v = 0; v < vertices; ++v) box.multiplier[v] = line[2 * n + v];
-    c.boxes.push_back(box);
+void put_boxes(Writer& a, const Certificate& c) {
+  a.json["boxes"] = Json::array();
+  for (const Certificate::Box& box : c.boxes) {
+    Json line;
+    numbers_of(box, c, [&](double number) { line.push_back(number); });
+    a.json["boxes"].push_back(std::move(line));
   }
-  return c;
+}
+void put_boxes(const Reader& a, Certificate& c) {
+  if (c.parameters.tilts()) return;  // needs no boxes
+  for (const auto& line : a.lines("boxes", 2 * static_cast<std::size_t>(c.parameters.balls) + vertices_of(c))) {
+    auto next = line.begin();
+    numbers_of(c.boxes.emplace_back(), c, [&](double& number) { number = *next++; });
+  }
 }
 
-MemberCertificate member_from(const Reader& r) {
-  MemberCertificate c;
-  c.parameters = rotor_from(r, 3, model::max_balls);
-  c.phi = angles_from(r, c.parameters.balls);
-  c.speed = r.number("speed");
-  c.attracts = r.flag("attracts");
-  c.radius = r.number("radius");
+template <class Archive, class Parameters>
+void tilt_entries(Archive& a, Parameters& p) {
+  a("eccentricity_angle", p.eccentricity_angle);
+  a.object("tilt", [&](auto&& tilt) {
+    tilt("transverse_inertia", p.tilt.transverse_inertia);
+    if constexpr (Archive::reads) tilt.require_positive("transverse_inertia", p.tilt.transverse_inertia);
+    tilt("polar_inertia", p.tilt.polar_inertia);
+    tilt("misalignment", p.tilt.misalignment);
+    tilt.alike("stiffness", p.tilt.stiffness);
+    tilt.alike("damping", p.tilt.damping);
+  });
+  a("plane", p.tilt.plane, static_cast<std::size_t>(p.balls));
+}
+
+template <class Archive, class AnyCertificate>
+void motor_entries(Archive& a, AnyCertificate& c) {
+  auto& p = c.parameters;
+  a("inertia", p.inertia);
+  if constexpr (Archive::reads) {
+    a.require_positive("inertia", p.inertia);
+    c.motor = model::DriveSegment{.begin = 0.0, .end = std::numeric_limits<double>::infinity()};
+  }
+  if (p.rolls) a("ball_radius", p.ball_radius, static_cast<std::size_t>(p.balls));
+  a.object("motor", [&](auto&& motor) {
+    motor("constant", c.motor->constant);
+    motor("slope", c.motor->slope);
+    motor("integral", c.motor->integral);
+    motor("aim", c.motor->aim);
+    if (motor.has("limit", std::isfinite(c.motor->limit))) motor("limit", c.motor->limit);
+  });
+}
+
+template <class Archive, class AnyCertificate>
+void state_entries(Archive& a, AnyCertificate& c) {
+  rotor_entries(a, c.parameters, 1, a.has("tilt", c.parameters.tilts()) ? 4 : 2);
+  if (a.has("tilt", c.parameters.tilts())) tilt_entries(a, c.parameters);
+  if (a.has("race_offset", !c.parameters.race_is_centred())) a("race_offset", c.parameters.race_offset, 2);
+  if (a.has("motor", c.motor.has_value())) motor_entries(a, c);
+  a("speed", c.speed);
+  a("phi", c.phi, static_cast<std::size_t>(c.parameters.balls));
+  a("level", c.level);
+  a.matrix("form", c.form, c.system().dimension());
+  a.matrix("frame", c.frame, c.system().dimension());
+  put_boxes(a, c);
+}
+
+template <class Archive, class AnyCertificate>
+void member_entries(Archive& a, AnyCertificate& c) {
+  rotor_entries(a, c.parameters, 3, model::max_balls);
+  a("speed", c.speed);
+  a("phi", c.phi, static_cast<std::size_t>(c.parameters.balls));
+  a("attracts", c.attracts);
+  a("radius", c.radius);
   const int size = c.parameters.balls + 6;
   if (c.attracts) {
-    c.rate = r.number("rate");
-    c.least = r.number("least");
-    c.level = r.number("level");
+    a("rate", c.rate);
+    a("least", c.least);
+    a("level", c.level);
   } else {
-    const std::vector<double> escape = r.list("escape", static_cast<std::size_t>(size));
-    c.escape = Eigen::Map<const Eigen::VectorXd>(escape.data(), size);
+    if constexpr (Archive::reads) c.escape.resize(size);
+    a("escape", c.escape, static_cast<std::size_t>(size));
   }
-  c.form = r.matrix("form", size);
-  return c;
+  a.matrix("form", c.form, size);
 }
 
 // The file's object. It must hold at least one certificate of either kind.
@@ -304,23 +262,42 @@ Json file_from(const std::string& text, const std::string& where) {
   return json;
 }
 
-// The entries of one of the file's arrays, if present.
-template <class Read>
-auto entries(const Json& file, const char* key, const std::string& where, const Read& read) {
-  std::vector<decltype(read(std::declval<Reader>()))> result;
+constexpr auto of_state = [](auto& archive, auto& certificate) { state_entries(archive, certificate); };
+constexpr auto of_member = [](auto& archive, auto& certificate) { member_entries(archive, certificate); };
+
+// The certificates of one of the file's arrays, if present.
+template <class AnyCertificate, class Entries>
+std::vector<AnyCertificate> list_from(const Json& file, const char* key, const std::string& where,
+                                      const Entries& entries) {
+  std::vector<AnyCertificate> result;
   const auto list = file.find(key);
   if (list == file.end()) return result;
   if (!list->is_array()) throw InputError(where, key, "", words::reports::must_be_array);
-  for (const Json& entry : *list)
-    result.push_back(read(Reader(entry, where, fmt::format("{}[{}]", key, result.size()))));
+  for (const Json& entry : *list) {
+    const Reader reader(entry, where, fmt::format("{}[{}]", key, result.size()));
+    entries(reader, result.emplace_back());
+  }
   return result;
 }
 
-template <class Certificates, class Text>
-std::string list_text(const Certificates& certificates, const Text& text_of) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < certificates.size(); ++i) text += (i ? ",\n" : "\n") + text_of(certificates[i]);
-  return text + "\n]";
+// An entry a line, and a line for each row of a table.
+template <class AnyCertificate, class Entries>
+std::string list_text(const std::vector<AnyCertificate>& certificates, const Entries& entries) {
+  std::string text;
+  for (const AnyCertificate& certificate : certificates) {
+    Writer writer;
+    entries(writer, certificate);
+    text += text.empty() ? "\n {" : ",\n {";
+    for (const auto& [key, value] : writer.json.items()) {
+      text += fmt::format("{}\n  \"{}\": ", text.back() == '{' ? "" : ",", key);
+      const bool table = value.is_array() && (value.empty() || value.front().is_array());
+      std::string rows;
+      for (std::size_t k = 0; table && k < value.size(); ++k) rows += (k ? ",\n   " : "\n   ") + value[k].dump();
+      text += table ? "[" + rows + "\n  ]" : value.dump();
+    }
+    text += "\n }";
+  }
+  return "[" + text + "\n]";
 }
 
 }  // namespace
@@ -328,8 +305,8 @@ std::string list_text(const Certificates& certificates, const Text& text_of) {
 std::string certificates_json(const std::vector<Certificate>& certificates,
                               const std::vector<MemberCertificate>& members) {
   std::string text = fmt::format("{{\n\"format\": \"{}\",\n\"version\": \"{}\",\n\"certificates\": {}", format_name,
-                                 version_string, list_text(certificates, certificate_text));
-  if (!members.empty()) text += ",\n\"members\": " + list_text(members, member_text);
+                                 version_string, list_text(certificates, of_state));
+  if (!members.empty()) text += ",\n\"members\": " + list_text(members, of_member);
   return text + "\n}\n";
 }
 
@@ -344,11 +321,11 @@ std::string certificates_json(const CertifyResult& result) {
 }
 
 std::vector<Certificate> certificates_from_json(const std::string& text, const std::string& where) {
-  return entries(file_from(text, where), "certificates", where, certificate_from);
+  return list_from<Certificate>(file_from(text, where), "certificates", where, of_state);
 }
 
 std::vector<MemberCertificate> members_from_json(const std::string& text, const std::string& where) {
-  return entries(file_from(text, where), "members", where, member_from);
+  return list_from<MemberCertificate>(file_from(text, where), "members", where, of_member);
 }
 
 CertificateFile checked_certificates(const std::string& text, const std::string& where, const StopFlag* stop) {

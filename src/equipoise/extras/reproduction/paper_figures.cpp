@@ -120,7 +120,8 @@ Panels transients(const StopFlag* stop) {
   for (const double duration : {1e-4, 0.1, 5.0, 50.0, 100.0, 300.0}) {
     FigurePanel& panel = panels.emplace_back(FigurePanel{fmt::format("T0 = {}", duration), {}});
     for (const SpeedLaw law : both_laws)
-      panel.series.push_back(curve(ramp_study(0.5, 0.05, 2.4, duration, 2.4, law), "", duration + 200.0, stop));
+      panel.series.push_back(curve(ramp_study(0.5, 0.05, 2.4, duration, 2.4, law), fmt::format("{} law", name_of(law)),
+                                   duration + 200.0, stop));
   }
   return panels;
 }
@@ -191,6 +192,26 @@ PaperFigure paper_figure(const std::string& id, const StopFlag* stop) {
   for (const FigureRecipe& r : recipes)
     if (r.id == id) return {r.id, r.title, r.caption, r.choice, r.panels(stop)};
   throw InputError("figure", "", id, "must be one of paper_figure_ids()");
+}
+
+std::string figure_csv(const PaperFigure& figure) {
+  std::string text = fmt::format("# {}. {}\n", figure.title, figure.caption);
+  if (!figure.choice.empty()) text += fmt::format("# {}\n", figure.choice);
+  text +=
+      "# r: distance of the rotor's centre from the axis, in race radii; t in 1/omega_c. Long curves are thinned to "
+      "their envelope.\n";
+  for (const FigurePanel& panel : figure.panels)
+    for (const FigureSeries& s : panel.series) {
+      text += fmt::format("# study of {}, {}:\n#   ", panel.title, s.label);
+      for (const char c : s.study) text += c == '\n' ? std::string("\n#   ") : std::string(1, c);
+      text += "\n";
+    }
+  text += "panel,series,law,t,r\n";
+  for (const FigurePanel& panel : figure.panels)
+    for (const FigureSeries& s : panel.series)
+      for (std::size_t i = 0; i < s.t.size(); ++i)
+        text += fmt::format("\"{}\",\"{}\",{},{},{}\n", panel.title, s.label, name_of(s.law), s.t[i], s.r[i]);
+  return text;
 }
 
 }  // namespace equipoise

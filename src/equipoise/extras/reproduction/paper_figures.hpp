@@ -31,4 +31,7 @@ std::vector<std::string> paper_figure_ids();
 /// Computes a figure's curves by simulate(). Panels are empty if stopped early. `id`: one of paper_figure_ids().
 PaperFigure paper_figure(const std::string& id, const StopFlag* stop = nullptr);
 
+/// Columns panel, series, law, t, r, after comment lines with the caption and every curve's study.
+std::string figure_csv(const PaperFigure& figure);
+
 }  // namespace equipoise

@@ -36,15 +36,13 @@ class TableRun {
       table.published = &published;
       for (const PublishedRow& row : published.rows) {
         table.rows.push_back({&row, {}, {}, {}, {}, {}});
-        if (under_published(published)) progress_.total += starts_of(row);
-        if (under_kinematic(published)) progress_.total += starts_of(row);
+        progress_.total += laws_of(published).size() * starts_of(row);
       }
     }
     for (ReproducedTable& table : tables) {
-      for (ReproducedRow& row : table.rows) {
-        if (under_published(*table.published)) row.by_published_law = ensemble(row, model::SpeedLaw::published);
-        if (under_kinematic(*table.published)) row.by_kinematic_law = ensemble(row, model::SpeedLaw::kinematic);
-      }
+      for (ReproducedRow& row : table.rows)
+        for (const model::SpeedLaw law : laws_of(*table.published))
+          (law == model::SpeedLaw::published ? row.by_published_law : row.by_kinematic_law) = ensemble(row, law);
       judge(table);
       follow_up(table);
     }
@@ -52,8 +50,12 @@ class TableRun {
   }
 
  private:
-  bool under_published(const PublishedTable& t) const { return !t.ramps || options_.laws != LawChoice::kinematic; }
-  bool under_kinematic(const PublishedTable& t) const { return t.ramps && options_.laws != LawChoice::published; }
+  std::vector<model::SpeedLaw> laws_of(const PublishedTable& t) const {
+    using model::SpeedLaw;
+    if (!t.ramps || options_.laws == LawChoice::published) return {SpeedLaw::published};
+    if (options_.laws == LawChoice::kinematic) return {SpeedLaw::kinematic};
+    return {SpeedLaw::published, SpeedLaw::kinematic};
+  }
   bool stopped() const { return is_set(options_.stop); }
 
   std::uint64_t starts_of(const PublishedRow& row) const {
@@ -91,13 +93,13 @@ class TableRun {
     Study study = study_of(*row.published, law);
     study.sampling.starts = factor * starts_of(*row.published);
     // The constant-speed study has no law in its name.
-    const std::string name = row.published->study +
-                             (study.speed.profile == Profile::constant ? "" : fmt::format("-{}", name_of(law))) +
-                             (factor > 1 ? "-follow-up" : "");
-    const std::string path = options_.folder.empty() ? "" : options_.folder + "/" + name + ".nc";
-    progress_.what = study.speed.profile == Profile::constant
-                         ? row.published->study
-                         : fmt::format("{}, {} law", row.published->study, name_of(law));
+    const bool constant = study.speed.profile == Profile::constant;
+    const std::string& name = row.published->study;
+    const std::string path = options_.folder.empty() ? ""
+                                                     : fmt::format("{}/{}{}{}.nc", options_.folder, name,
+                                                                   constant ? "" : fmt::format("-{}", name_of(law)),
+                                                                   factor > 1 ? "-follow-up" : "");
+    progress_.what = constant ? name : fmt::format("{}, {} law", name, name_of(law));
     EnsembleResult result;
     if (stopped()) return result;
     report(0);

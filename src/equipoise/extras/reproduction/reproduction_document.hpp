@@ -1,31 +1,16 @@
 // The reproduced paper as a report: its blocks, plots, words and numbers.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/report/drawing/document.hpp"
-#include "equipoise/report/drawing/plot.hpp"
 
 namespace equipoise {
 
 /// Each drawing stands below a heading whose anchor names it ("table-3", "figure-transients"). `explorer`: address of
 /// the explorer's page, to which every row's study then links; may be empty.
 Document reproduction_document(const Reproduction& r, const std::string& explorer = "");
-
-/// Balanced share of every row: printed, published law, kinematic law. Empty for table 7, whose rows share no axis.
-std::optional<Plot> table_plot(const ReproducedTable& table);
-
-/// One plot per panel.
-std::vector<Plot> figure_plots(const PaperFigure& figure);
-
-/// Balanced share against speed, for starts in the box and at rest.
-Plot plot_of_box(const OpenQuestions& open);
-
-/// Columns panel, series, law, t, r, after comment lines with the caption and every curve's study.
-std::string figure_csv(const PaperFigure& figure);
 
 /// A share in percent without the sign, with as many digits as in print or as small counts need: "60.40".
 std::string percentage(const Share& s);

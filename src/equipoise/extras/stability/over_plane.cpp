@@ -32,7 +32,7 @@ class WayToBoundary {
       : studies_(studies), own_(own), along_x_(along_x), looks_(own.point.by_multipliers ? 64 : 256) {}
 
   /// Empty if it was stopped.
-  std::optional<BalanceBoundary> look(double end, bool upwards, int threads, const StabilitySettings& settings) const {
+  std::optional<BalanceBoundary> look(double end, bool upwards, int threads, const RunOptions& settings) const {
     const BalanceBoundary none{along_x_, upwards, BalanceBoundary::Change::none, end, 0.0};
     const double begin = along_x_ ? own_.x : own_.y;
     const auto value = [&](std::size_t k) {
@@ -94,8 +94,7 @@ class WayToBoundary {
 };
 
 // Stopped, it has not all boundaries, and the plane is not complete.
-std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilitySettings& settings,
-                                  StabilityPlane& plane) {
+std::optional<OwnPoint> own_point(const PlaneStudies& studies, const RunOptions& settings, StabilityPlane& plane) {
   const auto x = studies.own_x(), y = studies.own_y();
   if (!x || !y) return std::nullopt;
   OwnPoint own{
@@ -124,14 +123,13 @@ std::optional<OwnPoint> own_point(const PlaneStudies& studies, const StabilitySe
   return own;
 }
 
-StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& settings) {
+StabilityPlane computed(const PlaneStudies& studies, const RunOptions& settings) {
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin = cpu_seconds();
   StabilityPlane plane;
   plane.study = studies.study();
-  plane.x = settings.x;
-  plane.y = settings.y;
-  if (!settings.output.empty()) check_stability_file(settings.output, plane);
+  plane.x = studies.x();
+  plane.y = studies.y();
   plane.threads = thread_count(settings.threads);
   plane.cpu_target = cpu_target();
   const std::size_t points = static_cast<std::size_t>(plane.x.pixels) * static_cast<std::size_t>(plane.y.pixels);
@@ -154,7 +152,6 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
   });
   plane.complete = plane.count(BalanceKind::not_computed) == 0;
   if (plane.complete) plane.own = own_point(studies, settings, plane);
-  if (!settings.output.empty()) write_stability_file(settings.output, plane);
   plane.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   plane.cpu_seconds = cpu_seconds() - cpu_begin;
   return plane;
@@ -165,12 +162,20 @@ StabilityPlane computed(const PlaneStudies& studies, const StabilitySettings& se
 StabilityPlane stability(const Study& given, const StabilitySettings& settings) {
   check_has_balls(given);
   reject_if_lacking(given, model::ResultKind::maps);
-  return stability(PlaneStudies(with_medians(given), settings.x, settings.y), settings);
+  const PlaneStudies studies(with_medians(given), settings.x, settings.y);
+  StabilityPlane plane;
+  plane.study = studies.study();
+  plane.x = settings.x;
+  plane.y = settings.y;
+  if (!settings.output.empty()) check_stability_file(settings.output, plane);
+  plane = stability(studies, settings);
+  if (!settings.output.empty()) write_stability_file(settings.output, plane);
+  return plane;
 }
 
-StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings) {
-  const ChosenCpuTarget chosen(settings.cpu_target);
-  return reported(settings, [&](const StabilitySettings& s) { return computed(studies, s); });
+StabilityPlane stability(const PlaneStudies& studies, const RunOptions& options) {
+  const ChosenCpuTarget chosen(options.cpu_target);
+  return reported(options, [&](const RunOptions& o) { return computed(studies, o); });
 }
 
 }  // namespace equipoise

@@ -21,7 +21,7 @@ struct StabilitySettings : RunOptions {
 /// Throws InputError for a study without balls, for keys, ranges and values that make no valid study, and for an output
 /// with other content.
 StabilityPlane stability(const Study& study, const StabilitySettings& settings);
-/// Over these studies, whose axes are those of `settings`; of a study with balls and nothing uncertain.
-StabilityPlane stability(const PlaneStudies& studies, const StabilitySettings& settings);
+/// Over these studies, of a study with balls and nothing uncertain.
+StabilityPlane stability(const PlaneStudies& studies, const RunOptions& options);
 
 }  // namespace equipoise

@@ -23,6 +23,8 @@ class PlaneStudies {
   Study at(double x, double y) const;
 
   const Study& study() const { return study_; }  ///< as given
+  const SliceAxis& x() const { return x_; }
+  const SliceAxis& y() const { return y_; }
   /// Whether a study can have these values.
   bool valid(double x, double y) const;
   /// The given study's own values; none if one of them is no single number.
