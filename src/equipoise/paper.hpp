@@ -5,6 +5,5 @@
 #include "equipoise/equipoise.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/extras/literature/reproduction.hpp"
-#include "equipoise/extras/reproduction/open_questions.hpp"
-#include "equipoise/extras/reproduction/paper_figures.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"

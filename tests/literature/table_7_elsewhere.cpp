@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/reproduction/table_7.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "table_7_fit.hpp"
 
 namespace equipoise::table_7 {

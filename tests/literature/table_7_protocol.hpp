@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "equipoise/extras/reproduction/table_7.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/study/contents/study.hpp"
 

@@ -13,7 +13,7 @@
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/core/math/curve_follower.hpp"
-#include "equipoise/extras/curves/hopf_form.hpp"
+#include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/higher_derivatives.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
@@ -167,7 +167,7 @@ TEST(Chart, DoubleHopfPointsHaveTwoPairsOnTheAxisAndGeneralisedOnesNoCubicTerm) 
       }
     } else if (p.kind == SpecialKind::generalised_hopf) {
       ++generalised;
-      EXPECT_NEAR(hopf_form(*spectrum, p.frequency)->lyapunov, 0.0, 1e-8);
+      EXPECT_NEAR(first_lyapunov(*spectrum, p.frequency).value(), 0.0, 1e-8);
     }
   }
   EXPECT_EQ(doubles, 2);

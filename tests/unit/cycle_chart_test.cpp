@@ -14,7 +14,6 @@
 #include "equipoise/extras/charts/chart_report.hpp"
 #include "equipoise/extras/curves/balance_plane.hpp"
 #include "equipoise/extras/curves/cycle_curve.hpp"
-#include "equipoise/extras/curves/hopf_form.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"

@@ -1,6 +1,6 @@
 // Proofs about members of a continuum: true at random points of the equations, consistent with linear theory, and
 // refuted once anything in them is changed.
-#include "equipoise/extras/proof/member_certificate.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/extras/proof/certify_report.hpp"
-#include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace member_certificate_test {

@@ -1,11 +1,10 @@
 // Equations of the curves of balance, and where they end with it.
-#include "equipoise/extras/curves/balance_curve.hpp"
+#include "equipoise/extras/curves/followed_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/curves/hopf_form.hpp"
 
 namespace equipoise {
 
@@ -56,7 +55,7 @@ std::optional<CurvePlace> BalanceCurve::described(const VectorXd& at) const {
   place.pair = *pair;
   place.point.frequency = std::sqrt(std::max(0.0, pair->product));
   place.point.others = unstable_besides(spectrum->rates, *pair);
-  if (const auto form = hopf_form(*spectrum, place.point.frequency)) place.point.lyapunov = form->lyapunov;
+  place.point.lyapunov = first_lyapunov(*spectrum, place.point.frequency).value_or(NAN);
   return place;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "equipoise/extras/curves/balance_curve.hpp"
+#include "equipoise/extras/curves/followed_curve.hpp"
 
 namespace equipoise {
 

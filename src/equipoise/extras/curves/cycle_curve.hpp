@@ -4,7 +4,6 @@
 #include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
 #include "equipoise/extras/cycles/cycle_shooting.hpp"
-#include "equipoise/extras/cycles/cycle_test.hpp"
 
 namespace equipoise {
 

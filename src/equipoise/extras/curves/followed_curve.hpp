@@ -1,4 +1,4 @@
-// A curve in a plane of two parameters, followed from a place near it to both of its ends.
+// A curve in a plane of two parameters, followed from a place near it to both of its ends; curves of balance.
 #pragma once
 
 #include <array>
@@ -116,7 +116,30 @@ inline void put_state(const BalanceSpectrum& at, CurvePoint& point) {
   point.rates = at.rates;
 }
 
+/// What a swing does that is a little too large for linear theory, at a state of which a pair with about this frequency
+/// lies on the imaginary axis: its growth rate is Re(eigenvalue) + a^2 times this, a the amplitude, in radians, of the
+/// ball that swings most. First Lyapunov coefficient as in Kuznetsov, Elements of Applied Bifurcation Theory, section
+/// 5.4, with exact derivatives and this scale of the eigenvector. Empty for a member of a continuum, under a motor, and
+/// where the pair is no pair or another eigenvalue is 0.
+std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency);
+
 /// Unstable eigenvalues besides the pair.
 int unstable_besides(const std::vector<std::complex<double>>& rates, const EigenPair& pair);
+
+/// In the unit square: its unknowns are the two parameters alone.
+class BalanceCurve : public FollowedCurve {
+ public:
+  BalanceCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like) : FollowedCurve(plane, kind, like) {}
+
+ private:
+  std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
+  std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
+  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const override { return plane_.spectrum(at); }
+  SpecialKind kind_at_zero(const CurvePlace&) const override { return SpecialKind::zero_hopf; }
+  void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const override;
+  /// Where the curve meets the end of balance.
+  std::optional<CurvePlace> at_balance_end(const CurvePlace& before) const;
+  CurveEnd reason_beyond(const CurveFollower::Step& last, double step) const;
+};
 
 }  // namespace equipoise

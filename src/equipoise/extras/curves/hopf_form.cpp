@@ -1,5 +1,5 @@
 // Derivatives along the real and the imaginary part of the eigenvector, combined to those along the complex one.
-#include "equipoise/extras/curves/hopf_form.hpp"
+#include "equipoise/extras/curves/followed_curve.hpp"
 
 #include <cmath>
 
@@ -52,7 +52,7 @@ class Derivatives {
 
 }  // namespace
 
-std::optional<HopfForm> hopf_form(const BalanceSpectrum& at, double frequency) {
+std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency) {
   const bool has_derivatives = at.system.plain() || (at.system.tilts() && at.system.prescribed());
   if (at.family || !has_derivatives || !(frequency > 0.0)) return std::nullopt;
   const Eigen::MatrixXd& a = at.jacobian;
@@ -74,7 +74,7 @@ std::optional<HopfForm> hopf_form(const BalanceSpectrum& at, double frequency) {
   twice.diagonal().array() += Complex(0.0, 2.0 * frequency);
   const VectorXcd overtone = dense::inverse(twice) * along.second(*q, *q);
   const VectorXcd cubic = along.third(*q) - 2.0 * along.second(*q, shift) + along.second(across, overtone);
-  return HopfForm{frequency, 0.5 * (p->transpose() * cubic)(0).real()};
+  return 0.5 * (p->transpose() * cubic)(0).real();
 }
 
 }  // namespace equipoise

@@ -1,11 +1,10 @@
 // Test functions with their derivatives, and special points.
-#include "equipoise/extras/curves/locked_curve.hpp"
+#include "equipoise/extras/curves/locked_states.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "equipoise/core/math/bordered.hpp"
-#include "equipoise/extras/curves/hopf_form.hpp"
 #include "equipoise/machine/mechanics/higher_derivatives.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/results/commands/explanation.hpp"
@@ -122,7 +121,7 @@ std::optional<CurvePlace> LockedCurve::described(const VectorXd& at) const {
     if (!pair) return std::nullopt;
     place.pair = *pair;
     place.point.frequency = std::sqrt(std::max(0.0, pair->product));
-    if (const auto form = hopf_form(*here, place.point.frequency)) place.point.lyapunov = form->lyapunov;
+    place.point.lyapunov = first_lyapunov(*here, place.point.frequency).value_or(NAN);
   } else {
     const auto smaller = [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); };
     const auto zero = static_cast<std::size_t>(std::min_element(here->rates.begin(), here->rates.end(), smaller) -

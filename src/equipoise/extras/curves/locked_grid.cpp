@@ -6,7 +6,7 @@
 #include <map>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/curves/locked_curve.hpp"
+#include "equipoise/extras/curves/locked_states.hpp"
 #include "equipoise/core/running/parallel.hpp"
 
 namespace equipoise {

@@ -1,4 +1,5 @@
-// Locked states, in which the rotor is off centre and the balls rest on the line through its centre: all of them.
+// Locked states, in which the rotor is off centre and the balls rest on the line through its centre: all of them, and
+// the curves on which they change.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/machine/model/system.hpp"
 
@@ -69,5 +71,43 @@ class LockedSymmetry {
 
 BalanceSpectrum locked_spectrum(const model::System& system, const LockedSymmetry& symmetry,
                                 const Eigen::VectorXd& state);
+
+/// Unknown are the two parameters and the state. Equations: the state is at rest, and a test function is 0. Of folds
+/// that is the bordered one (W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000): g of
+/// [J b; c' 0] [v; g] = [0; 1]. Of pitchforks it is the push by which alike balls in one place part, of Hopf curves the
+/// pair's real part. Derivatives by the state are exact at a prescribed speed.
+class LockedCurve : public FollowedCurve {
+ public:
+  LockedCurve(const BalancePlane& plane, CurveKind kind, const LockedKind& locked, const model::System& system,
+              const EigenPair& like)
+      : FollowedCurve(plane, kind, like), symmetry_(system, locked) {}
+
+  /// From a state near the curve at a place near it.
+  bool follow_from(const Eigen::VectorXd& at, const Eigen::VectorXd& state, const StopFlag* stop, const Known& known);
+  std::vector<SpecialPoint> specials() const override;
+
+ private:
+  std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
+  std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const override;
+  std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
+  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const override;
+  SpecialKind kind_at_zero(const CurvePlace& place) const override;
+  void stay_near(const CurvePlace& place) const override;
+
+  Eigen::VectorXd state(const Eigen::VectorXd& at) const;
+  std::optional<double> test(const Eigen::MatrixXd& jacobian) const;
+  /// By which a change J' of the Jacobian changes the test function: Re(left' J' right).
+  struct Weights {
+    Eigen::VectorXcd right, left;
+    double of(const Eigen::MatrixXd& change) const { return (left.transpose() * change * right)(0).real(); }
+  };
+  std::optional<Weights> weights(const Eigen::MatrixXd& jacobian) const;
+  /// The change of the test function where the state changes by `along`.
+  double bend(const model::System& system, const Eigen::VectorXd& state, const Weights& w,
+              const Eigen::VectorXd& along) const;
+
+  LockedSymmetry symmetry_;
+  mutable Eigen::VectorXd row_, column_;  // c and b
+};
 
 }  // namespace equipoise

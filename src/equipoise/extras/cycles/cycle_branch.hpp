@@ -10,7 +10,6 @@
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/extras/cycles/cycle_shooting.hpp"
-#include "equipoise/extras/cycles/cycle_test.hpp"
 #include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {

@@ -1,5 +1,5 @@
 // Bordered matrices, and a pair of multipliers.
-#include "equipoise/extras/cycles/cycle_test.hpp"
+#include "equipoise/extras/cycles/cycle_shooting.hpp"
 
 #include <array>
 #include <cmath>

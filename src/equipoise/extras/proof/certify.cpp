@@ -16,7 +16,6 @@
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/proof/member_certificate.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/simulation/words/runs.hpp"
 

@@ -7,7 +7,6 @@
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/extras/proof/certify.hpp"
-#include "equipoise/extras/proof/member_certificate.hpp"
 #include "equipoise/report/text/table_text.hpp"
 
 namespace equipoise {

@@ -1,6 +1,6 @@
 // At fixed ball angles, with q_i^2 read as theta_i q_i, the equations are exactly h' = A h. An interval matrix A over a
 // box of angles proves what holds all over it.
-#include "equipoise/extras/proof/member_certificate.hpp"
+#include "equipoise/extras/proof/certify.hpp"
 
 #include <algorithm>
 #include <cmath>

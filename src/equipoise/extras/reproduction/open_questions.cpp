@@ -1,5 +1,5 @@
 // Stated choices for three open questions, and answers by basin slices and ensembles.
-#include "equipoise/extras/reproduction/open_questions.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <array>
 #include <utility>

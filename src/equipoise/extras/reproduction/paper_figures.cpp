@@ -1,5 +1,5 @@
 // The settings in the paper's captions, and the resulting curves.
-#include "equipoise/extras/reproduction/paper_figures.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // The lead on table 7: its study, and a test of balance at a finite time.
-#include "equipoise/extras/reproduction/table_7.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 
 #include <algorithm>
 #include <cmath>

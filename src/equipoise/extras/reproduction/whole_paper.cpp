@@ -11,10 +11,8 @@
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/reproduction/open_questions.hpp"
-#include "equipoise/extras/reproduction/paper_figures.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduce.hpp"
-#include "equipoise/extras/reproduction/table_7.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {
