@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/reproduction/reproduce.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
 #include "options.hpp"
 #include "progress.hpp"

@@ -1,9 +1,9 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
-  extras/literature/conclusions.cpp extras/literature/published_tables.cpp extras/literature/reproduction.cpp
+  extras/literature/published_tables.cpp extras/literature/reproduction.cpp
   extras/reproduction/open_questions.cpp extras/reproduction/paper_figures.cpp extras/reproduction/reproduce.cpp
     extras/reproduction/reproduction.cpp extras/reproduction/reproduction_document.cpp
-    extras/reproduction/reproduction_words.cpp extras/reproduction/table_7.cpp extras/reproduction/whole_paper.cpp
+    extras/reproduction/reproduction_words.cpp extras/reproduction/table_7.cpp
 )
 
 # What the libraries carry inside themselves: how pages look; studies to begin with; the published tables and the studies of their rows.
@@ -32,7 +32,7 @@ foreach(path IN LISTS studies)
   get_filename_component(name ${path} NAME)
   list(APPEND paper_files studies/${name}=${path})
 endforeach()
-list(APPEND paper_files
+list(APPEND paper_files conclusions.csv=${PROJECT_SOURCE_DIR}/studies/paper/conclusions.csv
   evidence/table-7-candidates.csv=${PROJECT_SOURCE_DIR}/docs/evidence/table-7-candidates.csv)
 equipoise_embed(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp ARCHIVE paper_files FILES ${paper_files})
 target_sources(equipoise_paper PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/paper_files.cpp)

@@ -6,4 +6,3 @@
 #include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/extras/literature/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
-#include "equipoise/extras/reproduction/reproduce.hpp"

@@ -21,7 +21,7 @@
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/analyses/one_study/observation.hpp"
 #include "equipoise/extras/proof/certify.hpp"
-#include "equipoise/extras/reproduction/reproduce.hpp"
+#include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

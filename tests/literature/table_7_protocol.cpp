@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 
 namespace equipoise {
 

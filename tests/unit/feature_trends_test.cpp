@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/simulation/batch/own_rotor.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
 

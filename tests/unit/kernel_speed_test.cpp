@@ -10,7 +10,7 @@
 
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/study/sampling/starts.hpp"
 

@@ -12,7 +12,6 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/charts/plane_plot.hpp"
 #include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"

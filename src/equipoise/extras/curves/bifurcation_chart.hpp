@@ -3,20 +3,17 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
-#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
 
 namespace equipoise {
 
-/// Progress is in points of the grid, then in cycles.
-struct ChartSettings : RunOptions {
-  SliceAxis x, y;                ///< with the grid's points
+/// Over the grid of StabilitySettings. Progress is in points of the grid, then in cycles.
+struct ChartSettings : StabilitySettings {
   std::uint64_t boxes = 200000;  ///< at most so many are judged; 0: nothing is proved
   double undecided = 0.01;       ///< the part of the plane at which proofs may end
   bool cycles = false;           ///< curves of cycles are looked for too, which takes longer than all else
-  std::string output;            ///< NetCDF, written at the end; an existing file must hold the same chart. Empty: none
 };
 
 /// Curves begin where neighbours of the grid differ, at the changes next to the study's own values, and between boxes

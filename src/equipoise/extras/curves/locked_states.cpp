@@ -259,21 +259,16 @@ LockedSymmetry::LockedSymmetry(const model::System& system, const LockedKind& ki
   scale_ = reduced(VectorXd(system.scale()));
 }
 
-VectorXd LockedSymmetry::reduced(const VectorXd& state) const {
-  VectorXd result(size());
-  for (Index k = 0; k < size(); ++k) result[k] = state[first_[static_cast<std::size_t>(k)]];
-  return result;
-}
+VectorXd LockedSymmetry::reduced(const VectorXd& state) const { return state(first_); }
 
 MatrixXd LockedSymmetry::reduced(const MatrixXd& jacobian) const {
-  MatrixXd rows(size(), jacobian.cols());
-  for (Index k = 0; k < size(); ++k) rows.row(k) = jacobian.row(first_[static_cast<std::size_t>(k)]);
+  const MatrixXd rows = jacobian(first_, Eigen::all);
   return rows * spread_;
 }
 
 Eigen::VectorXcd LockedSymmetry::whole_left(const Eigen::VectorXcd& small) const {
   Eigen::VectorXcd left = Eigen::VectorXcd::Zero(spread_.rows());
-  for (Index k = 0; k < size(); ++k) left[first_[static_cast<std::size_t>(k)]] = small[k];
+  left(first_) = small;
   return left;
 }
 

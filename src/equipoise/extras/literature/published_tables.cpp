@@ -1,4 +1,4 @@
-// Reads the printed tables and the fitted readings from their CSV files.
+// Reads the printed tables, the conclusions and the fitted readings from their CSV files.
 #include "equipoise/extras/literature/published_tables.hpp"
 
 #include <cmath>
@@ -194,6 +194,20 @@ std::vector<Table7Candidate> table_7_candidates() {
   std::vector<Table7Candidate> list;
   for (const Line& line : lines_of("evidence/table-7-candidates.csv")) list.push_back(candidate(line));
   return list;
+}
+
+const std::vector<Conclusion>& conclusions() {
+  static const std::vector<Conclusion> all = [] {
+    std::vector<Conclusion> list;
+    for (const Line& line : lines_of("conclusions.csv")) {
+      const auto kind = line.at("kind") == "rises" ? Conclusion::Kind::rises : Conclusion::Kind::unchanged;
+      if (list.empty() || list.back().text != line.at("conclusion"))
+        list.push_back({line.at("conclusion"), static_cast<int>(value_of(line.at("table"))), kind, {}});
+      list.back().contrasts.push_back({line.at("first"), line.at("second")});
+    }
+    return list;
+  }();
+  return all;
 }
 
 Study study_of(const PublishedRow& row, model::SpeedLaw law) {

@@ -43,6 +43,29 @@ struct PublishedTable {
 /// All seven. Throws RunError if the library was built without their data.
 const std::vector<PublishedTable>& published_tables();
 
+/// The balanced share of `second` compared with that of `first`; names of studies in studies/paper.
+struct Contrast {
+  std::string first, second;
+};
+
+/// One conclusion that a reader draws from the printed numbers.
+struct Conclusion {
+  enum class Kind {
+    rises,      ///< every second share is larger than its first
+    unchanged,  ///< every pair differs by less than `margin`
+  };
+  std::string text;
+  int table = 0;
+  Kind kind = Kind::rises;
+  std::vector<Contrast> contrasts;
+};
+
+/// Differences below one percentage point do not matter to anyone who chooses a spin-up.
+inline constexpr double unchanged_margin = 0.01;
+
+/// What the printed tables show, as contrasts between two ensembles each, to be tested under either speed law.
+const std::vector<Conclusion>& conclusions();
+
 /// The study of a row: the file in studies/paper, with its ramp under `law`.
 Study study_of(const PublishedRow& row, model::SpeedLaw law);
 
@@ -61,5 +84,18 @@ std::vector<Table7Candidate> table_7_candidates();
 
 /// Source of the numbers.
 extern const char* const published_citation;
+
+/// Two equal balls, mu = 0.05 each, lambda = 0.01; zeta and beta as varied in the figures and tables. [speed] and all
+/// other settings at their defaults.
+inline Study paper_rotor(double zeta = 0.5, double beta = 0.05) {
+  Study study;
+  model::Parameters& p = study.parameters;
+  p.balls = 2;
+  p.eccentricity = 0.01;
+  p.damping = {zeta, zeta};
+  p.mass[0] = p.mass[1] = 0.05;
+  p.drag[0] = p.drag[1] = beta;
+  return study;
+}
 
 }  // namespace equipoise

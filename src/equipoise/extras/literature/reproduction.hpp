@@ -62,29 +62,6 @@ struct ReproducedTable : CellCounts {
   double single_limit = 0.0;  ///< a cell differs if its p value is below this: 1 % over all judged cells of the table
 };
 
-/// The balanced share of `second` compared with that of `first`; names of studies in studies/paper.
-struct Contrast {
-  std::string first, second;
-};
-
-/// One conclusion that a reader draws from the printed numbers.
-struct Conclusion {
-  enum class Kind {
-    rises,      ///< every second share is larger than its first
-    unchanged,  ///< every pair differs by less than `margin`
-  };
-  std::string text;
-  int table = 0;
-  Kind kind = Kind::rises;
-  std::vector<Contrast> contrasts;
-};
-
-/// Differences below one percentage point do not matter to anyone who chooses a spin-up.
-inline constexpr double unchanged_margin = 0.01;
-
-/// What the printed tables show, as contrasts between two ensembles each, to be tested under either speed law.
-const std::vector<Conclusion>& conclusions();
-
 /// One conclusion tested under one law.
 struct ConclusionResult {
   enum class Answer {

@@ -125,38 +125,27 @@ std::string certify_text(const CertifyResult& r, const TextStyle& style) {
 }
 
 std::string certify_json(const CertifyResult& r) {
-  Json json;
-  json["proved"] = r.proved();
-  json["partial"] = r.partial;
-  json["note"] = r.note;
-  json["speed"] = r.speed;
+  Json json{{"proved", r.proved()}, {"partial", r.partial}, {"note", r.note}, {"speed", r.speed}};
   json["states"] = Json::array();
   const model::System system = r.study.system();
-  const int balls = system.balls();
   const std::vector<std::string> names = variable_names(system);
   for (const StateProof& s : r.states) {
     const Certificate& c = s.certificate;
-    Json state;
-    state["proved"] = c.level > 0.0 && s.check.proved;
-    state["reason"] = s.check.reason;
-    state["phi"] = std::vector<double>(c.phi.begin(), c.phi.begin() + balls);
-    state["copies"] = s.copies;
-    state["level"] = c.level;
-    state["critical_level"] = s.critical;
-    state["share_of_critical"] = c.level / s.critical;
-    Json reach;
+    Json reach, form = Json::array();
     for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
-    state["reach"] = reach;
-    Json form = Json::array();
-    for (Eigen::Index i = 0; i < c.form.rows(); ++i) {
-      const Eigen::VectorXd row = c.form.row(i);
-      form.push_back(std::vector<double>(row.begin(), row.end()));
-    }
-    state["form"] = form;
-    state["boxes"] = c.boxes.size();
-    state["seconds"] = s.seconds;
-    state["check_seconds"] = s.check_seconds;
-    json["states"].push_back(state);
+    for (const auto row : c.form.rowwise()) form.push_back(std::vector<double>(row.begin(), row.end()));
+    json["states"].push_back({{"proved", c.level > 0.0 && s.check.proved},
+                              {"reason", s.check.reason},
+                              {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + system.balls())},
+                              {"copies", s.copies},
+                              {"level", c.level},
+                              {"critical_level", s.critical},
+                              {"share_of_critical", c.level / s.critical},
+                              {"reach", reach},
+                              {"form", form},
+                              {"boxes", c.boxes.size()},
+                              {"seconds", s.seconds},
+                              {"check_seconds", s.check_seconds}});
   }
   if (!r.members.empty()) json["members"] = members_json(r);
   json["study_name"] = r.study.name;
@@ -183,10 +172,7 @@ std::string check_text(const CertificateFile& file, const TextStyle& style) {
 }
 
 std::string check_json(const CertificateFile& file) {
-  Json json;
-  json["proved"] = file.proved();
-  json["file"] = file.path;
-  json["certificates"] = Json::array();
+  Json json{{"proved", file.proved()}, {"file", file.path}, {"certificates", Json::array()}};
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
     json["certificates"].push_back({{"proved", file.checks[i].proved},

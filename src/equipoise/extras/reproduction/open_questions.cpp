@@ -11,7 +11,7 @@
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 
 namespace equipoise {

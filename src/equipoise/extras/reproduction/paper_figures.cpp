@@ -11,7 +11,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/literature/paper_rotor.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 
 namespace equipoise {
 

@@ -1,0 +1,312 @@
+// Pictures: an image, lines on it, the legend.
+#include "equipoise/extras/charts/chart_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/report/answers/quantities.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/report/drawing/plot_parts.hpp"
+#include "equipoise/report/drawing/raster.hpp"
+#include "equipoise/report/drawing/svg.hpp"
+#include "equipoise/report/plots/plane_frame.hpp"
+#include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/words/plots.hpp"
+#include "equipoise/study/echo/given_value.hpp"
+
+namespace equipoise {
+
+namespace {
+
+// The plane's axes, in the machine's units if it has them.
+SvgAxes plane_axes(Svg& svg, const StabilityPlane& plane) {
+  const ShownAxis x = shown_axis(plane.study, plane.x), y = shown_axis(plane.study, plane.y);
+  return {svg,
+          plane_top_left,
+          plane_bottom_right,
+          {plane.x.low, plane.x.high},
+          {plane.y.low, plane.y.high},
+          {x.label, x.factor},
+          {y.label, y.factor}};
+}
+
+// The drawing as a picture file below the title and the parameters that stay.
+std::string plane_plot(const Svg& drawing, const StabilityPlane& plane, const std::string& title, bool complete,
+                       const char* caption) {
+  DrawingRow row;
+  row.drawings.push_back({"", drawing.str(), "", ""});
+  row.caption = caption;
+  return plot_file(title,
+                   {parameters_text(plane.study, {plane.x.key, plane.y.key}) +
+                    (plane.one_of_many() ? "; balls spread evenly, one balanced state of many" : "") +
+                    (complete ? "" : words::plots::partial_early)},
+                   row);
+}
+
+// Every so many-th row and column.
+StabilityPlane drawn_part(const StabilityPlane& plane) {
+  const int longest = std::max(plane.x.pixels, plane.y.pixels);
+  const int every =
+      std::min((longest + most_drawn_pixels - 1) / most_drawn_pixels, std::min(plane.x.pixels, plane.y.pixels));
+  if (every <= 1) return plane;
+  StabilityPlane part = plane;
+  part.x = thinned(plane.x, every);
+  part.y = thinned(plane.y, every);
+  part.points.clear();
+  for (int row = first_of(every); row < plane.y.pixels; row += every)
+    for (int column = first_of(every); column < plane.x.pixels; column += every)
+      part.points.push_back(plane.points[plane.at(column, row)]);
+  return part;
+}
+
+const char* colour_of_kind(BalanceKind kind) {
+  constexpr std::array colours{"#C8C8C8", dark_colour, light_colour, "#F4F0D0", "#8C8C8C"};
+  const auto place = static_cast<std::size_t>(kind);
+  return place < colours.size() ? colours[place] : "#FFFFFF";
+}
+
+// Lighter for slow rates.
+Raster raster_of(const StabilityPlane& plane) {
+  std::array<double, 2> fastest{0.0, 0.0};  // of decay, of growth
+  for (const BalancePoint& p : plane.points)
+    if (std::isfinite(p.growth)) {
+      double& most = fastest[p.growth > 0.0 ? 1 : 0];
+      most = std::max(most, std::fabs(p.growth));
+    }
+  constexpr std::size_t shades = 60;
+  std::array<std::array<std::string, shades>, 2> colours;
+  for (std::size_t k = 0; k < shades; ++k)
+    for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable}) {
+      constexpr double lightest = 0.25;
+      const double strength = lightest + (1.0 - lightest) * static_cast<double>(k) / (shades - 1);
+      colours[kind == BalanceKind::unstable ? 1 : 0][k] = mixed_colour("#ffffff", colour_of_kind(kind), strength);
+    }
+  Raster raster{static_cast<std::size_t>(plane.x.pixels), static_cast<std::size_t>(plane.y.pixels), {}, {}};
+  for (int row = plane.y.pixels - 1; row >= 0; --row)
+    for (int column = 0; column < plane.x.pixels; ++column) {
+      const BalancePoint& p = plane.points[plane.at(column, row)];
+      const bool has_rate =
+          std::isfinite(p.growth) && (p.kind == BalanceKind::stable || p.kind == BalanceKind::unstable);
+      const std::size_t side = p.growth > 0.0 ? 1 : 0;
+      const double share = has_rate && fastest[side] > 0.0 ? std::sqrt(std::fabs(p.growth) / fastest[side]) : 1.0;
+      raster.add(has_rate ? colours[side][static_cast<std::size_t>(std::lround(share * (shades - 1)))]
+                          : colour_of_kind(p.kind));
+    }
+  return raster;
+}
+
+// Whether an eigenvalue turns at the point next to this place.
+bool turns_at(const StabilityPlane& plane, const MapPoint& place) {
+  const auto nearest = [](const SliceAxis& axis, double value) {
+    return std::clamp(static_cast<int>((value - axis.low) / axis.step()), 0, axis.pixels - 1);
+  };
+  return plane.points[plane.at(nearest(plane.x, place[0]), nearest(plane.y, place[1]))].swings();
+}
+
+// Where a pair crosses, and where a real eigenvalue does.
+std::array<std::vector<MapLine>, 2> crossings(const StabilityPlane& plane, const std::vector<float>& growth) {
+  std::array<std::vector<MapLine>, 2> parts;
+  for (const MapLine& line : zero_line(plane.x, plane.y, growth)) {
+    int last = -1;
+    for (const MapPoint& at : line) {
+      const int part = turns_at(plane, at) ? 0 : 1;
+      auto& lines = parts[static_cast<std::size_t>(part)];
+      if (part != last)
+        lines.push_back(last < 0 ? MapLine() : MapLine{parts[static_cast<std::size_t>(last)].back().back()});
+      lines.back().push_back(at);
+      last = part;
+    }
+  }
+  return parts;
+}
+
+std::vector<Border> borders_of(const StabilityPlane& plane) {
+  std::vector<float> growth, exists;
+  for (const BalancePoint& p : plane.points) {
+    growth.push_back(static_cast<float>(p.growth));
+    exists.push_back(p.kind == BalanceKind::none ? -1.0f : 1.0f);
+  }
+  // Where the masses alone decide about existence, their margin gives a smoother line.
+  const bool by_mass = std::all_of(plane.points.begin(), plane.points.end(), [](const BalancePoint& p) {
+    return std::isfinite(p.margin) && (p.margin < 0.0) == (p.kind == BalanceKind::none);
+  });
+  if (by_mass)
+    for (std::size_t k = 0; k < exists.size(); ++k) exists[k] = static_cast<float>(plane.points[k].margin);
+  auto [hopf, zero] = crossings(plane, growth);
+  return {{std::move(hopf), {"#000000", "", 1.5}, "a pair crosses (Hopf)"},
+          {std::move(zero), {"#000000", "", 1.5, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
+          {zero_line(plane.x, plane.y, exists), {"#000000", "", 1.5, 1.0, true, "6 4"}, "balance ends"}};
+}
+
+// What balance is, with the part of the plane.
+std::string legend_words(BalanceKind kind, double part) {
+  return kind == BalanceKind::not_computed ? fmt::format("not computed, {}", part_words(part))
+                                           : fmt::format("balance {}, {}", balance_words(kind), part_words(part));
+}
+
+// How pieces of curves of a kind are drawn; those of Hopf curves by what is lost there.
+struct StrokeStyle {
+  CurveKind kind;
+  char loss;  // see loss_at()
+  SvgPen pen;
+  const char* words;
+};
+const std::array<StrokeStyle, 11> strokes{{
+    {CurveKind::hopf, 's', {"#000000", "", 2.0}, "balance is lost softly"},
+    {CurveKind::hopf, 'a', {"#C00000", "", 2.0, 1.0, true, "7 4"}, "balance is lost abruptly"},
+    {CurveKind::hopf, ' ', {"#000000", "", 0.8}, "a swing begins"},
+    {CurveKind::zero, ' ', {"#000000", "", 1.1, 1.0, true, "2 3"}, "a real eigenvalue crosses"},
+    {CurveKind::existence, ' ', {"#444444", "", 1.3, 1.0, true, "7 3 2 3"}, "balance ends"},
+    {CurveKind::fold, ' ', {"#6A3D9A", "", 1.5}, "two locked states merge"},
+    {CurveKind::pitchfork, ' ', {"#6A3D9A", "", 1.5, 1.0, true, "2 3"}, "balls of a locked state part"},
+    {CurveKind::hopf, 'l', {"#1B7837", "", 1.5, 1.0, true, "6 3"}, "a locked state begins to swing"},
+    {CurveKind::cycle_fold, ' ', {"#E66101", "", 1.5}, "two cycles merge"},
+    {CurveKind::cycle_flip, ' ', {"#E66101", "", 1.5, 1.0, true, "2 3"}, "a cycle's period doubles"},
+    {CurveKind::cycle_torus, ' ', {"#E66101", "", 1.5, 1.0, true, "7 3"}, "a cycle becomes a torus"},
+}};
+
+// Of a Hopf curve: balance softly or abruptly, a locked state, or nothing: it was unstable before.
+char loss_at(const ChartCurve& curve, const CurvePoint& p) {
+  if (curve.kind != CurveKind::hopf) return ' ';
+  if (curve.of != of_balance) return 'l';
+  return p.others > 0 || std::isnan(p.lyapunov) ? ' ' : p.lyapunov < 0.0 ? 's' : 'a';
+}
+
+struct BoxLook {
+  ProvedKind kind;
+  const char* colour;
+  BalanceKind balance;
+};
+constexpr std::array<BoxLook, 3> box_looks{{{ProvedKind::stable, "#8CC3E6", BalanceKind::stable},
+                                            {ProvedKind::unstable, "#F3CF8E", BalanceKind::unstable},
+                                            {ProvedKind::none, "#C8C8C8", BalanceKind::none}}};
+
+// The pieces of all curves that are drawn in one way.
+Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
+  Border border{{}, style.pen, style.words};
+  for (const ChartCurve& curve : chart.curves)
+    for (std::size_t k = 1, last = 0; curve.kind == style.kind && k < curve.points.size(); ++k) {
+      const CurvePoint &a = curve.points[k - 1], &b = curve.points[k];
+      if (loss_at(curve, std::isnan(a.lyapunov) ? b : a) != style.loss) continue;
+      if (last != k - 1 || last == 0) border.lines.push_back({{a.x, a.y}});
+      border.lines.back().push_back({b.x, b.y});
+      last = k;
+    }
+  return border;
+}
+
+const BoxLook* look_of(ProvedKind kind) {
+  const auto at = std::find_if(box_looks.begin(), box_looks.end(), [=](const BoxLook& l) { return l.kind == kind; });
+  return at == box_looks.end() ? nullptr : &*at;
+}
+
+// Boxes are many and small. Of those at an edge of a pixel the one at its centre counts.
+Raster raster_of(const BifurcationChart& chart) {
+  constexpr int side = most_drawn_pixels;
+  const SliceAxis x{"", chart.plane.x.low, chart.plane.x.high, side},
+      y{"", chart.plane.y.low, chart.plane.y.high, side};
+  std::vector<ProvedKind> kinds(static_cast<std::size_t>(side) * side, ProvedKind::open);
+  const auto first_from = [](const SliceAxis& axis, double value) {
+    return static_cast<int>(std::clamp(std::ceil((value - axis.low) / axis.step() - 0.5), 0.0, 1.0 * side));
+  };
+  for (const ProofBox& b : chart.boxes)
+    for (int row = first_from(y, b.y[0]); row < first_from(y, b.y[1]); ++row)
+      std::fill(kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[0]),
+                kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[1]), b.kind);
+  Raster raster{side, side, {}, {}};
+  for (const ProvedKind kind : kinds) raster.add(look_of(kind) ? look_of(kind)->colour : "#FFFFFF");
+  return raster;
+}
+
+void draw_boxes(Svg& svg, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
+  if (chart.boxes.empty()) return;
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(chart)));  // over the grid
+  for (const BoxLook& look : box_looks)
+    if (chart.proved(look.kind) > 0.0)
+      legend.push_back({{"", look.colour}, fmt::format("proved: {}", balance_words(look.balance))});
+  if (chart.proved(ProvedKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, "not decided"});
+}
+
+void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
+  const SvgPen ring{"#000000", "#ffffff", 1.5};
+  for (const SpecialPoint& p : chart.specials) svg.circle(axes.at(p.x, p.y), 3.5, ring);
+  if (!chart.specials.empty()) legend.push_back({ring, "where curves change their kind", LegendEntry::Mark::ring});
+}
+
+// What is at rest and stable: "balance, balls together".
+std::string stable_words(const BifurcationChart& chart, const ChartRegion& region) {
+  std::vector<std::string> stable;
+  if (region.balance == BalanceKind::stable) stable.push_back(of_balance);
+  for (std::size_t k = 0; k < region.locked.size(); ++k)
+    if (region.locked[k].stable > 0) stable.push_back(chart.locked[k]);
+  return stable.empty() ? "nothing" : fmt::format("{}", fmt::join(stable, ", "));
+}
+
+void draw_regions(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& letters) {
+  const std::size_t regions = told_regions(chart);
+  for (std::size_t k = 0; regions > 1 && k < regions; ++k) {
+    const ChartRegion& r = chart.regions[k];
+    const SvgPoint at = axes.at(r.x, r.y);
+    svg.circle(at, 7.5, {"", "#ffffff", 1.0, 0.75});
+    svg.text({at.x, at.y + 4.0}, region_letter(k), SvgAnchor::middle, "#1a1a1a", 12.0);
+    letters.push_back({{}, region_letter(k) + ": " + stable_words(chart, r), LegendEntry::Mark::none});
+  }
+}
+
+}  // namespace
+
+ShownAxis shown_axis(const Study& study, const SliceAxis& axis) {
+  const auto unit = study::unit_of(study, axis.key);
+  if (!unit) return {axis_label(axis.key), 1.0};
+  const EngineeringUnit e = engineering_unit(axis.high * unit->scale, unit->dimension);
+  return {fmt::format("{}, {}", key_words(axis.key), e.name), unit->scale / e.si, e.name};
+}
+
+std::string stability_plot(const StabilityPlane& whole, const std::string& title) {
+  const StabilityPlane plane = drawn_part(whole);
+  Svg svg(drawing_width, below_plane, "What balance does over the plane");
+  const SvgAxes axes = plane_axes(svg, plane);
+  svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(plane)));  // over the grid
+  std::vector<LegendEntry> legend;
+  for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none, BalanceKind::marginal,
+                                 BalanceKind::unknown, BalanceKind::not_computed})
+    if (const std::size_t count = whole.count(kind); count > 0)
+      legend.push_back({{"", colour_of_kind(kind)},
+                        legend_words(kind, static_cast<double>(count) / static_cast<double>(whole.points.size()))});
+  const std::vector<Border> borders = borders_of(plane);
+  draw_borders(svg, axes, borders);
+  add_to_legend(legend, borders);
+  if (plane.own && !plane.own->boundaries.empty()) {
+    const SvgPen ring{"#000000", "#ffffff", 2.0};
+    svg.circle(axes.at(plane.own->x, plane.own->y), 5.0, ring);
+    legend.push_back({ring, "the study", LegendEntry::Mark::ring});
+  }
+  draw_legend(svg, legend);
+  return plane_plot(svg, whole, title, whole.complete, "The darker, the faster deviations die out or grow.");
+}
+
+std::string chart_plot(const BifurcationChart& chart, const std::string& title) {
+  const StabilityPlane& plane = chart.plane;
+  Svg svg(drawing_width, below_plane, "Curves on which balance and locked states change");
+  const SvgAxes axes = plane_axes(svg, plane);
+  std::vector<LegendEntry> legend, letters;
+  draw_boxes(svg, chart, legend);
+  std::vector<Border> borders;
+  for (const StrokeStyle& style : strokes) borders.push_back(border_of(chart, style));
+  draw_borders(svg, axes, borders);
+  add_to_legend(legend, borders);
+  draw_specials(svg, axes, chart, legend);
+  draw_regions(svg, axes, chart, letters);
+  draw_legend(svg, legend);
+  if (!letters.empty()) draw_legend(svg, {{{}, "at rest and stable:", LegendEntry::Mark::none}});
+  draw_legend(svg, letters);
+  return plane_plot(svg, plane, title, chart.complete, "");
+}
+
+}  // namespace equipoise
