@@ -57,7 +57,6 @@ EnsembleResult ensemble_of(const SweepCell& cell) {
   EnsembleResult ensemble;
   ensemble.starts = cell.starts;
   for (const SweepOutcome& outcome : cell.outcomes) ensemble.attractors.push_back(outcome);
-  ensemble.complete = true;
   return ensemble;
 }
 

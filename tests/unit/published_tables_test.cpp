@@ -69,7 +69,6 @@ TEST(PublishedTables, StudiesAreTheFiles) {
 EnsembleResult ensemble(std::uint64_t starts, double balanced) {
   EnsembleResult e;
   e.starts = starts;
-  e.complete = true;
   const auto count = static_cast<std::uint64_t>(std::llround(balanced * static_cast<double>(starts)));
   e.attractors.push_back({1, "balanced", "", wilson_share(count, starts)});
   e.balanced.assign(starts, false);
@@ -116,7 +115,7 @@ TEST(Judgement, OneWrongCellIsFound) {
 
 TEST(Judgement, WhatIsNotFinishedIsNotComparable) {
   const auto table = as_printed(6, [](ReproducedRow& row) {
-    if (row.published->study == "table-6-release-2-t0-100") row.by_published_law->complete = false;
+    if (row.published->study == "table-6-release-2-t0-100") row.by_published_law->partial = true;
     if (row.published->study == "table-6-release-2-t0-150") row.by_published_law.reset();
   });
   EXPECT_EQ(table.not_comparable, 2);

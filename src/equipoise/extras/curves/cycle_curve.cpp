@@ -268,13 +268,13 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
     SpecialKind kind;
     double (*value)(const CurvePlace&);
   };
-  const auto double_zero = [](const CurvePlace& p) { return p.double_zero; };
-  const std::vector<Sign> signs =
-      kind_ == CurveKind::cycle_fold ? std::vector<Sign>{{SpecialKind::resonance_1_1, double_zero}}
-      : kind_ == CurveKind::cycle_flip
-          ? std::vector<Sign>{{SpecialKind::resonance_1_2, double_zero}}
-          : std::vector<Sign>{{SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
-                              {SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }}};
+  std::vector<Sign> signs;
+  if (kind_ == CurveKind::cycle_torus)
+    signs = {{SpecialKind::resonance_1_3, [](const CurvePlace& p) { return p.pair.mean + 0.5; }},
+             {SpecialKind::resonance_1_4, [](const CurvePlace& p) { return p.pair.mean; }}};
+  else
+    signs = {{kind_ == CurveKind::cycle_fold ? SpecialKind::resonance_1_1 : SpecialKind::resonance_1_2,
+              [](const CurvePlace& p) { return p.double_zero; }}};
   for (std::size_t k = 1; k < places_.size(); ++k) {
     const CurvePlace &a = places_[k - 1], &b = places_[k];
     const auto turn = [&](const CurvePlace& p) { return turn_at(p); };
@@ -285,12 +285,11 @@ std::vector<SpecialPoint> CycleCurve::specials() const {
         if (const auto place = zero_of(a, b, sign.value)) found.push_back(special(sign.kind, *place));
     add_changed_others(a, b, found);
   }
+  constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more
   for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
     if (end == CurveEnd::single_cycle && kind_ == CurveKind::cycle_fold)
       found.push_back(special(SpecialKind::generalised_flip, *place));
-  constexpr double located = 1e-8;  // of a cosine: zero_of() leaves less of 0.35 radians, a step without it more
-  for (const auto& [end, place] : {std::pair{ends_[0], &places_.front()}, {ends_[1], &places_.back()}})
-    if (end == CurveEnd::resonance && std::fabs(std::fabs(place->pair.mean) - 1.0) < located)
+    else if (end == CurveEnd::resonance && std::fabs(std::fabs(place->pair.mean) - 1.0) < located)
       found.push_back(
           special(place->pair.mean > 0.0 ? SpecialKind::resonance_1_1 : SpecialKind::resonance_1_2, *place));
   return found;

@@ -23,7 +23,7 @@ const EnsembleResult* ensemble(const ByName& rows, const std::string& study, mod
   const bool constant = study.starts_with("table-1-") || study.starts_with("table-2-");
   if (law == model::SpeedLaw::kinematic && !kinematic && !constant) return nullptr;
   const auto& result = kinematic ? row.by_kinematic_law : row.by_published_law;
-  return result && result->complete ? &*result : nullptr;
+  return result && !result->partial ? &*result : nullptr;
 }
 
 ConclusionResult ask(const Conclusion& conclusion, const ByName& rows, model::SpeedLaw law) {
@@ -78,7 +78,7 @@ void judge(ReproducedTable& table) {
         cell.p_value = agreement_p_value(cell.computed.count, result->starts, published.share);
       }
       cell.reason = !result                               ? "not computed under the published law"
-                    : !result->complete                   ? "stopped before all starts were done"
+                    : result->partial                     ? "stopped before all starts were done"
                     : !table.published->unclaimed.empty() ? table.published->unclaimed
                                                           : row.published->slip;
       judged += cell.reason.empty();

@@ -9,17 +9,13 @@
 
 #include "equipoise/core/statistics/comparison.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
-#include "equipoise/results/commands/outcome_share.hpp"
+#include "equipoise/results/commands/basin_result.hpp"
 
 namespace equipoise {
 
 /// One row's starts under one law.
-struct EnsembleResult : OtherShares {
-  std::uint64_t starts = 0, seed = 0;
-  std::vector<OutcomeShare> attractors;
-  std::vector<bool> balanced;               ///< start by start, for comparisons on common starts
-  double seconds = 0.0, cpu_seconds = 0.0;  ///< over all runs
-  bool complete = false;
+struct EnsembleResult : BasinResult {  ///< its times are those of all runs
+  std::vector<bool> balanced;          ///< start by start, for comparisons on common starts
   /// Share of the attractor that the paper calls by this name ("balanced", "V1"); of no starts if it was not met.
   Share share_of(const std::string& attractor) const;
 };

@@ -83,7 +83,7 @@ class TableRun {
         const std::uint64_t first = row.by_published_law->starts;
         progress_.total += follow_up_factor * first;
         EnsembleResult result = ensemble(row, model::SpeedLaw::published, follow_up_factor);
-        if (!result.complete) break;
+        if (result.partial) break;
         row.follow_up =
             fmt::format("{}, {}: p = {:.2g} from the first {} starts, so {} were taken", row.published->label,
                         cell.published->attractor, cell.p_value, first, result.starts);
@@ -106,7 +106,8 @@ class TableRun {
                                                                    factor > 1 ? "-follow-up" : "");
     progress_.what = constant ? name : fmt::format("{}, {} law", name, name_of(law));
     EnsembleResult result;
-    if (stopped()) return result;
+    result.partial = stopped();
+    if (result.partial) return result;
     report(0);
     if (path.empty() || !stored(study, path, result)) result = compute(study, path);
     before_ += study.sampling.starts;
@@ -118,9 +119,8 @@ class TableRun {
     if (!std::filesystem::exists(path)) return false;
     const BasinFile file(path, basin_file_header(study, false));
     if (!file.complete() || file.stored() != study.sampling.starts) return false;
+    result.study = study;
     result.starts = file.stored();
-    result.seed = study.sampling.seed;
-    result.complete = true;
     result.seconds = file.time().seconds;
     result.cpu_seconds = file.time().cpu_seconds;
     for (const OutcomeShare& line : file.summary()) {
@@ -148,14 +148,9 @@ class TableRun {
     options.searches = &searches_;
     options.fate = [&](const Fate& fate) { result.balanced.push_back(is_balanced(fate)); };
     options.progress = [&](const Progress& p) { p.preparing ? report_stage(p) : report(p.done); };
-    const BasinResult basin = equipoise::basin(study, options);
-    result.starts = basin.starts;
-    result.seed = study.sampling.seed;
-    result.attractors = basin.attractors;
-    static_cast<OtherShares&>(result) = basin;
-    result.complete = !basin.partial;
-    RunTime time{basin.seconds, basin.cpu_seconds};
-    if (!path.empty()) time = BasinFile(path, basin_file_header(study, false)).time();  // earlier parts included
+    static_cast<BasinResult&>(result) = basin(study, options);
+    if (path.empty()) return result;
+    const RunTime time = BasinFile(path, basin_file_header(study, false)).time();  // earlier parts included
     result.seconds = time.seconds;
     result.cpu_seconds = time.cpu_seconds;
     return result;

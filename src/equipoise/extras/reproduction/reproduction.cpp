@@ -30,8 +30,8 @@ Json ensemble_json(const std::optional<EnsembleResult>& e) {
   for (const OutcomeShare& line : e->attractors)
     outcomes.push_back(with_share({{"name", line.name}, {"alias", line.alias}}, line.share));
   return {{"starts", e->starts},
-          {"seed", e->seed},
-          {"complete", e->complete},
+          {"seed", e->study.sampling.seed},
+          {"complete", !e->partial},
           {"outcomes", outcomes},
           {"undecided", share_json(e->undecided)},
           {"diverged", share_json(e->diverged)},

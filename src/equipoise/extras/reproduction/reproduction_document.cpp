@@ -322,7 +322,7 @@ std::vector<DocumentCell> ensemble_row(const ReproducedRow& row, const EnsembleR
   std::vector<DocumentCell> cells =
       row_of("ttnnnnnt",
              {study, ramps ? law : "constant speed", std::to_string(e.starts), e.starts ? interval(e.undecided) : "-",
-              std::to_string(e.lost()), std::to_string(e.seed), fmt::format("{:.1f}", e.cpu_seconds),
+              std::to_string(e.lost()), std::to_string(e.study.sampling.seed), fmt::format("{:.1f}", e.cpu_seconds),
               fmt::format("equipoise basin studies/paper/{}.toml --starts {}{}", study, e.starts,
                           ramps ? fmt::format(" --set speed.law={}", law) : "")});
   // The same address as the explorer writes (web/src/setting/setting.ts).
