@@ -13,18 +13,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-class CurveSearch {
+class CurveSearch : ChartSearch {
  public:
   CurveSearch(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart)
-      : plane_(plane), stop_(stop), chart_(chart), grid_(chart.plane) {}
+      : ChartSearch(plane, stop, chart) {}
 
   void run() {
-    for (int row = 0; row < grid_.y.pixels; ++row)
-      for (int column = 0; column < grid_.x.pixels; ++column) {
-        if (is_set(stop_)) return;
-        if (column + 1 < grid_.x.pixels) look(column, row, column + 1, row);
-        if (row + 1 < grid_.y.pixels) look(column, row, column, row + 1);
-      }
+    look_at_neighbours(
+        [&](int column, int row, int next_column, int next_row) { look(column, row, next_column, next_row); });
     if (!grid_.own) return;
     for (const BalanceBoundary& boundary : grid_.own->boundaries) {
       if (is_set(stop_)) return;
@@ -89,8 +85,6 @@ class CurveSearch {
       follow(CurveKind::existence, at);
   }
 
-  VectorXd place(int column, int row) const { return plane_.place(grid_.x.centre(column), grid_.y.centre(row)); }
-
   void look(int column, int row, int next_column, int next_row) {
     const BalancePoint &a = grid_.points[grid_.at(column, row)], &b = grid_.points[grid_.at(next_column, next_row)];
     const VectorXd from = place(column, row), to = place(next_column, next_row);
@@ -129,29 +123,23 @@ class CurveSearch {
   }
 
   void follow(CurveKind kind, const VectorXd& at, const EigenPair& pair = {}) {
-    if (is_known(plane_, chart_, kind, of_balance, at, std::sqrt(std::max(0.0, pair.product)))) return;
+    if (is_known(kind, of_balance, at, std::sqrt(std::max(0.0, pair.product)))) return;
     BalanceCurve curve(plane_, kind, pair);
-    if (curve.follow(at, stop_)) add_curve(plane_, kind, of_balance, curve, chart_);
+    if (curve.follow(at, stop_)) add_curve(kind, of_balance, curve);
   }
-
-  const BalancePlane& plane_;
-  const StopFlag* stop_;
-  BifurcationChart& chart_;
-  const StabilityPlane& grid_;
 };
 
 }  // namespace
 
-bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
-              const VectorXd& at, double frequency) {
+bool ChartSearch::is_known(CurveKind kind, const std::string& of, const VectorXd& at, double frequency) const {
   // A curve's places are nearer to each other than CurveFollower::longest_step; it turns by less than 0.1 between two.
   constexpr double beside = 1e-3;
-  for (const ChartCurve& curve : chart.curves) {
+  for (const ChartCurve& curve : chart_.curves) {
     // Cycles may be born of one state and end in another.
     if (curve.kind != kind || (curve.of != of && !is_of_cycles(kind))) continue;
     for (std::size_t k = 1; k < curve.points.size(); ++k) {
       const CurvePoint &p = curve.points[k - 1], &q = curve.points[k];
-      const VectorXd a = plane.place(p.x, p.y), chord = plane.place(q.x, q.y) - a, offset = at - a;
+      const VectorXd a = plane_.place(p.x, p.y), chord = plane_.place(q.x, q.y) - a, offset = at - a;
       const double length = std::max(chord.squaredNorm(), 1e-300);
       const double part = std::clamp(offset.dot(chord) / length, 0.0, 1.0);
       if ((offset - part * chord).norm() > beside) continue;
@@ -163,23 +151,22 @@ bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKin
   return false;
 }
 
-void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of, const FollowedCurve& curve,
-               BifurcationChart& chart) {
+void ChartSearch::add_curve(CurveKind kind, const std::string& of, const FollowedCurve& curve) {
   ChartCurve found{kind, of, {}, curve.ends(), curve.error()};
   for (const CurvePlace& p : curve.places()) found.points.push_back(p.point);
   const double same = is_of_cycles(kind) ? 1e-6 : 1e-7;
   const auto known = [&](const SpecialPoint& point) {
-    const VectorXd at = plane.place(point.x, point.y);
-    return std::any_of(chart.specials.begin(), chart.specials.end(), [&](const SpecialPoint& other) {
-      const ChartCurve& its = chart.curves[other.curve];
+    const VectorXd at = plane_.place(point.x, point.y);
+    return std::any_of(chart_.specials.begin(), chart_.specials.end(), [&](const SpecialPoint& other) {
+      const ChartCurve& its = chart_.curves[other.curve];
       return other.kind == point.kind && (is_of_cycles(its.kind) || its.of == of) &&
-             (plane.place(other.x, other.y) - at).norm() < same;
+             (plane_.place(other.x, other.y) - at).norm() < same;
     });
   };
-  chart.curves.push_back(std::move(found));
+  chart_.curves.push_back(std::move(found));
   for (SpecialPoint special : curve.specials()) {
-    special.curve = chart.curves.size() - 1;
-    if (!known(special)) chart.specials.push_back(std::move(special));
+    special.curve = chart_.curves.size() - 1;
+    if (!known(special)) chart_.specials.push_back(std::move(special));
   }
 }
 

@@ -14,14 +14,34 @@
 
 namespace equipoise {
 
-/// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two
-/// curves of cycles, have different frequencies.
-bool is_known(const BalancePlane& plane, const BifurcationChart& chart, CurveKind kind, const std::string& of,
-              const Eigen::VectorXd& at, double frequency);
+/// What searches for a chart's curves share.
+class ChartSearch {
+ protected:
+  ChartSearch(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart)
+      : plane_(plane), stop_(stop), chart_(chart), grid_(chart.plane) {}
 
-/// With its special points, of which two curves may each have the same.
-void add_curve(const BalancePlane& plane, CurveKind kind, const std::string& of, const FollowedCurve& curve,
-               BifurcationChart& chart);
+  /// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two curves of
+  /// cycles, have different frequencies.
+  bool is_known(CurveKind kind, const std::string& of, const Eigen::VectorXd& at, double frequency) const;
+  /// With its special points, of which two curves may each have the same.
+  void add_curve(CurveKind kind, const std::string& of, const FollowedCurve& curve);
+  /// look(column, row, next column, next row) for all neighbours of the grid, until it is stopped.
+  template <class Look>
+  void look_at_neighbours(const Look& look) const {
+    for (int row = 0; row < grid_.y.pixels; ++row)
+      for (int column = 0; column < grid_.x.pixels; ++column) {
+        if (is_set(stop_)) return;
+        if (column + 1 < grid_.x.pixels) look(column, row, column + 1, row);
+        if (row + 1 < grid_.y.pixels) look(column, row, column, row + 1);
+      }
+  }
+  Eigen::VectorXd place(int column, int row) const { return plane_.place(grid_.x.centre(column), grid_.y.centre(row)); }
+
+  const BalancePlane& plane_;
+  const StopFlag* stop_;
+  BifurcationChart& chart_;
+  const StabilityPlane& grid_;
+};
 
 /// Curves of balance between neighbours of the chart's grid, and where it changes along a parameter from the study's
 /// own values on; with their special points.

@@ -24,8 +24,6 @@ class CycleCurve : public FollowedCurve {
   std::optional<Eigen::MatrixXd> slopes(const Eigen::VectorXd& at) const override;
   std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
   CurveEnd undescribed() const override { return seen_.value ? CurveEnd::multiplier : CurveEnd::lost; }
-  std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd&) const override { return std::nullopt; }
-  SpecialKind kind_at_zero(const CurvePlace&) const override { return SpecialKind::resonance_1_1; }
   void stay_near(const CurvePlace& place) const override;
   bool too_far(const CurvePlace& before, const CurvePlace& place) const override;
   std::optional<CurveEnd> end_at(const CurvePlace& before, const CurvePlace& place, Way& way) const override;

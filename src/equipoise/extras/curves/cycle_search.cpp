@@ -27,10 +27,10 @@ struct CycleOrigin {
   std::string of;
 };
 
-class CycleSearch {
+class CycleSearch : ChartSearch {
  public:
   CycleSearch(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart)
-      : plane_(plane), run_(run), stop_(run.stop), chart_(chart) {}
+      : ChartSearch(plane, run.stop, chart), run_(run) {}
 
   void run() {
     std::vector<CycleOrigin> origins;
@@ -66,7 +66,7 @@ class CycleSearch {
   }
 
  private:
-  VectorXd place(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
+  VectorXd place_of(const CurvePoint& p) const { return plane_.place(p.x, p.y); }
 
   // At equal distances along the curve, and beside special points, where curves of cycles begin; then across it.
   void add_origins(const ChartCurve& curve, std::vector<CycleOrigin>& origins) const {
@@ -75,7 +75,7 @@ class CycleSearch {
     constexpr double on_curve = 1e-3, beside[] = {-0.02, -0.005, 0.005, 0.02};
     std::vector<double> length{0.0};
     for (std::size_t k = 1; k < curve.points.size(); ++k)
-      length.push_back(length.back() + (place(curve.points[k]) - place(curve.points[k - 1])).norm());
+      length.push_back(length.back() + (place_of(curve.points[k]) - place_of(curve.points[k - 1])).norm());
     const double count = std::max(fewest, std::floor(length.back() / apart));
     std::vector<double> starts;
     for (double n = 0.5; n < count; n += 1.0) starts.push_back(n / count * length.back());
@@ -85,10 +85,10 @@ class CycleSearch {
         continue;
       const VectorXd at = plane_.place(special.x, special.y);
       const auto nearer = [&](const CurvePoint& p, const CurvePoint& q) {
-        return (place(p) - at).norm() < (place(q) - at).norm();
+        return (place_of(p) - at).norm() < (place_of(q) - at).norm();
       };
       const auto nearest = std::min_element(curve.points.begin(), curve.points.end(), nearer);
-      if ((place(*nearest) - at).norm() > CurveFollower::longest_step + on_curve) continue;
+      if ((place_of(*nearest) - at).norm() > CurveFollower::longest_step + on_curve) continue;
       for (const double step : beside)
         starts.push_back(length[static_cast<std::size_t>(nearest - curve.points.begin())] + step);
     }
@@ -101,10 +101,10 @@ class CycleSearch {
     constexpr double slowest = 1e-3;  // a longer period than of a few thousand is not followed
     if (k == 0 || k + 1 >= curve.points.size()) return;
     const CurvePoint& p = curve.points[k];
-    if (!(p.frequency > slowest) || (curve.of == of_balance && is_of_continuum(place(p)))) return;
-    const VectorXd along = (place(curve.points[k + 1]) - place(curve.points[k - 1])).normalized();
+    if (!(p.frequency > slowest) || (curve.of == of_balance && is_of_continuum(place_of(p)))) return;
+    const VectorXd along = (place_of(curve.points[k + 1]) - place_of(curve.points[k - 1])).normalized();
     origins.push_back(
-        {{place(p), Eigen::Vector2d(-along[1], along[0]),
+        {{place_of(p), Eigen::Vector2d(-along[1], along[0]),
           Eigen::Map<const VectorXd>(p.state.data(), static_cast<Eigen::Index>(p.state.size())), p.frequency},
          curve.of});
   }
@@ -117,15 +117,13 @@ class CycleSearch {
     const auto system = plane_.system(crossing.near.at);
     if (!system) return;
     const CurveKind kind = crossing.change;
-    const auto known = [&](const VectorXd& at, double frequency) {
-      return is_known(plane_, chart_, kind, of, at, frequency);
-    };
+    const auto known = [&](const VectorXd& at, double frequency) { return is_known(kind, of, at, frequency); };
     if (known(crossing.near.at, two_pi / crossing.near.shape.period)) return;
     CycleCurve curve(plane_, *system, crossing);
     if (!curve.follow_from(crossing, stop_,
                            [&](const CurvePlace& p) { return known(p.at.head(2), p.point.frequency); }))
       return;
-    add_curve(plane_, kind, of, curve, chart_);
+    add_curve(kind, of, curve);
     ChartCurve& found = chart_.curves.back();
     if (found.ends[0] == CurveEnd::vanishes)
       if (const auto end = birth(kind, found.points.front())) found.points.insert(found.points.begin(), *end);
@@ -143,7 +141,7 @@ class CycleSearch {
                             ? p.kind == SpecialKind::generalised_hopf
                             : p.kind == SpecialKind::double_hopf || p.kind == SpecialKind::zero_hopf ||
                                   p.kind == SpecialKind::fold_hopf;
-      const double distance = (plane_.place(p.x, p.y) - place(last)).norm();
+      const double distance = (plane_.place(p.x, p.y) - place_of(last)).norm();
       const auto swings_so = [&](double frequency) {
         return std::fabs(frequency - last.frequency) < alike * last.frequency;
       };
@@ -161,10 +159,7 @@ class CycleSearch {
     return best;
   }
 
-  const BalancePlane& plane_;
   const RunOptions& run_;
-  const StopFlag* stop_;
-  BifurcationChart& chart_;
 };
 
 }  // namespace

@@ -54,9 +54,10 @@ class FollowedCurve {
   virtual std::optional<CurvePlace> described(const Eigen::VectorXd& at) const = 0;
   /// Why the place asked for last could not be described.
   virtual CurveEnd undescribed() const { return CurveEnd::lost; }
-  virtual std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const = 0;
+  /// At a place of a curve of states at rest.
+  virtual std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd&) const { return std::nullopt; }
   /// What kind of point it is where a real eigenvalue of a Hopf curve is 0.
-  virtual SpecialKind kind_at_zero(const CurvePlace& place) const = 0;
+  virtual SpecialKind kind_at_zero(const CurvePlace&) const { return SpecialKind::zero_hopf; }
   /// The equations from here on are those near this place.
   virtual void stay_near(const CurvePlace& place) const { like_ = {0.0, place.pair.product, {}}; }
   struct Way {
@@ -135,7 +136,6 @@ class BalanceCurve : public FollowedCurve {
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;
   std::optional<CurvePlace> described(const Eigen::VectorXd& at) const override;
   std::optional<BalanceSpectrum> spectrum(const Eigen::VectorXd& at) const override { return plane_.spectrum(at); }
-  SpecialKind kind_at_zero(const CurvePlace&) const override { return SpecialKind::zero_hopf; }
   void end_inside(const CurveFollower::Step& last, double step, const CurvePlace& before, Way& way) const override;
   /// Where the curve meets the end of balance.
   std::optional<CurvePlace> at_balance_end(const CurvePlace& before) const;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "equipoise/core/math/bordered.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/higher_derivatives.hpp"
 
@@ -16,39 +17,22 @@ using Complex = std::complex<double>;
 
 constexpr Complex i_unit(0.0, 1.0);
 
-// The eigenvector of the eigenvalue nearest to i frequency.
-std::optional<VectorXcd> swing_vector(const Eigen::MatrixXd& a, double frequency) {
-  const dense::EigenPairs pairs = dense::eigenpairs(a);
-  if (!pairs.found) return std::nullopt;
-  Eigen::Index nearest = 0;
-  (pairs.values.array() - Complex(0.0, frequency)).abs().minCoeff(&nearest);
-  return VectorXcd(pairs.vectors.col(nearest));
+// Derivatives of the equations at a state.
+VectorXcd second_along(const BalanceSpectrum& at, const VectorXcd& u, const VectorXcd& v) {
+  const VectorXd ur = u.real(), ui = u.imag(), vr = v.real(), vi = v.imag();
+  const auto real = [&](const VectorXd& a, const VectorXd& b) {
+    return model::second_derivative(at.system, at.state, a, b);
+  };
+  return (real(ur, vr) - real(ui, vi)).cast<Complex>() + i_unit * (real(ur, vi) + real(ui, vr)).cast<Complex>();
 }
-
-class Derivatives {
- public:
-  explicit Derivatives(const BalanceSpectrum& at) : at_(at) {}
-
-  VectorXcd second(const VectorXcd& u, const VectorXcd& v) const {
-    const VectorXd ur = u.real(), ui = u.imag(), vr = v.real(), vi = v.imag();
-    return (real(ur, vr) - real(ui, vi)).cast<Complex>() + i_unit * (real(ur, vi) + real(ui, vr)).cast<Complex>();
-  }
-  // Along q, q and the conjugate of q.
-  VectorXcd third(const VectorXcd& q) const {
-    const VectorXd a = q.real(), b = q.imag();
-    return (real(a, a, a) + real(a, b, b)).cast<Complex>() + i_unit * (real(a, a, b) + real(b, b, b)).cast<Complex>();
-  }
-
- private:
-  VectorXd real(const VectorXd& u, const VectorXd& v) const {
-    return model::second_derivative(at_.system, at_.state, u, v);
-  }
-  VectorXd real(const VectorXd& u, const VectorXd& v, const VectorXd& w) const {
-    return model::third_derivative(at_.system, at_.state, u, v, w);
-  }
-
-  const BalanceSpectrum& at_;
-};
+// Along q, q and the conjugate of q.
+VectorXcd third_along(const BalanceSpectrum& at, const VectorXcd& q) {
+  const VectorXd a = q.real(), b = q.imag();
+  const auto real = [&](const VectorXd& u, const VectorXd& v, const VectorXd& w) {
+    return model::third_derivative(at.system, at.state, u, v, w);
+  };
+  return (real(a, a, a) + real(a, b, b)).cast<Complex>() + i_unit * (real(a, a, b) + real(b, b, b)).cast<Complex>();
+}
 
 }  // namespace
 
@@ -56,8 +40,8 @@ std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency
   const bool has_derivatives = at.system.plain() || (at.system.tilts() && at.system.prescribed());
   if (at.family || !has_derivatives || !(frequency > 0.0)) return std::nullopt;
   const Eigen::MatrixXd& a = at.jacobian;
-  auto q = swing_vector(a, frequency);
-  auto p = swing_vector(a.transpose(), frequency);  // p^T a = i frequency p^T
+  auto q = eigenvector_near(a, Complex(0.0, frequency));
+  auto p = eigenvector_near(a.transpose(), Complex(0.0, frequency));  // p^T a = i frequency p^T
   if (!q || !p) return std::nullopt;
   double swing = 0.0;
   for (int k = 0; k < at.system.balls(); ++k) swing = std::max(swing, 2.0 * std::abs((*q)[model::index::phi(k)]));
@@ -67,13 +51,12 @@ std::optional<double> first_lyapunov(const BalanceSpectrum& at, double frequency
   if (!(std::abs(product) > 1e-12 * p->norm() * q->norm())) return std::nullopt;
   *p /= product;
   if (dense::LinearSolver(a).inverse_condition() < 1e-14) return std::nullopt;
-  const Derivatives along(at);
   const VectorXcd across = q->conjugate();
-  const VectorXcd shift = dense::inverse(a).cast<Complex>() * along.second(*q, across);
+  const VectorXcd shift = dense::inverse(a).cast<Complex>() * second_along(at, *q, across);
   Eigen::MatrixXcd twice = -a.cast<Complex>();
   twice.diagonal().array() += Complex(0.0, 2.0 * frequency);
-  const VectorXcd overtone = dense::inverse(twice) * along.second(*q, *q);
-  const VectorXcd cubic = along.third(*q) - 2.0 * along.second(*q, shift) + along.second(across, overtone);
+  const VectorXcd overtone = dense::inverse(twice) * second_along(at, *q, *q);
+  const VectorXcd cubic = third_along(at, *q) - 2.0 * second_along(at, *q, shift) + second_along(at, across, overtone);
   return 0.5 * (p->transpose() * cubic)(0).real();
 }
 

@@ -17,14 +17,11 @@ using Eigen::VectorXd;
 
 constexpr std::size_t points_of_chunk = 64;  // milliseconds of work
 
-class LockedSearch {
+class LockedSearch : ChartSearch {
  public:
   LockedSearch(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart)
-      : plane_(plane),
+      : ChartSearch(plane, stop, chart),
         threads_(threads),
-        stop_(stop),
-        chart_(chart),
-        grid_(chart.plane),
         middle_(plane.studies().at(grid_.x.centre(grid_.x.pixels / 2), grid_.y.centre(grid_.y.pixels / 2)).system()) {}
 
   void run() {
@@ -35,12 +32,10 @@ class LockedSearch {
       chart_.locked.push_back(kind.name);
     }
     look_at_points();
-    for (int row = 0; row < grid_.y.pixels && !kinds_.empty(); ++row)
-      for (int column = 0; column < grid_.x.pixels; ++column) {
-        if (is_set(stop_)) return;
-        if (column + 1 < grid_.x.pixels) look_between(column, row, column + 1, row);
-        if (row + 1 < grid_.y.pixels) look_between(column, row, column, row + 1);
-      }
+    if (!kinds_.empty())
+      look_at_neighbours([&](int column, int row, int next_column, int next_row) {
+        look_between(column, row, next_column, next_row);
+      });
     if (!is_set(stop_)) add_regions(patterns_, pattern_of_, chart_);
   }
 
@@ -91,8 +86,7 @@ class LockedSearch {
   void look_between(int column, int row, int next_column, int next_row) {
     const int a = pattern_of_[grid_.at(column, row)], b = pattern_of_[grid_.at(next_column, next_row)];
     if (a == b) return;
-    const VectorXd from = plane_.place(grid_.x.centre(column), grid_.y.centre(row)),
-                   to = plane_.place(grid_.x.centre(next_column), grid_.y.centre(next_row));
+    const VectorXd from = place(column, row), to = place(next_column, next_row);
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
       const auto &here = patterns_[static_cast<std::size_t>(a)].unstable[kind],
                  &there = patterns_[static_cast<std::size_t>(b)].unstable[kind];
@@ -157,21 +151,17 @@ class LockedSearch {
               const EigenPair& pair) {
     const std::string& of = kinds_[kind].name;
     const auto known = [&](const VectorXd& place, double frequency) {
-      return is_known(plane_, chart_, curve_kind, of, place, frequency);
+      return is_known(curve_kind, of, place, frequency);
     };
     if (known(at, std::sqrt(std::max(0.0, pair.product)))) return;
     LockedCurve curve(plane_, curve_kind, kinds_[kind], middle_, pair);
     // A motor's states may be missed beside a fold: the curve that is found may then be farther away.
     if (curve.follow_from(at, state, stop_,
                           [&](const CurvePlace& place) { return known(place.at.head(2), place.point.frequency); }))
-      add_curve(plane_, curve_kind, of, curve, chart_);
+      add_curve(curve_kind, of, curve);
   }
 
-  const BalancePlane& plane_;
   int threads_;
-  const StopFlag* stop_;
-  BifurcationChart& chart_;
-  const StabilityPlane& grid_;
   model::System middle_;  // of one of the plane's studies
   std::vector<LockedKind> kinds_;
   std::vector<LockedSymmetry> symmetries_;

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/math/bordered.hpp"
 #include "equipoise/core/math/curve_follower.hpp"
-#include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
@@ -69,19 +69,16 @@ class BranchOfCycles {
 
   // At rest, with the tangent that leads to small cycles.
   std::optional<CurveFollower::Step> beginning(const model::System& first) {
-    const dense::EigenPairs pairs = dense::eigenpairs(model::jacobian(first, start_.state));
-    if (!pairs.found) return std::nullopt;
-    Index nearest = 0;
-    (pairs.values.array() - std::complex<double>(0.0, start_.frequency)).abs().minCoeff(&nearest);
-    const VectorXcd q = pairs.vectors.col(nearest);
+    const auto q = eigenvector_near(model::jacobian(first, start_.state), std::complex<double>(0.0, start_.frequency));
+    if (!q) return std::nullopt;
     double swing = 0.0;
-    for (int i = 0; i < first.balls(); ++i) swing = std::max(swing, std::abs(q[model::index::phi(i)]));
+    for (int i = 0; i < first.balls(); ++i) swing = std::max(swing, std::abs((*q)[model::index::phi(i)]));
     if (!(swing > 0.0)) return std::nullopt;
     CycleShape small = shape_;
     for (std::size_t k = 0; k < small.nodes.size(); ++k) {
       const std::complex<double> turn =
           std::polar(first_swing / swing, two_pi * static_cast<double>(k) / static_cast<double>(small.nodes.size()));
-      small.nodes[k] += (turn * q).real();
+      small.nodes[k] += (turn * *q).real();
     }
     shooting_.stay_near(first, small);
     CurveFollower::Step step{

@@ -12,6 +12,7 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/bordered.hpp"
 #include "equipoise/core/math/dense.hpp"
+#include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
@@ -293,23 +294,12 @@ std::optional<CycleTest::Value> CycleTest::torus(const CycleArcs& arcs) const {
   const VectorXd &rate = arcs.rates.back(), share = phase_ / phase_.dot(rate);
   const MatrixXd monodromy = arcs.monodromy() - rate * share.transpose();
   const VectorXcd values = dense::eigenvalues(monodromy);
-  // A pair is complex, or two real multipliers: its half sum and its product are smooth where the two meet.
+  const auto near = nearest_pair({values.begin(), values.end()}, {cosine_, 1.0, {}});
+  if (!near) return std::nullopt;
   Value found;
-  std::array<std::complex<double>, 2> pair;
-  double least = INFINITY;
-  for (Index i = 0; i < values.size(); ++i)
-    for (Index k = 0; k < i; ++k) {
-      const bool real = values[i].imag() == 0.0 && values[k].imag() == 0.0;
-      if (!real && values[i] != std::conj(values[k])) continue;
-      const double mean = 0.5 * (values[i] + values[k]).real(), product = (values[i] * values[k]).real(),
-                   distance = std::hypot(mean - cosine_, product - 1.0);
-      if (distance >= least) continue;
-      least = distance;
-      found.value = product - 1.0;
-      found.cosine = mean;
-      pair = {values[i], values[k]};
-    }
-  if (least == INFINITY) return std::nullopt;
+  found.value = near->product - 1.0;
+  found.cosine = near->mean;
+  const std::array pair{values[static_cast<Index>(near->places[1])], values[static_cast<Index>(near->places[0])]};
   // The product is the determinant of what the matrix is on the plane of the pair, however close the two are.
   const auto right = plane_of(monodromy, pair), left = plane_of(monodromy.transpose(), pair);
   if (!right || !left) return std::nullopt;

@@ -168,9 +168,7 @@ Table7Candidate candidate(const Line& line) {
   c.percent = {number("share_1"), number("share_2"), number("share_3"), number("share_4")};
   c.starts = static_cast<std::uint64_t>(number("starts"));
   c.chi_squared = number("chi2");
-  c.fitted = static_cast<int>(number("fitted_numbers"));
   c.free_cells = static_cast<int>(number("free_cells"));
-  c.best = line.at("role") == "best lead";
   return c;
 }
 

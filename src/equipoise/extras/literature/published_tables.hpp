@@ -76,8 +76,7 @@ struct Table7Candidate {
   std::array<double, 4> percent{};  ///< resulting shares
   std::uint64_t starts = 0;         ///< per row
   double chi_squared = 0.0;         ///< deviance from the printed shares
-  int fitted = 0, free_cells = 0;   ///< numbers fitted; cells minus those
-  bool best = false;
+  int free_cells = 0;               ///< cells minus numbers fitted
 };
 /// From docs/evidence/table-7-candidates.csv. Throws RunError if the library was built without it.
 std::vector<Table7Candidate> table_7_candidates();
