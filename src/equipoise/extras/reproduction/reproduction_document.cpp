@@ -29,29 +29,9 @@ void add(PlotSeries& series, double x, const Share& share) {
   series.high.push_back(100.0 * share.high);
 }
 
-struct Curves {
-  PlotSeries printed, published, kinematic;
-};
-
-// Curves of the rows that share a series, in the order of the table.
-std::vector<std::pair<std::string, Curves>> curves_of(const ReproducedTable& table) {
-  std::vector<std::pair<std::string, Curves>> list;
-  for (const ReproducedRow& row : table.rows) {
-    if (list.empty() || list.back().first != row.published->series) list.push_back({row.published->series, {}});
-    Curves& c = list.back().second;
-    const double x = row.published->parameter;
-    c.printed.x.push_back(x);
-    c.printed.y.push_back(100.0 * row.published->cells.front().share.share);
-    if (row.by_published_law && row.by_published_law->starts)
-      add(c.published, x, row.by_published_law->share_of("balanced"));
-    if (row.by_kinematic_law && row.by_kinematic_law->starts)
-      add(c.kinematic, x, row.by_kinematic_law->share_of("balanced"));
-  }
-  return list;
-}
-
 // Balanced share of every row: printed, published law, kinematic law. Empty for table 7, whose rows share no axis.
 std::optional<Plot> table_plot(const ReproducedTable& table) {
+  using Style = PlotSeries::Style;
   if (table.published->number == 7) return {};
   Plot plot{"",
             table.published->parameter == "T0" ? "duration of the ramp, T0" : "final speed Ω / critical speed",
@@ -60,27 +40,34 @@ std::optional<Plot> table_plot(const ReproducedTable& table) {
             false,
             false,
             {}};
-  const auto list = curves_of(table);
-  const bool many = list.size() > 2;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const auto& [name, curves] = list[k];
-    const std::string of = name.empty() ? "" : name + ": ";
-    const auto style = k % 2 == 0 || many ? PlotSeries::Style::line : PlotSeries::Style::dashed;
-    const auto take = [&](const PlotSeries& s, const std::string& label, const char* colour) {
-      if (s.x.empty()) return;
-      PlotSeries series = s;
-      series.label = of + label;
-      series.colour = colour;
-      series.style = style;
-      plot.series.push_back(std::move(series));
-    };
-    take(curves.published, table.published->ramps ? "published law" : "computed", many ? four[k % 4] : dark_colour);
-    take(curves.kinematic, "kinematic law", light_colour);
-    PlotSeries printed = curves.printed;
-    printed.label = k + 1 == list.size() ? "printed" : "";
-    printed.colour = "#222222";
-    printed.style = PlotSeries::Style::points;
-    plot.series.push_back(std::move(printed));
+  std::vector<std::string> names;  // of series, in the order of the table
+  for (const ReproducedRow& row : table.rows)
+    if (names.empty() || names.back() != row.published->series) names.push_back(row.published->series);
+  const bool many = names.size() > 2;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string of = names[k].empty() ? "" : names[k] + ": ";
+    const Style style = k % 2 == 0 || many ? Style::line : Style::dashed;
+    PlotSeries published{of + (table.published->ramps ? "published law" : "computed"),
+                         many ? four[k % 4] : dark_colour,
+                         style,
+                         {},
+                         {},
+                         {},
+                         {}},
+        kinematic{of + "kinematic law", light_colour, style, {}, {}, {}, {}},
+        printed{k + 1 == names.size() ? "printed" : "", "#222222", Style::points, {}, {}, {}, {}};
+    for (const ReproducedRow& row : table.rows) {
+      if (row.published->series != names[k]) continue;
+      printed.x.push_back(row.published->parameter);
+      printed.y.push_back(100.0 * row.published->cells.front().share.share);
+      row.for_each_law([&](const EnsembleResult& e, model::SpeedLaw law) {
+        if (e.starts > 0)
+          add(law == model::SpeedLaw::published ? published : kinematic, row.published->parameter,
+              e.share_of("balanced"));
+      });
+    }
+    for (PlotSeries* series : {&published, &kinematic, &printed})
+      if (!series->x.empty()) plot.series.push_back(std::move(*series));
   }
   return plot;
 }

@@ -79,39 +79,28 @@ std::string codes_text(const BasinSlice& map) {
 
 namespace {
 
-using Stretches = std::vector<std::pair<int, int>>;  // first and last pixels
-
-Stretches stretches(int pixels, const std::function<bool(int)>& holds) {
-  Stretches result;
-  for (int k = 0; k < pixels; ++k) {
-    if (!holds(k)) continue;
-    if (result.empty() || result.back().second != k - 1) result.emplace_back(k, k);
-    result.back().second = k;
-  }
-  return result;
-}
-
-// "at lambda from 0.002 to 0.026 and from 0.09 to 0.1".
-std::string at_eccentricities(const SliceAxis& x, const Stretches& stretches) {
+// "at lambda from 0.002 to 0.026 and from 0.09 to 0.1": the stretches of columns of which `holds` is true.
+std::string at_eccentricities(const SliceAxis& x, const std::function<bool(int)>& holds) {
   std::string text;
-  for (const auto& [first, last] : stretches)
-    text +=
-        fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", x.centre(first), x.centre(last));
+  for (int k = 0; k < x.pixels; ++k) {
+    if (!holds(k)) continue;
+    const int first = k;
+    while (k + 1 < x.pixels && holds(k + 1)) ++k;
+    text += fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", x.centre(first), x.centre(k));
+  }
   return text.empty() ? "at no λ" : text;
 }
 
 std::string balanced_by_angle(const BasinSlice& map) {
-  std::vector<int> balanced(static_cast<std::size_t>(map.x.pixels));
-  for (int row = 0; row < map.y.pixels; ++row)
-    for (int column = 0; column < map.x.pixels; ++column)
-      balanced[static_cast<std::size_t>(column)] += map.code[map.at(column, row)] == balanced_id;
-  const auto of_at_least = [&](int least) {
-    return at_eccentricities(map.x, stretches(map.x.pixels, [&](int column) {
-                               return balanced[static_cast<std::size_t>(column)] >= least;
-                             }));
+  const auto at_least = [&](int least) {
+    return at_eccentricities(map.x, [&map, least](int column) {
+      int balanced = 0;
+      for (int row = 0; row < map.y.pixels; ++row) balanced += map.code[map.at(column, row)] == balanced_id;
+      return balanced >= least;
+    });
   };
-  return fmt::format("All starts balance {}, some {}. The balls can cancel λ up to {:.3g}.", of_at_least(map.y.pixels),
-                     of_at_least(1), map.study.parameters.total_mass());
+  return fmt::format("All starts balance {}, some {}. The balls can cancel λ up to {:.3g}.", at_least(map.y.pixels),
+                     at_least(1), map.study.parameters.total_mass());
 }
 
 // How much of what all balls together can cancel is balanced, and whether anything balances beyond.
