@@ -157,21 +157,6 @@ PublishedTable table_7() {
   return table;
 }
 
-Table7Candidate candidate(const Line& line) {
-  const auto number = [&](const char* column) { return value_of(line.at(column)); };
-  const std::string &origin = line.at("test_origin"), &offset = line.at("test_offset"), &span = line.at("span");
-  const std::string when = origin == "t" ? "t = " + offset : origin + " " + offset;
-  Table7Candidate c;
-  c.protocol = line.at("protocol");
-  c.test = fmt::format("r < {:.3g} ", number("tolerance")) +
-           (number("span") > 0.0 ? fmt::format("for {} up to {}", span, when) : "at " + when);
-  c.percent = {number("share_1"), number("share_2"), number("share_3"), number("share_4")};
-  c.starts = static_cast<std::uint64_t>(number("starts"));
-  c.chi_squared = number("chi2");
-  c.free_cells = static_cast<int>(number("free_cells"));
-  return c;
-}
-
 }  // namespace
 
 const std::vector<PublishedTable>& published_tables() {
@@ -188,9 +173,19 @@ const std::vector<PublishedTable>& published_tables() {
   return tables;
 }
 
-std::vector<Table7Candidate> table_7_candidates() {
-  std::vector<Table7Candidate> list;
-  for (const Line& line : lines_of("evidence/table-7-candidates.csv")) list.push_back(candidate(line));
+std::vector<Table7Reading> table_7_readings() {
+  std::vector<Table7Reading> list;
+  for (const Line& line : lines_of("evidence/table-7-candidates.csv")) {
+    const auto number = [&](const std::string& column) { return value_of(line.at(column)); };
+    const std::string &origin = line.at("test_origin"), &offset = line.at("test_offset"), &span = line.at("span");
+    const std::string when = origin == "t" ? "t = " + offset : origin + " " + offset;
+    list.push_back({line.at("protocol"),
+                    fmt::format("r < {:.3g} ", number("tolerance")) +
+                        (number("span") > 0.0 ? fmt::format("for {} up to {}", span, when) : "at " + when),
+                    fmt::format("{:.2f}, {:.2f}, {:.2f}, {:.2f}", number("share_1"), number("share_2"),
+                                number("share_3"), number("share_4")),
+                    plain(line.at("starts")), fmt::format("{:.1f}", number("chi2")), plain(line.at("free_cells"))});
+  }
   return list;
 }
 

@@ -69,17 +69,12 @@ const std::vector<Conclusion>& conclusions();
 /// The study of a row: the file in studies/paper, with its ramp under `law`.
 Study study_of(const PublishedRow& row, model::SpeedLaw law);
 
-/// A reading of table 7 that was fitted to its printed shares; docs/evidence/table-7.md describes the search.
-struct Table7Candidate {
-  std::string protocol;             ///< laws of rise and fall, release
-  std::string test;                 ///< when a start counted as balanced
-  std::array<double, 4> percent{};  ///< resulting shares
-  std::uint64_t starts = 0;         ///< per row
-  double chi_squared = 0.0;         ///< deviance from the printed shares
-  int free_cells = 0;               ///< cells minus numbers fitted
-};
+/// A reading of table 7 that was fitted to its printed shares, in words: laws and release, when a start counted as
+/// balanced, resulting shares in percent, starts per row, deviance from the printed shares, cells minus numbers fitted.
+/// docs/evidence/table-7.md describes the search.
+using Table7Reading = std::array<std::string, 6>;
 /// From docs/evidence/table-7-candidates.csv. Throws RunError if the library was built without it.
-std::vector<Table7Candidate> table_7_candidates();
+std::vector<Table7Reading> table_7_readings();
 
 /// Source of the numbers.
 extern const char* const published_citation;
