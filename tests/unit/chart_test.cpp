@@ -318,18 +318,18 @@ TEST(Chart, TheProvedBoxesCoverThePlaneAndAgreeWithEigenvalues) {
   const BifurcationChart& chart = wide_chart();
   ASSERT_TRUE(chart.not_proved.empty());
   double sum = 0.0;
-  for (const ProvedKind kind : {ProvedKind::open, ProvedKind::none, ProvedKind::stable, ProvedKind::unstable})
+  for (const BalanceKind kind : {BalanceKind::open, BalanceKind::none, BalanceKind::stable, BalanceKind::unstable})
     sum += chart.proved(kind);
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  EXPECT_LE(chart.proved(ProvedKind::open), 0.01);
-  EXPECT_GT(chart.proved(ProvedKind::stable), 0.8);
-  EXPECT_GT(chart.proved(ProvedKind::unstable), 0.1);
+  EXPECT_LE(chart.proved(BalanceKind::open), 0.01);
+  EXPECT_GT(chart.proved(BalanceKind::stable), 0.8);
+  EXPECT_GT(chart.proved(BalanceKind::unstable), 0.1);
   std::mt19937 random(11);
   std::uniform_real_distribution<> part(0.0, 1.0);
   for (int k = 0; k < 4000; ++k) {
     const ProofBox& box =
         chart.boxes[std::min(static_cast<std::size_t>(part(random) * chart.boxes.size()), chart.boxes.size() - 1)];
-    if (box.kind == ProvedKind::open) continue;
+    if (box.kind == BalanceKind::open) continue;
     const double x = box.x[0] + part(random) * (box.x[1] - box.x[0]),
                  y = box.y[0] + part(random) * (box.y[1] - box.y[0]);
     EXPECT_EQ(static_cast<int>(balance_at(at(x, y)).kind), static_cast<int>(box.kind)) << x << " " << y;
@@ -341,7 +341,7 @@ TEST(Chart, TheProvedBoxesCoverThePlaneAndAgreeWithEigenvalues) {
       if (p.others > 0) continue;
       for (const ProofBox& box : chart.boxes)
         if (box.x[0] < p.x && p.x < box.x[1] && box.y[0] < p.y && p.y < box.y[1]) {
-          EXPECT_EQ(box.kind, ProvedKind::open) << p.x << " " << p.y;
+          EXPECT_EQ(box.kind, BalanceKind::open) << p.x << " " << p.y;
         }
     }
 }
@@ -350,9 +350,9 @@ TEST(Chart, BoxesWhereTheBallsCannotReachAreProvedToHaveNoBalance) {
   ChartSettings settings = over_speed_and_drag(1.0, 4.0, 0.02, 0.2, 8, 50000);
   settings.y.key = "rotor.eccentricity";
   const BifurcationChart chart = bifurcation_chart(chart_rotor(2.4, 0.05), settings);
-  EXPECT_NEAR(chart.proved(ProvedKind::none), 5.0 / 9.0, 0.01);
+  EXPECT_NEAR(chart.proved(BalanceKind::none), 5.0 / 9.0, 0.01);
   for (const ProofBox& box : chart.boxes)
-    if (box.kind == ProvedKind::none) {
+    if (box.kind == BalanceKind::none) {
       EXPECT_GE(box.y[0], 0.1 - 1e-12);
     }
 }
@@ -371,7 +371,7 @@ TEST(BalanceBoxes, ThePolynomialHasTheEigenvaluesAsZeros) {
     const double speed = study.speed.speed;
     const BoxRotor rotor{speed, p.damping[0], p.stiffness[0], p.drag[0], p.eccentricity, {p.mass[0], p.mass[1]}};
     const auto spectrum = balance_spectrum(study);
-    EXPECT_EQ(judge_box(rotor) == ProvedKind::none, !spectrum);
+    EXPECT_EQ(judge_box(rotor) == BalanceKind::none, !spectrum);
     if (!spectrum) continue;
     ++tried;
     const auto coefficient = balance_polynomial(rotor);
@@ -384,9 +384,9 @@ TEST(BalanceBoxes, ThePolynomialHasTheEigenvaluesAsZeros) {
       }
       EXPECT_LT(std::abs(value), 1e-9 * size);  // an eigenvalue's error times the slope
     }
-    const ProvedKind judged = judge_box(rotor);
-    if (judged != ProvedKind::open) {
-      EXPECT_EQ(judged == ProvedKind::stable, spectrum->unstable() == 0);
+    const BalanceKind judged = judge_box(rotor);
+    if (judged != BalanceKind::open) {
+      EXPECT_EQ(judged == BalanceKind::stable, spectrum->unstable() == 0);
     }
   }
   EXPECT_GT(tried, 30);
@@ -441,7 +441,7 @@ TEST(Chart, FindsTheLineBetweenBoxesProvedStableAndUnstable) {
   const BifurcationChart chart =
       balance_chart(chart_rotor(8.0, 0.05), over_speed_and_drag(1.0, 3.0, 0.0, 10.0, 4, 20000));
   ASSERT_EQ(chart.plane.count(BalanceKind::stable), chart.plane.points.size());
-  EXPECT_GT(chart.proved(ProvedKind::unstable), 0.0);
+  EXPECT_GT(chart.proved(BalanceKind::unstable), 0.0);
   has_a_line_of_loss(chart, 10);
   EXPECT_TRUE(holds(chart_answer(chart), "stable at every point of the grid")) << chart_answer(chart);
 }

@@ -81,13 +81,11 @@ std::string loss_sentences(const BifurcationChart& chart) {
 
 std::string proof_sentence(const BifurcationChart& chart) {
   std::vector<std::string> parts;
-  for (const auto& [kind, words] : {std::pair{ProvedKind::stable, "stable all over {}"},
-                                    {ProvedKind::unstable, "unstable all over {}"},
-                                    {ProvedKind::none, "impossible all over {}"}})
+  for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none})
     if (const double part = chart.proved(kind); part > 0.0)
-      parts.push_back(fmt::format(fmt::runtime(words), proved_percent(part)));
+      parts.push_back(fmt::format("{} all over {}", balance_words(kind), proved_percent(part)));
   if (parts.empty()) return "Interval arithmetic proved nothing.";
-  const double open = chart.proved(ProvedKind::open);
+  const double open = chart.proved(BalanceKind::open);
   return fmt::format("Proved by interval arithmetic: {}; {} of the plane is not decided.", fmt::join(parts, ", "),
                      fmt::format("{:.2f} %", std::ceil(1e4 * open) / 100.0));
 }
@@ -254,7 +252,7 @@ std::string chart_notes(const BifurcationChart& chart) {
   text += lost_curves_text(chart) + cycles_end_text(chart);
   if (chart.plane.contact()) text += "Where balance ends because the balls lack room, no curve is drawn.\n";
   if (!chart.not_proved.empty()) text += fmt::format("Nothing is proved: {}.\n", chart.not_proved);
-  if (chart.complete && !chart.boxes.empty() && chart.proved(ProvedKind::open) > chart.undecided)
+  if (chart.complete && !chart.boxes.empty() && chart.proved(BalanceKind::open) > chart.undecided)
     text += "More boxes (--boxes) would decide more of the plane.\n";
   if (!chart.no_cycles.empty()) text += fmt::format("Of cycles nothing is told: {}.\n", chart.no_cycles);
   text += region_notes(chart) + plane_notes(chart.plane);
@@ -364,10 +362,10 @@ std::string chart_json(const BifurcationChart& chart) {
   json["region_of"] = chart.region_of;
   const BalanceLoss loss = balance_loss(chart);
   json["loss"] = {{"soft", loss.soft}, {"abrupt", loss.abrupt}, {"unknown", loss.unknown}, {"real", loss.real}};
-  ChartJson proof{{"stable", chart.proved(ProvedKind::stable)},
-                  {"unstable", chart.proved(ProvedKind::unstable)},
-                  {"none", chart.proved(ProvedKind::none)},
-                  {"open", chart.proved(ProvedKind::open)},
+  ChartJson proof{{"stable", chart.proved(BalanceKind::stable)},
+                  {"unstable", chart.proved(BalanceKind::unstable)},
+                  {"none", chart.proved(BalanceKind::none)},
+                  {"open", chart.proved(BalanceKind::open)},
                   {"boxes", ChartJson::array()}};
   for (const ProofBox& b : chart.boxes)
     proof["boxes"].push_back({b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)});

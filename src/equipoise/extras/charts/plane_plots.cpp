@@ -178,14 +178,13 @@ char loss_at(const ChartCurve& curve, const CurvePoint& p) {
   return p.others > 0 || std::isnan(p.lyapunov) ? ' ' : p.lyapunov < 0.0 ? 's' : 'a';
 }
 
-struct BoxLook {
-  ProvedKind kind;
-  const char* colour;
-  BalanceKind balance;
-};
-constexpr std::array<BoxLook, 3> box_looks{{{ProvedKind::stable, "#8CC3E6", BalanceKind::stable},
-                                            {ProvedKind::unstable, "#F3CF8E", BalanceKind::unstable},
-                                            {ProvedKind::none, "#C8C8C8", BalanceKind::none}}};
+// Of a box.
+const char* colour_of_proof(BalanceKind kind) {
+  return kind == BalanceKind::stable     ? "#8CC3E6"
+         : kind == BalanceKind::unstable ? "#F3CF8E"
+         : kind == BalanceKind::none     ? "#C8C8C8"
+                                         : "#FFFFFF";
+}
 
 // The pieces of all curves that are drawn in one way.
 Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
@@ -201,17 +200,12 @@ Border border_of(const BifurcationChart& chart, const StrokeStyle& style) {
   return border;
 }
 
-const BoxLook* look_of(ProvedKind kind) {
-  const auto at = std::find_if(box_looks.begin(), box_looks.end(), [=](const BoxLook& l) { return l.kind == kind; });
-  return at == box_looks.end() ? nullptr : &*at;
-}
-
 // Boxes are many and small. Of those at an edge of a pixel the one at its centre counts.
 Raster raster_of(const BifurcationChart& chart) {
   constexpr int side = most_drawn_pixels;
   const SliceAxis x{"", chart.plane.x.low, chart.plane.x.high, side},
       y{"", chart.plane.y.low, chart.plane.y.high, side};
-  std::vector<ProvedKind> kinds(static_cast<std::size_t>(side) * side, ProvedKind::open);
+  std::vector<BalanceKind> kinds(static_cast<std::size_t>(side) * side, BalanceKind::open);
   const auto first_from = [](const SliceAxis& axis, double value) {
     return static_cast<int>(std::clamp(std::ceil((value - axis.low) / axis.step() - 0.5), 0.0, 1.0 * side));
   };
@@ -220,17 +214,17 @@ Raster raster_of(const BifurcationChart& chart) {
       std::fill(kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[0]),
                 kinds.begin() + (side - 1 - row) * side + first_from(x, b.x[1]), b.kind);
   Raster raster{side, side, {}, {}};
-  for (const ProvedKind kind : kinds) raster.add(look_of(kind) ? look_of(kind)->colour : "#FFFFFF");
+  for (const BalanceKind kind : kinds) raster.add(colour_of_proof(kind));
   return raster;
 }
 
 void draw_boxes(Svg& svg, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {
   if (chart.boxes.empty()) return;
   svg.image(plane_top_left, plane_side, plane_side, png_bytes(raster_of(chart)));  // over the grid
-  for (const BoxLook& look : box_looks)
-    if (chart.proved(look.kind) > 0.0)
-      legend.push_back({{"", look.colour}, fmt::format("proved: {}", balance_words(look.balance))});
-  if (chart.proved(ProvedKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, "not decided"});
+  for (const BalanceKind kind : {BalanceKind::stable, BalanceKind::unstable, BalanceKind::none})
+    if (chart.proved(kind) > 0.0)
+      legend.push_back({{"", colour_of_proof(kind)}, fmt::format("proved: {}", balance_words(kind))});
+  if (chart.proved(BalanceKind::open) > 0.0) legend.push_back({{"", "#ffffff"}, "not decided"});
 }
 
 void draw_specials(Svg& svg, const SvgAxes& axes, const BifurcationChart& chart, std::vector<LegendEntry>& legend) {

@@ -58,8 +58,7 @@ std::string parts_sentence(const StabilityPlane& plane) {
   for (std::size_t k = 0; k < parts.size(); ++k)
     text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
   if (missing > 0)
-    return fmt::format("Over {} and {}, {} is {}; {} of the plane was not computed (PARTIAL).", x, y, balance, text,
-                       part_text(plane, BalanceKind::not_computed));
+    text += fmt::format("; {} of the plane was not computed (PARTIAL)", part_text(plane, BalanceKind::not_computed));
   return fmt::format("Over {} and {}, {} is {}.", x, y, balance, text);
 }
 
@@ -104,9 +103,8 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
   const char* way = b.upwards ? "larger" : "smaller";
   const std::string at = parameter_text(plane.study, key, b.value);
   if (b.change == Change::none)
-    return b.upwards
-               ? fmt::format("With a {} {} nothing changes up to the plane's end, {}.", way, key_words(key), at)
-               : fmt::format("With a {} {} nothing changes down to the plane's end, {}.", way, key_words(key), at);
+    return fmt::format("With a {} {} nothing changes {} to the plane's end, {}.", way, key_words(key),
+                       b.upwards ? "up" : "down", at);
   const bool existed = plane.own->point.kind != BalanceKind::none;
   const std::string what = b.change == Change::hopf
                                ? fmt::format("a pair of eigenvalues crosses (Hopf), at frequency {}",

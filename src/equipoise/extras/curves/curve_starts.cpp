@@ -30,7 +30,7 @@ class CurveSearch : ChartSearch {
 
   // Along rows and columns through boxes that are proved to be stable or unstable.
   void run_between_boxes() {
-    const std::vector<ProvedKind> kinds = proved_kinds();
+    const std::vector<BalanceKind> kinds = proved_kinds();
     const auto look_along = [&](bool along_x) {
       for (int line = 0; line < lines; ++line) {
         int last = -1;
@@ -38,7 +38,7 @@ class CurveSearch : ChartSearch {
           if (is_set(stop_)) return;
           const int here = along_x ? line * lines + k : k * lines + line;
           const auto kind = [&](int cell) { return kinds[static_cast<std::size_t>(cell)]; };
-          if (kind(here) == ProvedKind::open || kind(here) == ProvedKind::none) continue;
+          if (kind(here) == BalanceKind::open || kind(here) == BalanceKind::none) continue;
           if (last >= 0 && kind(last) != kind(here)) look_between(centre_of(last), centre_of(here));
           last = here;
         }
@@ -57,11 +57,11 @@ class CurveSearch : ChartSearch {
   }
 
   // At the places where the lines cross, rows from below.
-  std::vector<ProvedKind> proved_kinds() const {
-    std::vector<ProvedKind> kinds(static_cast<std::size_t>(lines) * lines, ProvedKind::open);
+  std::vector<BalanceKind> proved_kinds() const {
+    std::vector<BalanceKind> kinds(static_cast<std::size_t>(lines) * lines, BalanceKind::open);
     const auto first_from = [](double part) { return std::max(0, static_cast<int>(std::ceil(part * lines - 0.5))); };
     for (const ProofBox& box : chart_.boxes) {
-      if (box.kind != ProvedKind::stable && box.kind != ProvedKind::unstable) continue;
+      if (box.kind != BalanceKind::stable && box.kind != BalanceKind::unstable) continue;
       const VectorXd low = plane_.place(box.x[0], box.y[0]), high = plane_.place(box.x[1], box.y[1]);
       for (int row = first_from(low[1]); row < lines && row + 0.5 <= high[1] * lines; ++row)
         for (int column = first_from(low[0]); column < lines && column + 0.5 <= high[0] * lines; ++column)

@@ -74,7 +74,7 @@ class BoxSearch {
       OpenBox box = open_.top();
       open_.pop();
       box.box.kind = judged_kind(box.box);
-      if (box.box.kind != ProvedKind::open) {
+      if (box.box.kind != BalanceKind::open) {
         decided.push_back(box.box);
         open_part -= box.part;
         continue;
@@ -101,7 +101,7 @@ class BoxSearch {
     }
   };
 
-  ProvedKind judged_kind(const ProofBox& box) const {
+  BalanceKind judged_kind(const ProofBox& box) const {
     const auto number = [&](std::size_t n) {
       if (!coordinates_[n]) return BoxNumber(fixed_[n]);
       return over(*coordinates_[n] == 0 ? box.x : box.y, *coordinates_[n]);

@@ -138,17 +138,10 @@ struct ChartRegion {
   double x = 0.0, y = 0.0;  ///< the point farthest from the region's edge
 };
 
-/// What interval arithmetic proves of every point of a box. The values stand in files.
-enum class ProvedKind : signed char {
-  open = -1,     ///< nothing
-  none = 0,      ///< the balls cannot cancel the unbalance
-  stable = 1,    ///< a balanced state exists and every eigenvalue has a negative real part
-  unstable = 2,  ///< a balanced state exists and some eigenvalue has a positive real part
-};
-
+/// What interval arithmetic proves of every point of a box.
 struct ProofBox {
   std::array<double, 2> x{}, y{};  ///< from, to
-  ProvedKind kind = ProvedKind::open;
+  BalanceKind kind = BalanceKind::open;
 };
 
 struct BifurcationChart {
@@ -178,7 +171,7 @@ struct BifurcationChart {
   std::string cpu_target;
 
   /// Part of the plane, 0 to 1.
-  double proved(ProvedKind kind) const {
+  double proved(BalanceKind kind) const {
     double area = 0.0;
     for (const ProofBox& b : boxes)
       if (b.kind == kind) area += (b.x[1] - b.x[0]) * (b.y[1] - b.y[0]);

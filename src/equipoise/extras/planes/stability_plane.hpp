@@ -20,6 +20,7 @@ namespace equipoise {
 /// What balance does at a point. The values stand in files.
 enum class BalanceKind : signed char {
   not_computed = -1,
+  open = -1,     ///< of a box: nothing is proved
   none = 0,      ///< no balanced state: the balls cannot cancel the unbalance, or nothing turns for good
   stable = 1,    ///< every deviation dies out
   unstable = 2,  ///< some deviation grows

@@ -67,23 +67,23 @@ std::array<BoxNumber, 9> balance_polynomial(const BoxRotor& r) {
   return result;
 }
 
-ProvedKind judge_box(const BoxRotor& r) {
+BalanceKind judge_box(const BoxRotor& r) {
   for (const BoxNumber& factor : triangle_factors(r))
-    if (certainly_negative(factor)) return ProvedKind::none;
+    if (certainly_negative(factor)) return BalanceKind::none;
   for (const BoxNumber& factor : triangle_factors(r))
-    if (!certainly_positive(factor)) return ProvedKind::open;
+    if (!certainly_positive(factor)) return BalanceKind::open;
   for (const BoxNumber& positive : {r.speed, r.mass[0], r.mass[1]})
-    if (!certainly_positive(positive)) return ProvedKind::open;
+    if (!certainly_positive(positive)) return BalanceKind::open;
   const std::array<BoxNumber, 9> coefficient = balance_polynomial(r);
   BoxPolynomial above, row;
   for (int k = 8; k >= 0; k -= 2) above.push_back(coefficient[static_cast<std::size_t>(k)]);
   for (int k = 7; k >= 0; k -= 2) row.push_back(coefficient[static_cast<std::size_t>(k)]);
-  if (!certainly_positive(above.front())) return ProvedKind::open;
+  if (!certainly_positive(above.front())) return BalanceKind::open;
   // All zeros have negative real parts if the first column is positive. If none had a positive one, no entry after
   // positive ones could be negative: it is a quotient of Hurwitz determinants, which are then 0 or more.
   for (int rows = 0; rows < 8; ++rows) {  // a sign for each power below the highest
-    if (certainly_negative(row.front())) return ProvedKind::unstable;
-    if (!certainly_positive(row.front())) return ProvedKind::open;
+    if (certainly_negative(row.front())) return BalanceKind::unstable;
+    if (!certainly_positive(row.front())) return BalanceKind::open;
     const BoxNumber ratio = above.front() / row.front();
     BoxPolynomial below;
     for (std::size_t k = 1; k < above.size(); ++k)
@@ -91,7 +91,7 @@ ProvedKind judge_box(const BoxRotor& r) {
     above = row;
     row = below;
   }
-  return ProvedKind::stable;
+  return BalanceKind::stable;
 }
 
 }  // namespace equipoise

@@ -22,7 +22,8 @@ struct BoxRotor {
 /// a positive number, the characteristic polynomial. docs/explanation/equations.md, "Eigenvalues at balance".
 std::array<BoxNumber, 9> balance_polynomial(const BoxRotor& rotor);
 
-/// By Routh's array (E. J. Routh, 1877) in affine arithmetic, which rounds outwards.
-ProvedKind judge_box(const BoxRotor& rotor);
+/// What balance is everywhere in the box; `none`: nowhere a balanced state exists; `open`: not decided. By Routh's
+/// array (E. J. Routh, 1877) in affine arithmetic, which rounds outwards.
+BalanceKind judge_box(const BoxRotor& rotor);
 
 }  // namespace equipoise
