@@ -99,8 +99,8 @@ std::string slip_of(const std::vector<PublishedCell>& cells) {
 }
 
 // A row that is one ensemble, with one cell per attractor.
-PublishedRow row_of(const std::string& study, const std::string& label, double parameter, const Line& line,
-                    std::uint64_t starts) {
+PublishedRow published_row(const std::string& study, const std::string& label, double parameter, const Line& line,
+                           std::uint64_t starts) {
   PublishedRow row{study, label, "", parameter, {}, ""};
   for (const char* attractor : {"balanced", "V1", "V2", "V3", "V4"})
     if (const auto at = line.find(attractor); at != line.end())
@@ -120,8 +120,8 @@ PublishedTable table_of_rows(int number, const std::string& title, const std::st
   PublishedTable table{number, title, column, ramps, "", {}};
   for (const Line& line : lines_of(number)) {
     const auto [key, value] = named(column, line);
-    table.rows.push_back(row_of(fmt::format("table-{}-{}-{}", number, key, value),
-                                fmt::format("{} = {}", column, value), value_of(value), line, starts));
+    table.rows.push_back(published_row(fmt::format("table-{}-{}-{}", number, key, value),
+                                       fmt::format("{} = {}", column, value), value_of(value), line, starts));
   }
   return table;
 }
@@ -151,8 +151,8 @@ PublishedTable table_7() {
                        {}};
   for (const Line& line : lines_of(7)) {
     const std::string t0 = plain(line.at("T0")), t1 = plain(line.at("T1")), t2 = plain(line.at("T2"));
-    table.rows.push_back(row_of(fmt::format("table-7-t0-{}-t1-{}-t2-{}", t0, t1, t2),
-                                fmt::format("{}, {}, {}", t0, t1, t2), value_of(t0), line, 300000));
+    table.rows.push_back(published_row(fmt::format("table-7-t0-{}-t1-{}-t2-{}", t0, t1, t2),
+                                       fmt::format("{}, {}, {}", t0, t1, t2), value_of(t0), line, 300000));
   }
   return table;
 }
