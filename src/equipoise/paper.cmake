@@ -3,7 +3,7 @@ add_library(equipoise_paper STATIC
   extras/literature/published_tables.cpp extras/literature/reproduction.cpp
   extras/reproduction/open_questions.cpp extras/reproduction/paper_figures.cpp extras/reproduction/reproduce.cpp
     extras/reproduction/reproduction.cpp extras/reproduction/reproduction_document.cpp
-    extras/reproduction/reproduction_words.cpp extras/reproduction/table_7.cpp
+    extras/reproduction/table_7.cpp
 )
 
 # What the libraries carry inside themselves: how pages look; studies to begin with; the published tables and the studies of their rows.

@@ -3,10 +3,9 @@
 
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
-#include "equipoise/extras/stability/plane_studies.hpp"
 #include "studies.hpp"
 
 namespace equipoise {
@@ -42,8 +41,7 @@ inline Eigen::VectorXcd multipliers_by_differences(const model::System& system, 
 struct ChartedPlane {
   ChartedPlane(const SliceAxis& x, const SliceAxis& y, const Study& study = charted_rotor())
       : chart(bifurcation_chart(study, settings(x, y))),
-        studies(study, chart.plane.x, chart.plane.y),
-        plane(studies) {}
+        plane(study, chart.plane.x, chart.plane.y) {}
   ChartedPlane(const ChartedPlane&) = delete;
   ChartedPlane& operator=(const ChartedPlane&) = delete;
 
@@ -63,8 +61,7 @@ struct ChartedPlane {
   }
 
   const BifurcationChart chart;
-  const PlaneStudies studies;
-  const BalancePlane plane;
+  const PlaneStudies plane;
 };
 
 }  // namespace equipoise

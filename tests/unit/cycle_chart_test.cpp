@@ -12,10 +12,9 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/extras/charts/chart_report.hpp"
-#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/extras/curves/cycle_curve.hpp"
 #include "equipoise/extras/cycles/cycle_branch.hpp"
-#include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "../support/charted_plane.hpp"
@@ -198,8 +197,7 @@ TEST(CycleChart, FoldsBeginAtGeneralisedHopfPointsAlongTheHopfCurve) {
 
 TEST(CycleChart, SmallCyclesSwingAsTheNormalFormSays) {
   const BifurcationChart& chart = around_generalised();
-  const PlaneStudies studies(charted_rotor(), chart.plane.x, chart.plane.y);
-  const BalancePlane plane(studies);
+  const PlaneStudies plane(charted_rotor(), chart.plane.x, chart.plane.y);
   int compared = 0;
   for (const ChartCurve& curve : chart.curves) {
     if (curve.kind != CurveKind::hopf || curve.of != of_balance) continue;

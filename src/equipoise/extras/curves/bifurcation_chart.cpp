@@ -19,21 +19,20 @@ BifurcationChart computed_chart(const Study& study, const ChartSettings& setting
   const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin = cpu_seconds();
   // An axis may bring what the study itself has not, such as gravity.
-  const PlaneStudies studies(study, settings.x, settings.y,
-                             [](const Study& there) { check_offers(there, model::ResultKind::curves); });
+  const PlaneStudies plane(study, settings.x, settings.y,
+                           [](const Study& there) { check_offers(there, model::ResultKind::curves); });
   BifurcationChart chart;
   chart.study = chart.plane.study = study;
   chart.plane.x = settings.x;
   chart.plane.y = settings.y;
   chart.cycles = settings.cycles;
   if (!settings.output.empty()) check_chart_file(settings.output, chart);
-  chart.plane = stability(studies, settings);
+  chart.plane = stability(plane, settings);
   if (chart.plane.complete) {
-    const BalancePlane plane(studies);
     add_curves(plane, settings.stop, chart);
     add_locked_states(plane, chart.plane.threads, settings.stop, chart);
     chart.undecided = settings.undecided;
-    if (settings.boxes > 0) add_proof_boxes(studies, settings.boxes, settings.undecided, settings.stop, chart);
+    if (settings.boxes > 0) add_proof_boxes(plane, settings.boxes, settings.undecided, settings.stop, chart);
     add_curves_between_boxes(plane, settings.stop, chart);
     if (settings.cycles && !is_set(settings.stop)) add_cycles(plane, settings, chart);  // which then tells what it left
   }

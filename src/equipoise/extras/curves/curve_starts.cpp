@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 class CurveSearch : ChartSearch {
  public:
-  CurveSearch(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart)
+  CurveSearch(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart)
       : ChartSearch(plane, stop, chart) {}
 
   void run() {
@@ -170,11 +170,11 @@ void ChartSearch::add_curve(CurveKind kind, const std::string& of, const Followe
   }
 }
 
-void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart) {
+void add_curves(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart) {
   CurveSearch(plane, stop, chart).run();
 }
 
-void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart) {
+void add_curves_between_boxes(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart) {
   CurveSearch(plane, stop, chart).run_between_boxes();
 }
 

@@ -7,17 +7,16 @@
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/running/run_options.hpp"
-#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/extras/curves/followed_curve.hpp"
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
-#include "equipoise/extras/stability/plane_studies.hpp"
 
 namespace equipoise {
 
 /// What searches for a chart's curves share.
 class ChartSearch {
  protected:
-  ChartSearch(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart)
+  ChartSearch(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart)
       : plane_(plane), stop_(stop), chart_(chart), grid_(chart.plane) {}
 
   /// Whether a curve of this kind and state runs through the place. Two Hopf curves that cross, and two curves of
@@ -37,7 +36,7 @@ class ChartSearch {
   }
   Eigen::VectorXd place(int column, int row) const { return plane_.place(grid_.x.centre(column), grid_.y.centre(row)); }
 
-  const BalancePlane& plane_;
+  const PlaneStudies& plane_;
   const StopFlag* stop_;
   BifurcationChart& chart_;
   const StabilityPlane& grid_;
@@ -45,18 +44,18 @@ class ChartSearch {
 
 /// Curves of balance between neighbours of the chart's grid, and where it changes along a parameter from the study's
 /// own values on; with their special points.
-void add_curves(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+void add_curves(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart);
 /// Those that are not known yet, between boxes that are proved to be stable and unstable.
-void add_curves_between_boxes(const BalancePlane& plane, const StopFlag* stop, BifurcationChart& chart);
+void add_curves_between_boxes(const PlaneStudies& plane, const StopFlag* stop, BifurcationChart& chart);
 
 /// From places on every Hopf curve cycles are followed across it; where they fold, double their period or become tori a
 /// curve begins, unless it is known. For a chart that has all other curves. Curves are followed as soon as the cycles
 /// before theirs are: a run that is stopped has those that it got to.
-void add_cycles(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart);
+void add_cycles(const PlaneStudies& plane, const RunOptions& run, BifurcationChart& chart);
 
 /// Curves of locked states and the chart's regions. Of a rotor whose locked states are not known regions tell of
 /// balance alone, and chart.no_locked says why. The result does not depend on the number of threads.
-void add_locked_states(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart);
+void add_locked_states(const PlaneStudies& plane, int threads, const StopFlag* stop, BifurcationChart& chart);
 
 /// What exists at a point.
 struct RegionPattern {

@@ -39,7 +39,7 @@ std::vector<Index> own_multipliers(const VectorXcd& all, CurveKind change, const
 
 }  // namespace
 
-CycleCurve::CycleCurve(const BalancePlane& plane, const model::System& system, const CycleCrossing& crossing)
+CycleCurve::CycleCurve(const PlaneStudies& plane, const model::System& system, const CycleCrossing& crossing)
     : FollowedCurve(plane, crossing.change, {crossing.cosine, 1.0, {}}, cycle_limits, most_cycle_points),
       birth_period_(crossing.birth_period),
       shooting_(system, crossing.near.shape, curve_tolerance),

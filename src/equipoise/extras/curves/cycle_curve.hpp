@@ -14,7 +14,7 @@ inline constexpr std::size_t most_cycle_points = 500;
 /// and a test function of the monodromy matrix (CycleTest).
 class CycleCurve : public FollowedCurve {
  public:
-  CycleCurve(const BalancePlane& plane, const model::System& system, const CycleCrossing& crossing);
+  CycleCurve(const PlaneStudies& plane, const model::System& system, const CycleCrossing& crossing);
 
   bool follow_from(const CycleCrossing& crossing, const StopFlag* stop, const Known& known);
   std::vector<SpecialPoint> specials() const override;

@@ -29,7 +29,7 @@ struct CycleOrigin {
 
 class CycleSearch : ChartSearch {
  public:
-  CycleSearch(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart)
+  CycleSearch(const PlaneStudies& plane, const RunOptions& run, BifurcationChart& chart)
       : ChartSearch(plane, run.stop, chart), run_(run) {}
 
   void run() {
@@ -164,7 +164,7 @@ class CycleSearch : ChartSearch {
 
 }  // namespace
 
-void add_cycles(const BalancePlane& plane, const RunOptions& run, BifurcationChart& chart) {
+void add_cycles(const PlaneStudies& plane, const RunOptions& run, BifurcationChart& chart) {
   const auto system = plane.system(Eigen::Vector2d(0.5, 0.5));
   if (system && !system->smooth()) chart.no_cycles = "balls that touch or stick make them break off";
   chart.cycle_bounds = {longest_turns, largest_cycle_multiplier, most_cycle_points};

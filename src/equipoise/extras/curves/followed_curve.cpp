@@ -27,7 +27,7 @@ int unstable_besides(const std::vector<std::complex<double>>& rates, const Eigen
   return count;
 }
 
-FollowedCurve::FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+FollowedCurve::FollowedCurve(const PlaneStudies& plane, CurveKind kind, const EigenPair& like,
                              const CurveFollower::Limits& limits, std::size_t most)
     : plane_(plane),
       kind_(kind),

@@ -8,7 +8,7 @@
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/math/curve_follower.hpp"
-#include "equipoise/extras/curves/balance_plane.hpp"
+#include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/extras/planes/bifurcation_chart.hpp"
 
 namespace equipoise {
@@ -45,7 +45,7 @@ class FollowedCurve {
 
  protected:
   /// `like`: the pair that crosses, of a Hopf curve.
-  FollowedCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like,
+  FollowedCurve(const PlaneStudies& plane, CurveKind kind, const EigenPair& like,
                 const CurveFollower::Limits& limits = {}, std::size_t most = 20000);
 
   virtual std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const = 0;
@@ -99,7 +99,7 @@ class FollowedCurve {
   /// Where the number of other unstable eigenvalues changes between two places: which they are.
   void add_crossing(const CurvePlace& a, const CurvePlace& b, std::vector<SpecialPoint>& found) const;
 
-  const BalancePlane& plane_;
+  const PlaneStudies& plane_;
   CurveKind kind_;
   mutable EigenPair like_;
   CurveFollower follower_;
@@ -130,7 +130,7 @@ int unstable_besides(const std::vector<std::complex<double>>& rates, const Eigen
 /// In the unit square: its unknowns are the two parameters alone.
 class BalanceCurve : public FollowedCurve {
  public:
-  BalanceCurve(const BalancePlane& plane, CurveKind kind, const EigenPair& like) : FollowedCurve(plane, kind, like) {}
+  BalanceCurve(const PlaneStudies& plane, CurveKind kind, const EigenPair& like) : FollowedCurve(plane, kind, like) {}
 
  private:
   std::optional<Eigen::VectorXd> equation(const Eigen::VectorXd& at) const override;

@@ -19,10 +19,10 @@ constexpr std::size_t points_of_chunk = 64;  // milliseconds of work
 
 class LockedSearch : ChartSearch {
  public:
-  LockedSearch(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart)
+  LockedSearch(const PlaneStudies& plane, int threads, const StopFlag* stop, BifurcationChart& chart)
       : ChartSearch(plane, stop, chart),
         threads_(threads),
-        middle_(plane.studies().at(grid_.x.centre(grid_.x.pixels / 2), grid_.y.centre(grid_.y.pixels / 2)).system()) {}
+        middle_(plane.at(grid_.x.centre(grid_.x.pixels / 2), grid_.y.centre(grid_.y.pixels / 2)).system()) {}
 
   void run() {
     chart_.no_locked = locked_states_lack(middle_);
@@ -75,7 +75,7 @@ class LockedSearch : ChartSearch {
     RegionPattern pattern{grid_.points[k].kind, {}};
     const auto columns = static_cast<std::size_t>(grid_.x.pixels);
     const double x = grid_.x.centre(static_cast<int>(k % columns)), y = grid_.y.centre(static_cast<int>(k / columns));
-    const model::System system = plane_.studies().at(x, y).system();
+    const model::System system = plane_.at(x, y).system();
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
       pattern.unstable.emplace_back();
       for (const BalanceSpectrum& point : points_of(system, kind)) pattern.unstable.back().push_back(point.unstable());
@@ -171,7 +171,7 @@ class LockedSearch : ChartSearch {
 
 }  // namespace
 
-void add_locked_states(const BalancePlane& plane, int threads, const StopFlag* stop, BifurcationChart& chart) {
+void add_locked_states(const PlaneStudies& plane, int threads, const StopFlag* stop, BifurcationChart& chart) {
   LockedSearch(plane, threads, stop, chart).run();
 }
 

@@ -78,7 +78,7 @@ BalanceSpectrum locked_spectrum(const model::System& system, const LockedSymmetr
 /// pair's real part. Derivatives by the state are exact at a prescribed speed.
 class LockedCurve : public FollowedCurve {
  public:
-  LockedCurve(const BalancePlane& plane, CurveKind kind, const LockedKind& locked, const model::System& system,
+  LockedCurve(const PlaneStudies& plane, CurveKind kind, const LockedKind& locked, const model::System& system,
               const EigenPair& like)
       : FollowedCurve(plane, kind, like), symmetry_(system, locked) {}
 

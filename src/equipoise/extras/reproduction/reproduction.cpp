@@ -1,19 +1,142 @@
-// The reproduced paper as text for the terminal and as JSON.
-#include "equipoise/extras/reproduction/reproduction.hpp"
+// The reproduced paper as text for the terminal and as JSON, and the words that its page shares.
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
 #include "equipoise/report/text/text.hpp"
+#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
+
+std::string percentage(const Share& s) {
+  const double value = 100.0 * s.share;
+  const int digits = s.count == 0 || value >= 0.1 ? 2 : value >= 0.01 ? 3 : value >= 0.001 ? 4 : 5;
+  return fmt::format("{:.{}f}", value, digits);
+}
+
+CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell) {
+  const double printed = 100.0 * cell.published->share.share, p = cell.p_value;
+  CellWords words{fmt::format("{:.{}f}", printed, printed > 0.0 && printed < 0.01 ? 3 : 2), "-", "-", "-", ""};
+  if (cell.published->fraction) words.printed = fmt::format("{:.2g}*", printed);
+  if (row.by_published_law && row.by_published_law->starts > 0) {
+    words.computed = percentage(cell.computed);
+    words.interval = interval(cell.computed);
+    words.p_value = p < 1e-12 ? "< 1e-12" : p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.4f}", p);
+  }
+  if (row.by_kinematic_law && row.by_kinematic_law->starts > 0)
+    words.kinematic = percentage(row.by_kinematic_law->share_of(cell.published->attractor));
+  return words;
+}
+
+bool is_idle(const ReproducedCell& c) {
+  return c.published->share.share == 0.0 && c.computed.count == 0 && c.published->attractor != "balanced";
+}
+
+std::string difference_text(const ShareDifference& d) {
+  return fmt::format("{:+.2f} ({:+.2f} to {:+.2f})", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
+}
+
+std::string answer_text(const ConclusionResult& c) {
+  if (c.differences.empty()) return name_of(c.answer);
+  const auto [least, most] =
+      std::minmax_element(c.differences.begin(), c.differences.end(),
+                          [](const auto& a, const auto& b) { return a.difference < b.difference; });
+  if (c.differences.size() == 1) return fmt::format("{}: {}", name_of(c.answer), difference_text(*least));
+  return fmt::format("{}: from {} to {}", name_of(c.answer), difference_text(*least), difference_text(*most));
+}
+
+CellCounts all_cells(const Reproduction& r) {
+  CellCounts all;
+  for (const ReproducedTable& t : r.tables) {
+    all.agreeing += t.agreeing;
+    all.differing += t.differing;
+    all.not_comparable += t.not_comparable;
+  }
+  return all;
+}
+
+std::string codes_text(const BasinSlice& map) {
+  std::vector<OutcomeShare> codes = map.codes;
+  std::stable_sort(codes.begin(), codes.end(),
+                   [](const OutcomeShare& a, const OutcomeShare& b) { return a.share.count > b.share.count; });
+  std::string list;
+  for (const OutcomeShare& c : codes)
+    if (c.share.count > 0)
+      list += fmt::format("{}{} {:.1f} %", list.empty() ? "" : ", ", title_of(c), 100.0 * c.share.share);
+  return list;
+}
+
+namespace {
+
+// "at lambda from 0.002 to 0.026 and from 0.09 to 0.1": the stretches of columns of which `holds` is true.
+std::string at_eccentricities(const SliceAxis& x, const std::function<bool(int)>& holds) {
+  std::string text;
+  for (int k = 0; k < x.pixels; ++k) {
+    if (!holds(k)) continue;
+    const int first = k;
+    while (k + 1 < x.pixels && holds(k + 1)) ++k;
+    text += fmt::format("{}{:.3g} to {:.3g}", text.empty() ? "at λ from " : " and from ", x.centre(first), x.centre(k));
+  }
+  return text.empty() ? "at no λ" : text;
+}
+
+std::string balanced_by_angle(const BasinSlice& map) {
+  const auto at_least = [&](int least) {
+    return at_eccentricities(map.x, [&map, least](int column) {
+      int balanced = 0;
+      for (int row = 0; row < map.y.pixels; ++row) balanced += map.code[map.at(column, row)] == balanced_id;
+      return balanced >= least;
+    });
+  };
+  return fmt::format("All starts balance {}, some {}. The balls can cancel λ up to {:.3g}.", at_least(map.y.pixels),
+                     at_least(1), map.study.parameters.total_mass());
+}
+
+// How much of what all balls together can cancel is balanced, and whether anything balances beyond.
+std::string balanced_by_mass(const BasinSlice& map) {
+  const int balls = map.study.parameters.balls;
+  std::vector<std::pair<double, double>> ends;  // as a part of what they can cancel; mu
+  int again = 0;
+  for (int row = 0; row < map.y.pixels; ++row) {
+    // An undecided pixel ends no stretch.
+    const auto code = [&](int column) { return map.code[map.at(column, row)]; };
+    int last = -1;
+    bool ended = false, returns = false;
+    for (int column = 0; column < map.x.pixels; ++column) {
+      const bool balanced = code(column) == balanced_id;
+      returns = returns || (ended && balanced);
+      if (balanced && !ended) last = column;
+      ended = ended || (last >= 0 && !balanced && code(column) != undecided_code);
+    }
+    if (!ended) continue;
+    ends.emplace_back(map.x.centre(last) / (balls * map.y.centre(row)), map.y.centre(row));
+    again += returns;
+  }
+  if (ends.empty()) return "No row of one μ shows where balance ends.";
+  const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
+  return fmt::format(
+      "As λ grows starts cease to balance at {:.2f} (μ = {:.3g}) to {:.2f} (μ = {:.3g}) of the {} μ that the balls can "
+      "cancel; in {} of {} rows some balance again beyond.",
+      least->first, least->second, most->first, most->second, balls, again, ends.size());
+}
+
+}  // namespace
+
+std::string balanced_text(const BasinSlice& map) {
+  if (!map.complete) return "";
+  return map.y.angle() ? balanced_by_angle(map) : balanced_by_mass(map);
+}
 
 namespace {
 
@@ -114,6 +237,12 @@ struct CellColumns {
                        between, interval, p, kinematic ? other : "", kinematic ? 10 : 0);
   }
 };
+
+// "differs", "not comparable: the printed row sums to 100.07".
+std::string verdict_text(const ReproducedCell& cell) {
+  if (cell.reason.empty()) return name_of(cell.verdict);
+  return fmt::format("{}: {}", name_of(cell.verdict), cell.reason);
+}
 
 std::string cell_line(const ReproducedRow& row, const ReproducedCell& c, bool first, const CellColumns& columns,
                       const TextStyle& style) {

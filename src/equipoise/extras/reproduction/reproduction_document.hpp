@@ -22,8 +22,6 @@ struct CellWords {
 CellWords cell_words(const ReproducedRow& row, const ReproducedCell& cell);
 /// Whether this is an attractor other than balance that was neither printed nor found.
 bool is_idle(const ReproducedCell& cell);
-/// "differs", "not comparable: the printed row sums to 100.07".
-std::string verdict_text(const ReproducedCell& cell);
 /// "+19.8 (19.4 to 20.2)", in percentage points.
 std::string difference_text(const ShareDifference& d);
 /// "holds: +19.8 (19.4 to 20.2)"; with several contrasts the smallest and the largest.

@@ -1,4 +1,4 @@
-// Checks the axes and makes the studies.
+// Checks the axes and makes the studies, one at a time.
 #include "equipoise/extras/stability/plane_studies.hpp"
 
 #include <algorithm>
@@ -10,9 +10,14 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/analyses/basin_slices/start_pixels.hpp"
 #include "equipoise/analyses/continuation/parameter_line.hpp"
+#include "equipoise/analyses/one_study/balanced_rates.hpp"
 #include "equipoise/analyses/words/sweeps.hpp"
+#include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/core/math/dense.hpp"
+#include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/rules.hpp"
 
@@ -102,6 +107,52 @@ std::optional<double> PlaneStudies::own(const std::string& key) const {
   const auto differs = [&](const double* place) { return *place != *places.front(); };
   if (places.empty() || std::any_of(places.begin(), places.end(), differs)) return std::nullopt;
   return *places.front();
+}
+
+std::optional<Study> PlaneStudies::study_at(const Eigen::VectorXd& at) const {
+  try {
+    return this->at(x(at), y(at));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<model::System> PlaneStudies::system(const Eigen::VectorXd& at) const {
+  const auto study = study_at(at);
+  std::optional<model::System> found;
+  if (study) found.emplace(study->system());
+  if (found && found->prescribed() && found->speed() == 0.0) return std::nullopt;
+  return found;
+}
+
+std::optional<BalanceSpectrum> PlaneStudies::spectrum(const Eigen::VectorXd& at) const {
+  const auto study = study_at(at);
+  return study ? balance_spectrum(*study) : std::nullopt;
+}
+
+std::optional<double> PlaneStudies::margin(const Eigen::VectorXd& at) const {
+  const auto study = study_at(at);
+  return study ? std::optional(balance_margin(study->parameters)) : std::nullopt;
+}
+
+std::optional<BalanceSpectrum> PlaneStudies::in_line(const Eigen::VectorXd& at) const {
+  const auto study = study_at(at);
+  if (!study || !study->system().prescribed() || study->parameters.tilts()) return std::nullopt;
+  const model::System system(study->parameters, study->system().speed());
+  const model::Parameters& p = study->parameters;
+  double phi[model::max_balls];
+  int heaviest = 0;
+  for (int i = 0; i < p.balls; ++i) {
+    if (p.mass[static_cast<std::size_t>(i)] > p.mass[static_cast<std::size_t>(heaviest)]) heaviest = i;
+    phi[i] = pi;
+  }
+  const bool ball_outweighs = p.mass[static_cast<std::size_t>(heaviest)] > p.eccentricity;
+  for (int i = 0; i < p.balls; ++i)
+    if (ball_outweighs && i != heaviest) phi[i] = 0.0;
+  BalanceSpectrum found{system, model::centred_state(p, phi), {}, {}, false};
+  found.jacobian = model::jacobian(p, system.speed(), found.state.data());
+  found.rates = without_continuum(dense::eigenvalues(found.jacobian), 0, 0.0);
+  return found;
 }
 
 }  // namespace equipoise
