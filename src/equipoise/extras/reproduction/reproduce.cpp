@@ -10,6 +10,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
+#include "equipoise/analyses/ensembles/stored_starts.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
@@ -131,10 +132,8 @@ class TableRun {
          : line.id == diverged_code ? result.diverged
                                     : result.failed) = line.share;
     }
-    constexpr std::uint64_t block = 65536;
-    for (std::uint64_t first = 0; first < result.starts; first += block)
-      for (const Fate& fate : file.read(first, std::min<std::uint64_t>(block, result.starts - first)))
-        result.balanced.push_back(is_balanced(fate));
+    for_each_stored(file, 0, result.starts, false,
+                    [&](const Fate& fate, const TransientRow*) { result.balanced.push_back(is_balanced(fate)); });
     return true;
   }
 
