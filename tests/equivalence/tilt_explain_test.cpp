@@ -81,7 +81,9 @@ TEST(TiltExplain, WhirlSpeedsAreThoseOfTheEquations) {
     std::vector<double> all = w.forward;
     all.insert(all.end(), w.backward.begin(), w.backward.end());
     std::sort(all.begin(), all.end());
-    const std::vector<double> again = model::all_whirl_speeds(p, false);
+    model::Parameters unequal = p;
+    unequal.stiffness[1] *= 1.0 + 1e-10;  // found in another way
+    const std::vector<double> again = model::whirl_speeds(unequal, false).of_both;
     ASSERT_EQ(again.size(), all.size());
     for (std::size_t k = 0; k < all.size(); ++k) EXPECT_NEAR(again[k], all[k], 1e-7);
   }

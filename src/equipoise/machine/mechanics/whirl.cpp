@@ -49,8 +49,7 @@ std::vector<double> circular(const Parameters& p, const std::array<double, 3>& m
   return speeds;
 }
 
-}  // namespace
-
+// Every speed of whirl on unequal supports. With equal ones each would appear for X and for Y.
 std::vector<double> all_whirl_speeds(const Parameters& p, bool with_balls) {
   // With Y a quarter of a turn behind X all is real: stiffness times v is speed^2 times inertia times v.
   const std::array<double, 3> m = inertias(p, with_balls);
@@ -70,6 +69,8 @@ std::vector<double> all_whirl_speeds(const Parameters& p, bool with_balls) {
   std::sort(speeds.begin(), speeds.end());
   return speeds;
 }
+
+}  // namespace
 
 WhirlSpeeds whirl_speeds(const Parameters& p, bool with_balls) {
   const bool equal = p.stiffness[0] == p.stiffness[1] && p.tilt.stiffness[0] == p.tilt.stiffness[1];

@@ -25,9 +25,6 @@ struct WhirlSpeeds {
 /// `with_balls`: held where they cancel each other.
 WhirlSpeeds whirl_speeds(const Parameters& p, bool with_balls);
 
-/// Every speed of whirl, of equal supports once for X and once for Y.
-std::vector<double> all_whirl_speeds(const Parameters& p, bool with_balls);
-
 /// The slowest rate at which a vibration of the rotor with held balls dies out at this speed; 0 or less: one does not.
 double slowest_decay(const Parameters& p, double speed);
 
