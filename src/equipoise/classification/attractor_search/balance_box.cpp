@@ -1,9 +1,9 @@
-// Bounds follow from the rotor alone, the time from how fast deviations grow.
-#include "equipoise/classification/attractor_search/balance_box.hpp"
+// The box of balance, for a continuum of balanced states of which nothing is at rest. Bounds follow from the rotor
+// alone, the time from how fast deviations grow.
+#include "equipoise/classification/attractor_search/search.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "equipoise/attractors/equilibria/stuck.hpp"
 #include "equipoise/core/base/angles.hpp"

@@ -1,5 +1,5 @@
 // One level serves balanced states that are images of each other.
-#include "equipoise/classification/attractor_search/balanced_levels.hpp"
+#include "equipoise/classification/attractor_search/search.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -29,8 +29,8 @@ void level_each(std::vector<BalancedRegion>& regions, const model::Parameters& p
 
 // The smallest V on pilot trajectories that ended elsewhere. Undecided ones may be on a slow way to balance. They are
 // followed on, nearest first, until no other can be nearer than one that ended elsewhere.
-double nearest_elsewhere(const ClassificationRule& rule, const TrialSettings& settings, double slowest_rate,
-                         const PilotRun& pilot) {
+double nearest_elsewhere(const Search& s) {
+  const PilotRun& pilot = s.pilot;
   constexpr std::size_t together = 32;  // they fill the lanes
   const auto least = [&](std::size_t i) { return pilot.records()[i].least_value; };
   double nearest = 1e300;
@@ -53,9 +53,10 @@ double nearest_elsewhere(const ClassificationRule& rule, const TrialSettings& se
       states.insert(states.end(), state.begin(), state.end());
       if (const OwnRotor* own = pilot.rotor(open[first + k])) rotors.push_back(*own);
     }
-    TrialSettings own = settings;
+    TrialSettings own = s.trials;
     own.rotors = rotors;
-    const std::vector<char> came = come_to_balance(std::move(states), rule, own, slowest_rate);
+    const std::vector<char> came =
+        come_to_balance(std::move(states), s.result.rule, own, s.result.balanced.slowest_rate);
     for (std::size_t k = 0; k < count; ++k)
       if (!came[k]) nearest = std::min(nearest, least(open[first + k]));
   }
@@ -64,28 +65,28 @@ double nearest_elsewhere(const ClassificationRule& rule, const TrialSettings& se
 
 }  // namespace
 
-void prove_levels(std::vector<BalancedRegion>& regions, const TrialSettings& settings) {
-  const model::System& system = *settings.system;
-  level_each(regions, system.parameters(), [&](BalancedRegion& region) {
-    const Certificate certificate = largest_certificate(system, region.phi.data(), form_of(region),
-                                                        region.level / level_margin, nullptr, settings.stop);
+void prove_levels(Search& s) {
+  level_each(s.result.rule.balanced, s.system.parameters(), [&](BalancedRegion& region) {
+    const Certificate certificate = largest_certificate(s.system, region.phi.data(), form_of(region),
+                                                        region.level / level_margin, nullptr, s.settings.stop);
     // The kernels' V is off by rounding, a part in 10^13.
     set_level(region, certificate.level * (1.0 - 1e-9));
     region.by = DecidedBy::proof;
   });
 }
 
-double widen_levels(ClassificationRule& rule, const TrialSettings& settings, double slowest_rate, const PilotRun& pilot,
-                    double near) {
-  std::vector<BalancedRegion>& regions = rule.balanced;
+double widen_levels(Search& s) {
+  std::vector<BalancedRegion>& regions = s.result.rule.balanced;
   if (regions.empty()) return 0.0;
   const std::vector<BalancedRegion> narrow = regions;
-  double nearest_foreign = nearest_elsewhere(rule, settings, slowest_rate, pilot);
+  double nearest_foreign = nearest_elsewhere(s);
   // Twice the level is tried, and no balls may overlap there.
   for (const BalancedRegion& region : narrow)
-    nearest_foreign = std::min(nearest_foreign, touching_level(*settings.system, region));
-  level_each(regions, settings.system->parameters(),
-             [&](BalancedRegion& region) { widen(region, narrow, settings, slowest_rate, nearest_foreign, near); });
+    nearest_foreign = std::min(nearest_foreign, touching_level(s.system, region));
+  const double near = s.settings.warm_start_levels.level(balanced_id, false);
+  level_each(regions, s.system.parameters(), [&](BalancedRegion& region) {
+    widen(region, narrow, s.trials, s.result.balanced.slowest_rate, nearest_foreign, near);
+  });
   return regions.front().level / narrow.front().level;
 }
 

@@ -1,8 +1,16 @@
-// Questions that several parts of a search ask.
+// What several parts of a search need: the rule that it begins with, its key, how motions look and where states go.
 #include "equipoise/classification/attractor_search/search.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "equipoise/attractors/motions/motion_bytes.hpp"
-#include "equipoise/classification/attractor_search/own_windows.hpp"
+#include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
 #include "equipoise/simulation/words/runs.hpp"
@@ -18,6 +26,33 @@ PilotRun::Size pilot_size(const model::System& system, const AttractorSearchSett
   const PilotRun::Size whole;
   if (is_dear(system)) return whole.part(settings.brief ? 128 : 16);
   return whole.part(settings.warm_start || system.events().contact ? 4 : 1);
+}
+
+// Follows states by a rule, from psi = 0, as on a stroboscopic section, for `longest` times its first long window.
+// False if stopped.
+bool follow_windows(const Search& s, std::vector<double> states, const std::vector<const OwnRotor*>& own,
+                    const ClassificationRule& rule, double longest, std::vector<Fate>& fates,
+                    std::vector<PilotRecord>* records) {
+  BatchTask task = batch_task(s.system);
+  task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
+  task.tolerance = s.trials.tolerance;
+  task.count = fates.size();
+  task.states = states.data();
+  task.stop = s.settings.stop;
+  std::vector<OwnRotor> rotors;
+  for (const OwnRotor* given : own) {
+    rotors.push_back(*given);
+    rotors.back().segment = own_rotor(given->system).segment;
+    rotors.back().end = task.end;
+  }
+  const std::vector<const OwnRotor*> pointers = pointers_to(rotors);
+  if (!own.empty()) task.own = pointers.data();
+  return fates.empty() || classify_batch(task, rule, fates, records);
+}
+
+// Makes half a window hold whole periods of the section, so that motions in step with the rotor look the same in all.
+double whole_sections(double window, double section_period) {
+  return 2.0 * section_period * std::ceil(0.5 * window / section_period - 1e-9);
 }
 
 }  // namespace
@@ -59,18 +94,38 @@ std::optional<Motion> Search::motion_of_middle(const Eigen::VectorXd& state) {
 
 std::vector<PilotRecord> Search::windows_of(const std::vector<const Motion*>& motions,
                                             const std::vector<const OwnRotor*>& own) {
-  return noted(
-      "windows of motions",
-      [&] { return own_windows(system, motions, own, result.rule, pilot_windows, trials.tolerance, settings.stop); },
-      [&](const std::vector<PilotRecord>& records) { return records.size() == motions.size(); });
+  const auto follow_all = [&] {
+    std::vector<double> states;
+    for (const Motion* motion : motions) states.insert(states.end(), motion->state.begin(), motion->state.end());
+    ClassificationRule windows_only;
+    windows_only.balls = result.rule.balls;
+    windows_only.interchangeable = result.rule.interchangeable;
+    windows_only.blind = true;
+    windows_only.sag = result.rule.sag;
+    windows_only.window = result.rule.window;
+    windows_only.first_long_window = result.rule.first_long_window;
+    windows_only.sameness = result.rule.sameness;
+    std::vector<Fate> fates(motions.size());
+    std::vector<PilotRecord> records(motions.size());
+    if (!follow_windows(*this, std::move(states), own, windows_only, pilot_windows, fates, &records))
+      records.assign(motions.size(), {});
+    return records;
+  };
+  return noted("windows of motions", follow_all,
+               [&](const std::vector<PilotRecord>& records) { return records.size() == motions.size(); });
 }
 
 std::vector<Fate> Search::fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
-                                   const ClassificationRule& rule, double longest) {
-  return noted(
-      "fates by windows",
-      [&] { return fates_by_windows(system, states, own, rule, longest, trials.tolerance, settings.stop); },
-      [&](const std::vector<Fate>& fates) { return fates.size() * system.dimension() == states.size(); });
+                                   ClassificationRule rule, double longest) {
+  rule.blind = false;
+  const std::size_t count = states.size() / static_cast<std::size_t>(system.dimension());
+  const auto follow_all = [&] {
+    std::vector<Fate> fates(count);
+    if (!follow_windows(*this, states, own, rule, longest, fates, nullptr)) fates.assign(count, {});
+    return fates;
+  };
+  return noted("fates by windows", follow_all,
+               [&](const std::vector<Fate>& fates) { return fates.size() * system.dimension() == states.size(); });
 }
 
 std::vector<Fate> Search::fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule,
@@ -91,6 +146,50 @@ const KnownFeatures* Search::known_as(const Features& f, const OwnRotor* own) co
 bool Search::shows_balance(std::size_t i) const {
   const PilotRecord& record = pilot.records()[i];
   return balance_box && record.finished_window && inside(*balance_box, record.features, balls());
+}
+
+ClassificationRule first_rule(const Study& study, const BalancedAnalysis& balanced, const model::System& system) {
+  ClassificationRule rule;
+  rule.balls = study.parameters.balls;
+  rule.interchangeable = study.parameters.equal_balls();
+  rule.balanced = balanced.regions;
+  // Slow rotors move slowly. A window holds several revolutions of every motion met between 1.4 and 6.5 critical
+  // speeds.
+  const double pace = system.coasts() ? study.stall_speed() : std::fabs(system.pace());
+  rule.window = std::max(16.0, 32.0 / std::max(pace, 0.1));
+  rule.sag = model::static_sag(study.parameters);
+  if (system.section() == model::Section::stroboscopic)
+    rule.window = whole_sections(rule.window, system.section_period());
+  if (system.runs_away(rule.fastest)) rule.fastest = model::out_of_reach;
+  rule.first_long_window = std::max(100.0, 6.0 * rule.window);
+  if (balanced.slowest_rate < 0.0) {
+    // Long enough that a slow way to balance shrinks visibly from one window to the next.
+    rule.first_long_window = std::max(rule.first_long_window, 1.0 / -balanced.slowest_rate);
+    rule.first_long_window = std::min(rule.first_long_window, *study.numerics.horizon / 8.0);
+    rule.sameness = std::min(rule.sameness, 0.2 * -balanced.slowest_rate * rule.first_long_window);
+  }
+  return rule;
+}
+
+double followed_for(const model::System& system, bool few_starts) {
+  if (few_starts && !system.smooth()) return 0.125 * motion_patience;
+  return is_dear(system) ? 0.25 * motion_patience : motion_patience;
+}
+
+std::string attractor_search_subject(const Study& study) { return to_toml(at_final_speed(study)); }
+
+std::string search_key(const std::string& subject, const AttractorSearchSettings& settings) {
+  std::string key = fmt::format("{}\n{}\n{}", subject, settings.warm_start_states, settings.warm_start);
+  if (settings.brief) key += "\nbrief";
+  if (settings.few_starts) key += "\nfew starts";
+  for (const WarmStartLevel& h : settings.warm_start_levels.levels)
+    key += fmt::format("\n{} {} {}", h.attractor, h.torus, h.level);
+  for (const ModeWeight& w : settings.warm_start_levels.weights) key += fmt::format("\n{} {} {}", w.re, w.im, w.weight);
+  return key;
+}
+
+std::string search_key(const FamilyBox& part, const AttractorSearchSettings& settings) {
+  return search_key(fmt::format("{}\n{} to {}", settings.family, part.low, part.high), settings);
 }
 
 }  // namespace equipoise

@@ -1,5 +1,5 @@
-// One attractor search: what its parts share, and the parts, a file each (first_rule.cpp, search_regions.cpp,
-// search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
+// One attractor search: what its parts share, and the parts, a file each (search_regions.cpp, balanced_levels.cpp,
+// balance_box.cpp, search_boxes.cpp, rotor_trends.cpp, coasting.cpp).
 #pragma once
 
 #include <cstddef>
@@ -66,11 +66,15 @@ struct Search {
     return notes.answer(question, settings.stop, work, fits);
   }
   std::optional<Motion> motion_of_middle(const Eigen::VectorXd& state);
-  /// Windows of these motions (own_windows()), and fates of these states by windows (fates_by_windows()).
+  /// The windows of stable motions, each followed from its own state as the pilot's trajectories are, until they repeat
+  /// or for pilot_windows. `own`: their rotors, unless all are motions of `system`. If stopped, records lack a finished
+  /// window.
   std::vector<PilotRecord> windows_of(const std::vector<const Motion*>& motions,
                                       const std::vector<const OwnRotor*>& own);
+  /// Decides trajectories by the rule's trapping regions and windows alone, for `longest` times its first long window.
+  /// The states lie on a stroboscopic section, if there is one.
   std::vector<Fate> fates_of(const std::vector<double>& states, const std::vector<const OwnRotor*>& own,
-                             const ClassificationRule& rule, double longest);
+                             ClassificationRule rule, double longest);
   std::vector<Fate> fates_of(const std::vector<Candidate>& candidates, const ClassificationRule& rule, double longest);
 
   /// The known motion that looks like this, or null. `own`: the rotor that shows it, or null.
@@ -92,6 +96,19 @@ struct Search {
 
 /// The rule that a search begins with, when only balanced states are known. The study must have its horizon.
 ClassificationRule first_rule(const Study& study, const BalancedAnalysis& balanced, const model::System& system);
+
+/// Under gravity, or under a motor if the rotor's angle matters, balls creep along a continuum of balanced states,
+/// touch and part again. Their motion does not come back for thousands of turns, and the member that they are at does
+/// not matter to the rotor. So balanced means that windows stay balanced: the rotor vibrates at most half as much as
+/// without balls (halves_the_shaking()), and no ball drifts. That must last for ten e-foldings of the fastest growth
+/// or, without growth, five of the slowest decay. Empty for all other systems, and if there is no balance.
+std::optional<FeatureBox> balance_box(const model::System& system, const BalancedAnalysis& balanced, double window,
+                                      double horizon);
+
+/// Levels of balanced trapping regions beyond those in which samples of V decrease: proved.
+void prove_levels(Search& search);
+/// Or widened as far as trials and the pilot allow. Returns the factor of the first region.
+double widen_levels(Search& search);
 
 /// Makes boxes around the windows of each attractor's scouts. `found`: candidates of the pilot and of a neighbour.
 void make_boxes(Search& search, const std::vector<Candidate>& found);

@@ -2,13 +2,10 @@
 #include "equipoise/classification/attractor_search/search_regions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
 #include <utility>
 
-#include "equipoise/classification/attractor_search/balance_box.hpp"
-#include "equipoise/classification/attractor_search/balanced_levels.hpp"
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
 #include "equipoise/classification/trapping_regions/orbit_forms.hpp"
 #include "equipoise/classification/trapping_regions/path_region.hpp"
@@ -118,12 +115,9 @@ void SearchRegions::set_rule() {
 
 void SearchRegions::level_balanced() {
   if (s_.study.numerics.decide == ClassificationMode::proof)
-    prove_levels(s_.result.rule.balanced, s_.trials);
+    prove_levels(s_);
   else if (s_.system.plain() || (!s_.system.tilts() && s_.result.balanced.slowest_rate < -slowest_worth_widening))
-    s_.result.warm_start_levels.levels.push_back(
-        {balanced_id, false,
-         widen_levels(s_.result.rule, s_.trials, s_.result.balanced.slowest_rate, s_.pilot,
-                      s_.settings.warm_start_levels.level(balanced_id, false))});
+    s_.result.warm_start_levels.levels.push_back({balanced_id, false, widen_levels(s_)});
 }
 
 // Around a motion that each rotor has in its own place, as one rotor was found to have it.
