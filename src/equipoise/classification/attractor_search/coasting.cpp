@@ -13,23 +13,6 @@ namespace equipoise {
 
 namespace {
 
-class EndsOfCoasting final : public TrappingRegions {
- public:
-  EndsOfCoasting(std::shared_ptr<const CoastingRegion> region, int stalled, const StopFlag* stop)
-      : region_(std::move(region)), stalled_(stalled), stop_(stop) {}
-
-  Caught ask(const double* state, double /*psi*/, const OwnRotor* /*own*/) const override {
-    if (region_->stalls(state)) return {stalled_};
-    const CoastingRegion::Answer answer = region_->balances(state, stop_);
-    return {answer.balanced ? balanced_id : 0, answer.wait};
-  }
-
- private:
-  std::shared_ptr<const CoastingRegion> region_;
-  int stalled_;
-  const StopFlag* stop_;
-};
-
 // Both are measured: each start comes to a motion of its own.
 int list_ends(const model::System& system, Catalogue& catalogue) {
   Motion balanced = measured_motion();
@@ -55,7 +38,9 @@ AttractorSearch discover_coasting(const Study& study, const StopFlag* stop) {
   const auto region = std::make_shared<const CoastingRegion>(system, study.stall_speed(), horizon);
   result.coasting = region;
   const int stalled = list_ends(system, result.catalogue);
-  const SharedRegions ends = std::make_shared<const EndsOfCoasting>(region, stalled, stop);
+  const SharedRegions ends = regions_by([region, stalled, stop](const double* state, double, const OwnRotor*) {
+    return region->stalls(state) ? Caught{stalled} : region->balances(state, stop);
+  });
   if (rule.at_horizon) {
     rule.section_regions = ends;
   } else {

@@ -13,6 +13,7 @@
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
+#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/mechanics/energy.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
@@ -90,22 +91,23 @@ bool CoastingRegion::is_near(const double* state) const {
   return exact_ || loss * horizon_ < energy(state) - least_energy_;
 }
 
-CoastingRegion::Answer CoastingRegion::approaches(const Eigen::VectorXd& state) const {
+Caught CoastingRegion::approaches(const Eigen::VectorXd& state) const {
   constexpr double soon = 16.0, longest = 2000.0, arrived = 1e-5;
   const StateDifference difference(system_);
   const auto begin = nearest_balanced(system_, state, rest_reach);
-  if (!begin || !begin->attracts) return {false, soon};
+  if (!begin || !begin->attracts) return {0, soon};
   const double first = difference.distance(state, begin->state);
-  if (!(first < rest_reach)) return {false, soon};
+  if (!(first < rest_reach)) return {0, soon};
   const double time = std::min(2.0 / -begin->rate, longest);
   const auto later = after(system_, state, time);
   const auto end = later ? nearest_balanced(system_, *later, rest_reach) : std::nullopt;
-  if (!end || !end->attracts) return {false, time};
+  if (!end || !end->attracts) return {0, time};
   const double last = difference.distance(*later, end->state);
-  return {last < arrived || last < first * std::exp(0.5 * begin->rate * time), time};
+  const bool comes = last < arrived || last < first * std::exp(0.5 * begin->rate * time);
+  return {comes ? balanced_id : 0, time};
 }
 
-CoastingRegion::Answer CoastingRegion::balances(const double* state, const StopFlag* stop) const {
+Caught CoastingRegion::balances(const double* state, const StopFlag* stop) const {
   if (!is_near(state)) return {};
   const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
   if (exact_) return approaches(y);
@@ -113,7 +115,8 @@ CoastingRegion::Answer CoastingRegion::balances(const double* state, const StopF
   const AtSpeed now = at_present_speed(y);
   if (system_.events().stick && !stuck_for_good(now.system, now.state, now.psi)) return {};
   const auto motion = lasting_motion(y, stop);
-  return {motion && motion_name(system_.parameters(), *motion).id == balanced_id, first_stretch};
+  const bool comes = motion && motion_name(system_.parameters(), *motion).id == balanced_id;
+  return {comes ? balanced_id : 0, first_stretch};
 }
 
 CoastingRegion::AtSpeed CoastingRegion::at_present_speed(const Eigen::VectorXd& state) const {

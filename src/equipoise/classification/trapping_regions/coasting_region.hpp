@@ -8,8 +8,8 @@
 
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/core/base/stop_flag.hpp"
-#include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/system.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
 
 namespace equipoise {
 
@@ -23,14 +23,10 @@ class CoastingRegion {
 
   bool stalls(const double* state) const;
 
-  struct Answer {
-    bool balanced = false;
-    double wait = 0.0;  ///< how long another test would be useless
-  };
-  /// Whether a state comes to balance. Where balance is exact, the state must be near a balanced state that is stable
-  /// at its speed, and be seen to approach it at half the linear rate or faster. Elsewhere its lasting_motion() must be
-  /// balanced.
-  Answer balances(const double* state, const StopFlag* stop = nullptr) const;
+  /// Whether a state comes to balance (balanced_id). Where balance is exact, the state must be near a balanced state
+  /// that is stable at its speed, and be seen to approach it at half the linear rate or faster. Elsewhere its
+  /// lasting_motion() must be balanced.
+  Caught balances(const double* state, const StopFlag* stop = nullptr) const;
 
   /// The motion that the rotor comes to if its speed is prescribed. Gravity, an off-centre race and stuck balls leave a
   /// small motion in balance, which keeps taking a little of the speed. Empty if the motion is unstable, or takes so
@@ -47,7 +43,7 @@ class CoastingRegion {
   AtSpeed at_present_speed(const Eigen::VectorXd& state) const;
   double energy(const double* state) const;
   bool is_near(const double* state) const;
-  Answer approaches(const Eigen::VectorXd& state) const;
+  Caught approaches(const Eigen::VectorXd& state) const;
 
   model::System system_;
   double horizon_;

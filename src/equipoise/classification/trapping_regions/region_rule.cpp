@@ -40,19 +40,6 @@ bool rotor_in_reach(const ContinuumRegion& region, const Eigen::VectorXd& state)
   return (state.head(4) - region.place).lpNorm<Eigen::Infinity>() < region.reach;
 }
 
-class Continuum final : public TrappingRegions {
- public:
-  Continuum(const model::System& system, const ContinuumRegion& region) : region_(region), size_(system.dimension()) {}
-
-  Caught ask(const double* state, double /*psi*/, const OwnRotor* own) const override {
-    return {region_.holds(Eigen::Map<const Eigen::VectorXd>(state, size_), own) ? balanced_id : 0};
-  }
-
- private:
-  ContinuumRegion region_;
-  int size_;
-};
-
 // For comparing states with levels known to percents, at deviations of 1e-3 and more.
 constexpr double near_enough = 1e-8;
 
@@ -142,22 +129,6 @@ class SectionRegions final : public TrappingRegions {
   std::optional<ContinuumOnSection> continuum_;
 };
 
-class StuckBalls final : public TrappingRegions {
- public:
-  StuckBalls(const model::System& system, const Catalogue& listed) : system_(system), listed_(listed) {}
-
-  Caught ask(const double* state, double psi, const OwnRotor* own) const override {
-    const model::System& rotor = own ? own->system : system_;
-    const Eigen::Map<const Eigen::VectorXd> y(state, system_.dimension());
-    const auto end = stuck_for_good(rotor, y, psi);
-    return {end ? listed_.find(rotor.parameters(), describe_stuck(rotor, *end)) : 0};
-  }
-
- private:
-  model::System system_;
-  Catalogue listed_;
-};
-
 }  // namespace
 
 void set_regions(ClassificationRule& rule, const model::System& system, const OrbitRegions& cycles,
@@ -174,14 +145,22 @@ void set_regions(ClassificationRule& rule, const model::System& system, const Or
   if (!continuum) return;
   // Lanes measure the way to a continuum from the centred rotor.
   if (system.parameters().race_is_centred())
-    rule.continuum = {continuum->reach, std::make_shared<const Continuum>(system, *continuum)};
+    rule.continuum = {continuum->reach, regions_by([region = *continuum, size = system.dimension()](
+                                                       const double* state, double, const OwnRotor* own) -> Caught {
+                        return {region.holds(Eigen::Map<const Eigen::VectorXd>(state, size), own) ? balanced_id : 0};
+                      })};
   else
     rule.section_regions =
         std::make_shared<const SectionRegions>(system, OrbitRegions{}, continuum, std::nullopt, rule.window);
 }
 
 SharedRegions stuck_balls(const model::System& system, const Catalogue& listed) {
-  return std::make_shared<const StuckBalls>(system, listed);
+  return regions_by([system, listed](const double* state, double psi, const OwnRotor* own) -> Caught {
+    const model::System& rotor = own ? own->system : system;
+    const Eigen::Map<const Eigen::VectorXd> y(state, system.dimension());
+    const auto end = stuck_for_good(rotor, y, psi);
+    return {end ? listed.find(rotor.parameters(), describe_stuck(rotor, *end)) : 0};
+  });
 }
 
 }  // namespace equipoise

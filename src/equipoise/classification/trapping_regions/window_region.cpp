@@ -90,35 +90,21 @@ bool validate(const std::shared_ptr<WindowRegion>& region, const WindowTries& ho
   return region->level() > 0.0;
 }
 
-namespace {
-
-class All final : public TrappingRegions {
- public:
-  explicit All(std::vector<std::shared_ptr<const WindowRegion>> regions) : regions_(std::move(regions)) {}
-
-  Caught ask(const double* state, double /*psi*/, const OwnRotor* own) const override {
-    double wait = infinite;
-    for (const auto& region : regions_) {
-      const double value = region->value(state, own);
-      if (value < region->level()) return {region->attractor(), 0.0};
-      wait = std::min(wait, region->time_to_level(value));
-    }
-    return {0, approach * wait};
-  }
-
- private:
-  std::vector<std::shared_ptr<const WindowRegion>> regions_;
-};
-
-}  // namespace
-
 void set_window_regions(ClassificationRule& rule, const std::vector<std::shared_ptr<const WindowRegion>>& regions) {
   rule.windowed = {};
   if (regions.empty()) return;
   rule.windowed.r2_low = rule.windowed.q_low = infinite;
   rule.windowed.r2_high = rule.windowed.q_high = -infinite;
   for (const auto& region : regions) region->widen(rule.windowed);
-  rule.windowed.regions = std::make_shared<const All>(regions);
+  rule.windowed.regions = regions_by([regions](const double* state, double, const OwnRotor* own) -> Caught {
+    double wait = infinite;
+    for (const auto& region : regions) {
+      const double value = region->value(state, own);
+      if (value < region->level()) return {region->attractor(), 0.0};
+      wait = std::min(wait, region->time_to_level(value));
+    }
+    return {0, approach * wait};
+  });
 }
 
 }  // namespace equipoise

@@ -3,15 +3,41 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "equipoise/machine/model/parameters.hpp"
 #include "equipoise/results/types/fate.hpp"
-#include "equipoise/simulation/rule/trapping_regions.hpp"
 
 namespace equipoise {
 
 struct OwnRotor;
+
+struct Caught {
+  int attractor = 0;  ///< its identifier; 0: not caught
+  double wait = 0.0;  ///< if not caught: how long another test would be useless
+};
+
+/// Says which attractor has caught a state: how lanes test trapping regions that no table of level sets describes.
+class TrappingRegions {
+ public:
+  virtual ~TrappingRegions() = default;
+  /// `psi`: the rotor's angle; `own`: the trajectory's own rotor, null if it has none. Thread-safe.
+  virtual Caught ask(const double* state, double psi, const OwnRotor* own) const = 0;
+};
+using SharedRegions = std::shared_ptr<const TrappingRegions>;
+
+/// Regions that a function tests, with the arguments of TrappingRegions::ask().
+template <class Test>
+SharedRegions regions_by(Test test) {
+  struct Regions final : TrappingRegions {
+    explicit Regions(Test t) : test(std::move(t)) {}
+    Caught ask(const double* state, double psi, const OwnRotor* own) const override { return test(state, psi, own); }
+    Test test;
+  };
+  return std::make_shared<const Regions>(std::move(test));
+}
 
 /// A linearly stable balanced state and a level set of a Lyapunov function around it.
 struct BalancedRegion {

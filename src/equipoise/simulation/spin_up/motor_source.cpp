@@ -41,19 +41,6 @@ ReleaseRule release_rule_of(const model::Parameters& p, const model::Drive& driv
   return rule;
 }
 
-class TrappedInWell final : public TrappingRegions {
- public:
-  TrappedInWell(const model::System& system, double release_speed) : system_(system), speed_(release_speed) {}
-
-  Caught ask(const double* held, double /*psi*/, const OwnRotor* /*own*/) const override {
-    return {model::trapped_in_well(system_, held, speed_) ? clamped_for_good : 0};
-  }
-
- private:
-  model::System system_;
-  double speed_;
-};
-
 }  // namespace
 
 struct MotorSource::Fleet {
@@ -210,7 +197,10 @@ ReleaseRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>
   if (!one.drive.release_speed || k + 1 < one.systems.size())
     rule.windows.first_long_window = std::numeric_limits<double>::infinity();
   else if (!are_own())  // the trapping region knows only one release speed
-    rule.windows.section_regions = std::make_shared<const TrappedInWell>(one.systems[k], rule.release_speed);
+    rule.windows.section_regions = regions_by(
+        [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
+          return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
+        });
   return rule;
 }
 
