@@ -8,6 +8,7 @@
 #endif
 
 #include <cstddef>
+#include <memory>
 
 #include "equipoise/simulation/batch/batch_block-inl.hpp"
 #include "equipoise/machine/model/parameters.hpp"
@@ -51,6 +52,10 @@ class BatchWatch {
   // Whether a trajectory decided for `attractor` may leave with the window that has just ended.
   virtual bool seen_enough(int slot, int attractor) const = 0;
 };
+
+// The watch that a task asks for, null if none: compiled once for the kernels of all kinds
+// (simulation/kernels/watch_kernels.cpp).
+std::unique_ptr<BatchWatch> watch_of(const BatchTask& task);
 
 }  // namespace HWY_NAMESPACE
 }  // namespace equipoise

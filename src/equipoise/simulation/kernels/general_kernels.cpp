@@ -1,30 +1,4 @@
-// Kernels for rotors at a prescribed speed with a centred race, with all terms (BatchKind::turning). Highway's
-// foreach_target compiles this file once per CPU target.
-#include "equipoise/simulation/kernels/batch_job.hpp"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "equipoise/simulation/kernels/general_kernels.cpp"
-#include "hwy/foreach_target.h"
-#include "hwy/highway.h"
-
-#include "equipoise/simulation/kernels/kernel-inl.hpp"
-
-HWY_BEFORE_NAMESPACE();
-namespace equipoise {
-namespace HWY_NAMESPACE {
-
-bool run_general_target(const BatchJob& job) { return run_job<BatchKind::turning>(job); }
-
-}  // namespace HWY_NAMESPACE
-}  // namespace equipoise
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace equipoise {
-
-HWY_EXPORT(run_general_target);
-
-bool run_general_batch(const BatchJob& job) { return HWY_DYNAMIC_DISPATCH(run_general_target)(job); }
-
-}  // namespace equipoise
-#endif
+// Kernels for rotors at a prescribed speed with a centred race, with all terms.
+#define EQUIPOISE_KIND turning
+#define EQUIPOISE_RUN_KIND run_general_batch
+#include "equipoise/simulation/kernels/kind_kernels.inc"

@@ -16,7 +16,6 @@
 #include "equipoise/simulation/rule/classify-inl.hpp"
 #include "equipoise/simulation/rule/follow_on-inl.hpp"
 #include "equipoise/simulation/kernels/batch_job.hpp"
-#include "equipoise/simulation/kernels/watch_of-inl.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
 #include "equipoise/machine/model/hybrid_flow-inl.hpp"

@@ -7,7 +7,6 @@
 #include "hwy/highway.h"
 
 #include "equipoise/simulation/batch/watch_radius-inl.hpp"
-#include "equipoise/simulation/kernels/watch_of-inl.hpp"
 #include "equipoise/simulation/transients/watch_transients-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
