@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 #include <utility>
 
 #include "equipoise/attractors/equilibria/continuum_draws.hpp"

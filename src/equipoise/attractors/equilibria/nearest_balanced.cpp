@@ -6,7 +6,6 @@
 #include <complex>
 
 #include "equipoise/attractors/motions/motion_description.hpp"
-#include "equipoise/attractors/periodic_orbits/floquet.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/stop_flag.hpp"

@@ -2,7 +2,7 @@
 // directions perpendicular to dz/dt; the arcs' derivatives act between these bases. The shift in time is left out and
 // carried along unchanged. So the product of the reduced matrices has all other multipliers, and left Floquet vectors
 // made from it vanish on dz/dt exactly.
-#include "equipoise/attractors/periodic_orbits/floquet.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include <numeric>
 #include <utility>
 
-#include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"

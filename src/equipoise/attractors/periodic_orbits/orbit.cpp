@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <complex>
 #include <utility>
 
-#include "equipoise/attractors/periodic_orbits/floquet.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"

@@ -7,7 +7,6 @@
 #define EQUIPOISE_PERIODIC_ORBITS_TANGENT_FLOW_INL
 #endif
 
-#include <algorithm>
 #include <optional>
 
 #include <Eigen/Core>
@@ -153,7 +152,10 @@ std::optional<TangentFlight> follow(const model::System& system, const Eigen::Ve
                                     const StopFlag* stop) {
   constexpr int few = 4;
   const int vectors = start.cols() <= few ? few : system.dimension();
-  return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi, stop);
+  if constexpr (seldom_run)
+    return follow_within<Source, few, Source::dimension>(system, state, start, vectors, duration, tolerance, psi, stop);
+  else
+    return follow_within<Source, few, widths...>(system, state, start, vectors, duration, tolerance, psi, stop);
 }
 
 template <class Source>

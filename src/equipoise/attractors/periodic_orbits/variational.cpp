@@ -2,19 +2,12 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 
 #include "equipoise/attractors/periodic_orbits/tangent_flow-inl.hpp"
-#include "equipoise/attractors/periodic_orbits/tangent_kernels.hpp"
 
 namespace equipoise {
 
 namespace kernels = HWY_NAMESPACE;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::optional<TangentFlight> follow_tangents(const model::System& system, const VectorXd& state,
-                                             const MatrixXd& vectors, double duration, double tolerance, double psi,
-                                             const StopFlag* stop) {
-  return run_tangents({system, state, vectors, duration, tolerance, psi, stop});
-}
 
 std::optional<TangentFlight> follow_derivative(const model::System& system, const VectorXd& state, double duration,
                                                double tolerance, double psi, const StopFlag* stop) {

@@ -21,7 +21,8 @@ struct TangentFlight {
 
 /// Follows `state` and small deviations from it, the columns of `vectors` (any number up to the state's size, any
 /// length), for `duration` >= 0, by adaptive DOP853. Errors a step: `tolerance` times the size of each state variable
-/// (angles: of one radian); for tangents relative to the larger of their own size and the given vector's.
+/// (angles: of one radian); for tangents relative to the larger of their own size and the given vector's. The same bits
+/// on every CPU target.
 std::optional<TangentFlight> follow_tangents(const model::System& system, const Eigen::VectorXd& state,
                                              const Eigen::MatrixXd& vectors, double duration, double tolerance,
                                              double psi = 0.0, const StopFlag* stop = nullptr);

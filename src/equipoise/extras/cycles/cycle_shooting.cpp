@@ -8,7 +8,7 @@
 #include <complex>
 #include <utility>
 
-#include "equipoise/attractors/periodic_orbits/floquet.hpp"
+#include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/bordered.hpp"
 #include "equipoise/core/math/dense.hpp"
