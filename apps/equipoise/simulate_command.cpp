@@ -11,7 +11,6 @@
 #include "commands.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
-#include "equipoise/simulation/trajectory/output_times.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "options.hpp"
 #include "streams.hpp"

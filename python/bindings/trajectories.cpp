@@ -5,7 +5,6 @@
 #include "call.hpp"
 #include "convert.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
-#include "equipoise/simulation/trajectory/output_times.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "py_study.hpp"
 

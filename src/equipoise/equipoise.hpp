@@ -77,7 +77,6 @@
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
-#include "equipoise/simulation/trajectory/output_times.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/simulation/trajectory/study_equations.hpp"
 #include "equipoise/study/contents/keys.hpp"

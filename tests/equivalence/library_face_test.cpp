@@ -25,7 +25,6 @@
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
-#include "equipoise/simulation/trajectory/output_times.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "../support/refusals.hpp"
 #include "../support/studies.hpp"

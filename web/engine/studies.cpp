@@ -17,7 +17,7 @@
 #include "equipoise/report/html/form.hpp"
 #include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/text/text.hpp"
-#include "equipoise/simulation/trajectory/output_times.hpp"
+#include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise::embedded {
 extern const Archive preset_files;

@@ -14,7 +14,7 @@
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/results/columns/watched_shaft.hpp"
-#include "equipoise/simulation/batch/radius_windows.hpp"
+#include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 #include "equipoise/simulation/words/runs.hpp"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "equipoise/classification/balanced_regions/balanced_region.hpp"
-#include "equipoise/classification/balanced_regions/touching.hpp"
 #include "equipoise/classification/proved_regions/certificate.hpp"
 #include "equipoise/classification/trapping_regions/validated_level.hpp"
 

@@ -6,9 +6,9 @@
 #include <atomic>
 
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
-#include "equipoise/classification/balanced_regions/touching.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/running/parallel.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
@@ -79,7 +79,7 @@ bool PilotRun::make() {
   for (std::size_t k = 0; k < coincident; ++k)
     for (int i = 0; i < balls; ++i)
       in_one_place[k].phi[i] = two_pi * static_cast<double>(k) / static_cast<double>(coincident) +
-                               side_by_side * system_.parameters().contact_angle * i;
+                               model::side_by_side * system_.parameters().contact_angle * i;
   SpunUp together;
   if (!source_.follow(in_one_place, together)) return false;
   append(together);

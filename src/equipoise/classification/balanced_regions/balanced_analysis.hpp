@@ -44,7 +44,7 @@ struct BalancedAnalysis {
 /// with a motor if the rotor's angle matters.
 /// - A motor without torque holds no speed: balance, if it comes, may be at any speed.
 /// - Balls in contact balance if they have room. Levels of trapping regions are cut so that no balls touch
-/// (classification/balanced_regions/touching.hpp).
+/// (touching_level()).
 /// - Under dry friction balls come to rest near balance, and there is no trapping region;
 /// attractors/equilibria/stuck.hpp judges balls that are all stuck. Once `stop` is set the result comes soon and is
 /// unusable. `weights`: those of a neighbouring parameter, where the search for forms of trapping regions then begins.

@@ -245,6 +245,20 @@ double value(const model::System& system, const BalancedRegion& region, const do
   return (factor_of(region) * d).squaredNorm();
 }
 
+double touching_level(const model::System& system, const BalancedRegion& region) {
+  const model::Parameters& p = system.parameters();
+  double level = std::numeric_limits<double>::infinity();
+  if (!p.balls_collide()) return level;
+  const Eigen::MatrixXd inverse = dense::inverse(form_of(region));
+  for (int i = 0; i < p.balls; ++i)
+    for (int k = 0; k < i; ++k) {
+      const double room = std::max(std::fabs(wrapped(region.phi[i] - region.phi[k])) - p.contact_angle, 0.0);
+      const int a = model::index::phi(i), b = model::index::phi(k);
+      level = std::min(level, room * room / (inverse(a, a) + inverse(b, b) - 2.0 * inverse(a, b)));
+    }
+  return level;
+}
+
 Eigen::VectorXd state_on_level(const model::System& system, const BalancedRegion& region, double level,
                                const Eigen::VectorXd& direction) {
   Eigen::VectorXd state = std::sqrt(level) * factor_of(region).triangularView<Eigen::Upper>().solve(direction);

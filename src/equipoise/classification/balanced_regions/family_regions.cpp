@@ -2,7 +2,6 @@
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,7 +1,6 @@
 // What of a certificate does not depend on a box: the balanced state, the frame, a motor's limit, the linear part.
 #include "equipoise/classification/proved_regions/level_proof.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "equipoise/classification/proved_regions/level_rates.hpp"

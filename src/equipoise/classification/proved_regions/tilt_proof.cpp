@@ -1,7 +1,6 @@
 // The balanced state of each plane's two balls, enclosed, and the slope of the equations around it.
 #include "equipoise/classification/proved_regions/tilt_proof.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,8 +1,6 @@
 // Chooses how long starts are followed if a study does not say: as long as its slowest known rate needs.
 #pragma once
 
-#include <string>
-
 #include "equipoise/machine/model/parameters.hpp"
 #include "equipoise/study/contents/study.hpp"
 

@@ -8,9 +8,7 @@
 #include "equipoise/attractors/motions/motion_figures.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/attractor_search/search.hpp"
-#include "equipoise/classification/start_runs/last_radius.hpp"
-#include "equipoise/classification/start_runs/last_speed.hpp"
-#include "equipoise/classification/start_runs/start_batch.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/classification/start_runs/undecided.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
@@ -23,9 +21,6 @@ namespace {
 
 // Patience for a trajectory followed far beyond the horizon: it rests or repeats itself by now, or never will.
 constexpr double a_look = 1000.0;
-
-// Less is a rotor that rests on its axis.
-constexpr double no_radius = 1e-9;
 
 float unbalance_of(const model::System& system, const double* state) {
   return static_cast<float>(std::abs(model::unbalance(system.parameters(), state + model::index::phi(0))));
@@ -66,7 +61,6 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
   SpunUp& starts = batch.starts;
   BatchTask task = source_->last_task();
   task.end = source_->settled() + *study_.numerics.horizon;
-  task.stop = stop_;
   std::vector<double> states, begins;
   std::vector<const OwnRotor*> own;
   TransientTable rows{transients_, {}, ends_};
@@ -170,59 +164,6 @@ bool StartRunner::is_in_chaos(const model::System& system, const std::vector<dou
 
 UnlistedStart StartRunner::in_chaos(const Batch& batch, std::size_t i, double now) const {
   return {i, when_recognised(batch, i, now), measured_motion(), {long_lived_chaos, "", 0}};
-}
-
-// Means are for starts left open at the horizon. One given up earlier runs away, so its last speed counts.
-bool StartRunner::note_last_speeds(Batch& batch) const {
-  if (system_.prescribed()) return true;
-  const std::size_t size = system_.dimension();
-  const BatchTask task = source_->last_task();
-  std::vector<std::size_t> places;
-  std::vector<double> states;
-  std::vector<OwnRotor> own;
-  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
-    Fate& fate = batch.fates[i];
-    if (fate.outcome != Outcome::undecided || batch.starts.is_over(i)) continue;
-    const double* state = batch.state(i);
-    fate.mean_speed = static_cast<float>(state[task.layout().speed]);
-    if (fate.time < batch.end(i)) continue;
-    places.push_back(i);
-    states.insert(states.end(), state, state + size);
-    if (family_) own.push_back(batch.starts.rotors[i]);
-  }
-  if (places.empty()) return true;
-  const double horizon = source_->settled() + *study_.numerics.horizon;
-  const std::vector<double> speeds = mean_speeds_from(task, std::move(states), horizon, std::move(own));
-  for (std::size_t k = 0; k < speeds.size(); ++k) batch.fates[places[k]].mean_speed = static_cast<float>(speeds[k]);
-  return !speeds.empty();
-}
-
-// Of listed motions, which other rotors of the family have shown. A start that is followed to its motion has that
-// one's.
-bool StartRunner::note_radii(Batch& batch) const {
-  if (!measures_radii_) return true;
-  const std::size_t size = system_.dimension();
-  std::vector<std::size_t> places;
-  std::vector<double> states;
-  std::vector<KnownTrajectory> known;
-  for (std::size_t i = 0; i < batch.starts.size(); ++i) {
-    Fate& fate = batch.fates[i];
-    if (fate.outcome != Outcome::attracted || fate.attractor <= 0 || batch.starts.is_over(i)) continue;
-    if (mesh_.catalogue.find(fate.attractor)->motion.r_max < no_radius) {
-      fate.radius = 0.0f;
-      continue;
-    }
-    places.push_back(i);
-    states.insert(states.end(), batch.state(i), batch.state(i) + size);
-    const double window = mesh_.cells[batch.cell[i]].search.rule.first_long_window;
-    known.push_back({batch.starts.rotors[i], fate.time, window});
-  }
-  if (places.empty()) return true;
-  BatchTask task = source_->last_task();
-  task.stop = stop_;
-  const std::vector<float> radii = steady_radii(task, std::move(states), std::move(known));
-  for (std::size_t k = 0; k < radii.size(); ++k) batch.fates[places[k]].radius = radii[k];
-  return !radii.empty();
 }
 
 // Balls held by dry friction leave a different unbalance after each start.

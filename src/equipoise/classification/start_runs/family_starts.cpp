@@ -1,9 +1,8 @@
 // Starts with rotors of their own: drawn ones, given ones of a family, and the motions that one rotor's starts come to.
-#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "equipoise/classification/start_runs/start_batch.hpp"
+#include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/simulation/rule/window_features.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"

@@ -1,7 +1,6 @@
 // Starts given by the caller.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 

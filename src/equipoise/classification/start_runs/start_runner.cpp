@@ -10,7 +10,6 @@
 
 #include "equipoise/attractors/motions/motion_figures.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
-#include "equipoise/classification/start_runs/start_batch.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/words/runs.hpp"

@@ -1,7 +1,6 @@
 // Explains why many starts stay undecided: how some go on at the end, and which known rate was too slow.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

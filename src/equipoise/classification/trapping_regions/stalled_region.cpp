@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "equipoise/classification/balanced_regions/touching.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/orders.hpp"
+#include "equipoise/machine/balance/room_in_race.hpp"
 
 namespace equipoise {
 
@@ -61,7 +61,8 @@ std::vector<Eigen::VectorXd> places_to_hang(const model::System& system, const m
       n, [](int, int) { return true; }, [&](int i, int k) { return system.alike(i, k); },
       [&](const std::vector<int>& balls) {
         Eigen::VectorXd state = well.bottom();
-        for (int k = 0; k < n; ++k) state[model::index::phi(balls[k])] += side_by_side * contact * (k - 0.5 * (n - 1));
+        for (int k = 0; k < n; ++k)
+          state[model::index::phi(balls[k])] += model::side_by_side * contact * (k - 0.5 * (n - 1));
         const std::vector<int> order = order_of(system, state.data());
         if (std::find(seen.begin(), seen.end(), order) != seen.end()) return order.empty();
         seen.push_back(order);

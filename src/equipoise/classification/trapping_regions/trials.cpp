@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 #include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/running/parallel.hpp"

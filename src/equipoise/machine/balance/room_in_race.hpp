@@ -8,6 +8,9 @@
 
 namespace equipoise::model {
 
+/// Angle between balls side by side, in contact angles: clear of touching by more than rounding.
+inline constexpr double side_by_side = 1.0 + 1e-6;
+
 /// Maps uniformly drawn angles to angles without overlap, uniform among all such. The drawn gaps, shrunk to the room
 /// that the balls leave, become the gaps beyond touching.
 inline void make_room(const Parameters& p, double* phi) {

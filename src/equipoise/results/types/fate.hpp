@@ -52,7 +52,7 @@ struct Fate {
   /// read from a file.
   float unbalance = std::numeric_limits<float>::quiet_NaN();
   /// The largest r of the motion that it came to, measured on its own trajectory
-  /// (classification/start_runs/last_radius.hpp); NaN if it was not measured.
+  /// (classification/start_runs/later_figures.cpp); NaN if it was not measured.
   float radius = std::numeric_limits<float>::quiet_NaN();
   bool met = false;  ///< balls that collide: two of them touched before the outcome was known
 };

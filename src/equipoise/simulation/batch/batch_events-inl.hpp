@@ -14,7 +14,6 @@
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/integrate/ball_events-inl.hpp"
 #include "equipoise/simulation/integrate/dop853-inl.hpp"
-#include "equipoise/simulation/integrate/event_count.hpp"
 #include "equipoise/machine/model/hybrid_flow-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -15,7 +15,6 @@
 
 namespace equipoise {
 
-struct RadiusWindows;
 struct TransientTable;
 
 /// Work done for the trajectories of a task.
@@ -26,6 +25,20 @@ struct BatchWork {
 
   /// Evaluations of the equations: 12 for every step tried, one at the beginning of a trajectory.
   std::uint64_t evaluations(std::uint64_t trajectories) const { return 12 * steps + trajectories; }
+};
+
+/// A record of displacement: the largest and the last r^2 of every trajectory in windows of time. Two tables of count x
+/// windows numbers, row-major. Window k is [k width, (k + 1) width]. Tasks over successive segments of one motion may
+/// share them: a window's largest r^2 only grows, and a lost trajectory's stays infinite.
+struct RadiusWindows {
+  double width = 0.0;       ///< > 0
+  std::size_t windows = 0;  ///< per trajectory; later ones are not recorded
+  float* largest = nullptr;
+  float* at_end = nullptr;
+  /// Of a rotor that tilts: where its slopes stand in the state, and the places along its shaft of which the farther
+  /// one counts.
+  int tilt = -1;
+  std::array<double, 2> places{};
 };
 
 /// Which equations a task needs. Plain and turning: a prescribed speed and a centred race; turning adds anisotropic

@@ -14,7 +14,6 @@
 #include <limits>
 
 #include "equipoise/simulation/batch/batch_watch-inl.hpp"
-#include "equipoise/simulation/batch/radius_windows.hpp"
 #include "equipoise/machine/model/parameters.hpp"
 
 HWY_BEFORE_NAMESPACE();

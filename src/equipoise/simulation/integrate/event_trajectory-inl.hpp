@@ -17,7 +17,6 @@
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/simulation/integrate/ball_events-inl.hpp"
-#include "equipoise/simulation/integrate/event_count.hpp"
 #include "equipoise/simulation/integrate/first_time.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/hybrid_flow-inl.hpp"
@@ -26,6 +25,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
+
+// The error scale of a machine, for states laid out as model::machine_layout().
+template <int dimension>
+ErrorScale<dimension> machine_scale(const model::Parameters& p, double tolerance) {
+  const model::StateLayout layout = model::machine_layout(p);
+  auto scale = error_scale<dimension>(p, tolerance);
+  scale.floor[layout.psi] = scale.floor[layout.speed] = scale.floor[layout.error] = 1.0;
+  scale.absolute[layout.psi] = scale.angle[layout.psi] = true;
+  if (layout.tilt >= 0) std::fill_n(&scale.floor[layout.tilt], 4, scale.floor[model::index::x]);
+  return scale;
+}
 
 template <int room, bool tilt = false>
 class EventTrajectory {

@@ -7,7 +7,6 @@
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
-#include "equipoise/simulation/rule/release_rule.hpp"
 
 namespace equipoise {
 

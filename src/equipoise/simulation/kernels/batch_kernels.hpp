@@ -9,7 +9,6 @@
 #include "equipoise/simulation/batch/batch_task.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
-#include "equipoise/simulation/rule/release_rule.hpp"
 
 namespace equipoise {
 

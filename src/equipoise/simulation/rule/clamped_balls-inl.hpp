@@ -7,13 +7,11 @@
 #define EQUIPOISE_CLASSIFICATION_CLAMPED_BALLS_INL
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "equipoise/simulation/batch/batch_watch-inl.hpp"
 #include "equipoise/simulation/rule/classify-inl.hpp"
-#include "equipoise/simulation/rule/release_rule.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {

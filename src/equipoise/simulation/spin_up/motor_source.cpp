@@ -6,16 +6,19 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/mechanics/gravity_well.hpp"
 #include "equipoise/machine/model/held_state.hpp"
+#include "equipoise/machine/model/smooth_flow-inl.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
+#include "equipoise/simulation/integrate/adaptive-inl.hpp"
+#include "equipoise/simulation/integrate/first_time.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/spin_up/release.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
@@ -39,6 +42,40 @@ ReleaseRule release_rule_of(const model::Parameters& p, const model::Drive& driv
   rule.release_speed = *drive.release_speed;
   rule.rising = rule.release_speed > drive.speed;
   return rule;
+}
+
+// Follows `state` (machine/model/held_state.hpp) in double precision from `from` until the rotor reaches
+// rule.release_speed, but at most to `to`. Empty if it does not reach it, or is lost. `state` ends at the returned
+// time, else at `to`.
+std::optional<double> find_release(const model::System& system, const ReleaseRule& rule, double from, double to,
+                                   double* state) {
+  using Flow = HWY_NAMESPACE::HeldFlow<double>;
+  const int place = model::held_layout(system).speed;
+  const auto come = [&](const double* y) {
+    return rule.rising ? y[place] >= rule.release_speed : y[place] <= rule.release_speed;
+  };
+  HWY_NAMESPACE::ErrorScale<Flow::dimension> scale;
+  scale.tolerance = 1e-10;  // only a step or two are taken, so a tight one costs nothing
+  scale.floor.fill(1.0);
+  for (int i = 0; i < 4; ++i) scale.floor[i] = system.parameters().motion_scale();
+  scale.angle.fill(true);  // lanes detect divergence
+  scale.absolute.fill(true);
+  const Flow flow(system);
+  HWY_NAMESPACE::AdaptiveIntegrator<Flow, Flow::dimension> integrator(flow, scale, flow.size());
+  std::optional<double> found;
+  const auto look = [&](double begin, double end, auto&& state_at) {
+    double y[Flow::dimension];
+    const auto first = first_time(begin, end, [&](double t) {
+      state_at(t, y);
+      return come(y);
+    });
+    if (!first) return end;
+    found = first;  // the step is cut here, and the crossing is looked up again
+    // The integrator stops only at times before the step's end.
+    return std::fmin(*first, std::nextafter(end, begin));
+  };
+  integrator.advance(from, to, state, look);
+  return found;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/simulation/rule/release_rule.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/machine/mechanics/forced_vibration.hpp"

@@ -1,8 +1,6 @@
 // Runs any study as a machine, from event to event.
 #include "equipoise/simulation/trajectory/followed_run.hpp"
 
-#include <cmath>
-#include <optional>
 #include <utility>
 #include <variant>
 

@@ -12,7 +12,6 @@
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/spin_up/machine_scale.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/simulation/words/runs.hpp"
 

@@ -1,7 +1,8 @@
-// One trajectory at stated times.
+// One trajectory at stated times, or at an even grid of them.
 // This room: one trajectory at stated times; equations for other integrators.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "equipoise/core/running/run_options.hpp"
@@ -14,5 +15,15 @@ namespace equipoise {
 /// default_simulate_tolerance, per step, relative to each variable's size. Progress is in rows. One thread does
 /// everything; no CPU target is chosen. Throws InputError for times out of order or an invalid study.
 Trajectory simulate(const Study& study, const std::vector<double>& times, const RunOptions& options = {});
+
+/// Beyond this, a double no longer resolves the rotor's angle.
+inline constexpr double last_output_time = 1e9;
+inline constexpr double most_output_rows = 1e8;
+
+/// Times for simulate(): from 0 in steps of `every` up to `until`. Unset: until 100 after the last piece has begun and
+/// the balls are free; a hundred intervals. Throws InputError for an invalid study, for invalid times, and for more
+/// than most_output_rows of them.
+std::vector<double> output_times(const Study& study, std::optional<double> until = {},
+                                 std::optional<double> every = {});
 
 }  // namespace equipoise
