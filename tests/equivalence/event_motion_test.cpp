@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "equipoise/attractors/equilibria/stuck.hpp"
-#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"

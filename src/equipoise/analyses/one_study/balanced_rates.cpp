@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/classification/attractor_search/cost.hpp"

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "equipoise/attractors/motions/motion.hpp"
+#include "equipoise/attractors/motions/motion_statistics.hpp"
+#include "equipoise/attractors/periodic_orbits/recurrence.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/model/system.hpp"
 
 namespace equipoise {
@@ -24,32 +28,72 @@ inline constexpr double reached = 1e-3;
 /// Farther than this from a stable motion nothing is concluded yet.
 inline constexpr double in_reach = 0.5;
 
-/// The stretches in which a trajectory is followed until it is steady, each as long as all before it: as many as
-/// patience has room for. On a stroboscopic section they are whole periods of the section.
-class Stretches {
- public:
-  Stretches(const model::System& system, double patience);
-
-  bool on_section() const { return section_period_ > 0.0; }
-  /// Period of the stroboscopic section; 0: there is none.
-  double section_period() const { return section_period_; }
-  /// About that time, at least one period of the section.
-  double whole(double time) const;
-  double first() const { return first_; }
-  /// The time of all stretches together.
-  double patience() const { return patience_; }
-  bool are_over(double elapsed) const { return elapsed >= patience_ * (1.0 - 1e-9); }
-
- private:
-  double section_period_, first_ = 0.0, patience_ = 0.0;
-};
-
 struct Approach {
   std::optional<Motion> motion;  ///< empty if the trajectory did not become steady
   double time = 0.0;             ///< when it was recognised
 };
 
+/// A trajectory with its past. It is followed in stretches, each as long as all before it, until it is steady: as many
+/// as patience has room for. On a stroboscopic section they are whole periods of the section.
+class Journey {
+ public:
+  Journey(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop);
+  virtual ~Journey() = default;
+  Journey(const Journey&) = delete;
+  Journey& operator=(const Journey&) = delete;
+
+  Approach settle();
+
+ protected:
+  /// Follows the next stretch. False if the trajectory is lost.
+  virtual bool travel_stretch(double duration) = 0;
+  /// The motion that it is now seen to be on.
+  virtual std::optional<Motion> seen() = 0;
+  /// Whether it gets nowhere in the time left.
+  virtual bool creeps() const { return false; }
+  /// A last look after all stretches.
+  virtual std::optional<Motion> seen_late() { return std::nullopt; }
+
+  bool on_section() const { return section_period_ > 0.0; }
+  /// About that time, at least one period of the section.
+  double whole(double time) const;
+  bool is_over() const { return elapsed_ >= patience_ * (1.0 - 1e-9) || is_set(stop_); }
+  /// Time between samples_.
+  double spacing() const { return on_section() ? section_period_ : last_.spacing; }
+  /// follow(), on a stroboscopic section in whole periods, so that each begins with rotor angle 0. `log`: of a system
+  /// with events. False if the trajectory is lost.
+  bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
+              std::vector<Eigen::VectorXd>* samples = nullptr, EventLog* log = nullptr) const;
+
+  const model::System system_;
+  const model::Parameters& p_;
+  const StateDifference difference_;
+  const StopFlag* const stop_;
+  double section_period_;                // 0: there is no stroboscopic section
+  double first_ = 0.0, patience_ = 0.0;  // of stretches: the first, and all together
+  Eigen::VectorXd state_;
+  Eigen::VectorXd end_;                   // of the last stretch: state_ with angles that count turns, for statistics
+  double elapsed_ = 0.0, ahead_ = 0.0;    // how far the last approach was followed beyond elapsed_
+  std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
+  MotionStatistics previous_, last_;      // of the last two stretches
+  int repeats_ = 0;                       // stretches in a row that repeated the one before
+};
+
 /// Does what motion_from() does, and also says when. Once `stop` is set there is no motion.
 Approach settle(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop);
+
+/// Does settle() for a system with events. If nothing touches or sticks any more, the motion belongs to the system
+/// without contact; it is refined there if no balls touch on it. Otherwise it is a rotor whose balls all stick
+/// (attractors/equilibria/stuck.hpp); an equilibrium or periodic orbit on which balls touch or stick, or events recur
+/// (attractors/periodic_orbits/return_map.hpp); or it is identified by statistics and the rate at which neighbours
+/// part.
+Approach settle_with_events(const model::System& system, const Eigen::VectorXd& state, double patience,
+                            const StopFlag* stop);
+
+/// Whether no balls touch on a motion of the system without contact.
+bool stays_clear(const model::System& system, const Motion& motion);
+
+/// The same system with balls that pass each other and do not stick.
+model::System without_events(const model::System& system);
 
 }  // namespace equipoise

@@ -2,7 +2,7 @@
 //
 // As in motion.cpp stretches double, and a motion is believed once the trajectory is seen to approach it. Newton's
 // method works on the return map. If it finds no orbit, windows that repeat themselves identify the motion.
-#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/approach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "equipoise/attractors/equilibria/stuck.hpp"
-#include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
 #include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
@@ -68,75 +67,30 @@ class OrbitTrack {
   std::vector<Eigen::VectorXd> states_;
 };
 
-class EventJourney : Stretches {
+class EventJourney final : public Journey {
  public:
-  EventJourney(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
-      : Stretches(system, patience),
-        system_(system),
-        p_(system_.parameters()),
-        difference_(system_),
-        state_(state),
-        stop_(stop) {}
-
-  Approach settle() {
-    Approach result;
-    for (double stretch = first(); !is_over(); stretch = elapsed_) {
-      if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
-      ahead_ = 0.0;
-      result.motion = stuck();
-      if (!result.motion) result.motion = smooth();
-      if (!result.motion) result.motion = rest();
-      if (!result.motion) result.motion = recurrence();
-      if (!result.motion) result.motion = persistence();
-      if (!result.motion) continue;
-      result.time = elapsed_ + ahead_;
-      return result;
-    }
-    return result;
-  }
+  using Journey::Journey;
 
  private:
-  bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
-  double spacing() const { return on_section() ? section_period() : last_.spacing; }
-
-  // A stroboscopic section is followed in whole periods, so that each begins with rotor angle 0.
-  bool travel(Eigen::VectorXd& z, double duration, EventLog& log, MotionStatistics* statistics,
-              std::vector<Eigen::VectorXd>* samples) {
-    if (!on_section()) {
-      return follow_events(system_, z, duration, follow_tolerance, log, statistics, samples, stop_) ==
-             IntegrationStatus::done;
-    }
-    if (samples) samples->assign(1, z);
-    EventLog all;
-    for (long k = 0; k < std::lround(duration / section_period()); ++k) {
-      EventLog one;
-      const auto status =
-          follow_events(system_, z, section_period(), follow_tolerance, one, statistics, nullptr, stop_);
-      if (status != IntegrationStatus::done) return false;
-      if (k == 0) all.begin = one.begin;
-      for (BallEvent e : one.events) {
-        e.time += static_cast<double>(k) * section_period();
-        all.events.push_back(e);
-      }
-      all.count += one.count;
-      all.end = one.end;
-      if (samples) samples->push_back(z);
-    }
-    log = all;
-    return true;
-  }
-
-  bool travel_stretch(double duration) {
+  bool travel_stretch(double duration) override {
     previous_ = last_;
     last_ = MotionStatistics();
     const double memory = std::min(0.5 * duration, whole(longest_memory));
     elapsed_ += duration;
     end_ = state_;
-    EventLog before;
-    if (!travel(end_, whole(duration - memory), before, &last_, nullptr)) return false;
-    if (!travel(end_, whole(memory), log_, &last_, &samples_)) return false;
+    if (!travel(end_, whole(duration - memory), &last_)) return false;
+    if (!travel(end_, whole(memory), &last_, &samples_, &log_)) return false;
     state_ = system_.with_angles_reduced(end_);
     return true;
+  }
+
+  std::optional<Motion> seen() override {
+    auto motion = stuck();
+    if (!motion) motion = smooth();
+    if (!motion) motion = rest();
+    if (!motion) motion = recurrence();
+    if (!motion) motion = persistence();
+    return motion;
   }
 
   std::optional<Motion> stuck() {
@@ -149,12 +103,12 @@ class EventJourney : Stretches {
     const bool free = log_.count == 0 && !any_joined(log_.end, p_.balls);
     if (system_.events().stick || !free) return std::nullopt;
     const model::System passing = without_events(system_);
-    Approach settling = equipoise::settle(passing, state_, std::max(patience() - elapsed_, elapsed_), stop_);
+    Approach settling = equipoise::settle(passing, state_, std::max(patience_ - elapsed_, elapsed_), stop_);
     if (!settling.motion || !settling.motion->stable || !stays_clear(system_, *settling.motion)) return std::nullopt;
     // No contact on the way there, either.
     Eigen::VectorXd z = state_;
     EventLog log;
-    if (!travel(z, whole(settling.time), log, nullptr, nullptr) || log.count > 0) return std::nullopt;
+    if (!travel(z, whole(settling.time), nullptr, nullptr, &log) || log.count > 0) return std::nullopt;
     ahead_ = settling.time;
     return settling.motion;
   }
@@ -169,9 +123,8 @@ class EventJourney : Stretches {
     const double chunk = whole(std::max({rate < 0.0 ? 1.0 / -rate : 0.0, least, 1.0}));
     Eigen::VectorXd z = state_;
     double now = first;
-    for (int k = 0; k < 40 && now < 2.0 * in_reach && elapsed_ + ahead_ + chunk <= 2.0 * patience(); ++k) {
-      EventLog log;
-      if (!travel(z, chunk, log, nullptr, nullptr)) return false;
+    for (int k = 0; k < 40 && now < 2.0 * in_reach && elapsed_ + ahead_ + chunk <= 2.0 * patience_; ++k) {
+      if (!travel(z, chunk)) return false;
       z = system_.with_angles_reduced(std::move(z));
       ahead_ += chunk;
       now = distance(z);
@@ -233,14 +186,14 @@ class EventJourney : Stretches {
     EventLog log;
     Eigen::VectorXd z = motion.state;
     if (on_section())
-      travel(z, orbit.period, log, &statistics, nullptr);
+      travel(z, orbit.period, &statistics, nullptr, &log);
     else
       follow_events(system_, z, orbit.period, 1e-12, log, &statistics);
     describe_statistics(system_, statistics, motion);
     const int turns = system_.layout().psi < 0 ? 0 : std::abs(orbit.winding[p_.balls]);
     if (orbit.imposed || turns > 0) {
       motion.depends_on_angle = true;
-      motion.sections = orbit.imposed ? static_cast<int>(std::lround(orbit.period / section_period())) : turns;
+      motion.sections = orbit.imposed ? static_cast<int>(std::lround(orbit.period / section_period_)) : turns;
     }
     const auto decays = orbit.decays();
     motion.set_valued = system_.events().stick && std::any_of(decays.begin(), decays.end(), [](const auto& m) {
@@ -315,16 +268,7 @@ class EventJourney : Stretches {
     return sum / time;
   }
 
-  const model::System system_;
-  const model::Parameters& p_;
-  const StateDifference difference_;
-  Eigen::VectorXd state_, end_;
-  double elapsed_ = 0.0, ahead_ = 0.0;
-  const StopFlag* const stop_;
-  std::vector<Eigen::VectorXd> samples_;
-  MotionStatistics previous_, last_;
   EventLog log_;  // of the last part of the stretch
-  int repeats_ = 0;
 };
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include "equipoise/attractors/equilibria/equilibria.hpp"
 #include "equipoise/attractors/equilibria/nearest_balanced.hpp"
 #include "equipoise/attractors/motions/approach.hpp"
-#include "equipoise/attractors/motions/event_motion.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
 #include "equipoise/attractors/motions/motion_statistics.hpp"
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
@@ -30,17 +29,6 @@
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
-
-Stretches::Stretches(const model::System& system, double patience)
-    : section_period_(system.section() == model::Section::stroboscopic ? system.section_period() : 0.0) {
-  const double doublings = std::max(0.0, std::floor(std::log2(patience / first_stretch)));
-  first_ = whole(patience / std::exp2(doublings));
-  patience_ = first_ * std::exp2(doublings);
-}
-
-double Stretches::whole(double time) const {
-  return on_section() ? section_period_ * std::max(1.0, std::round(time / section_period_)) : time;
-}
 
 namespace {
 
@@ -60,34 +48,18 @@ struct KnownOrbit {
   OrbitCurve curve;
 };
 
-// A trajectory with its past.
-class Journey : Stretches {
+class SmoothJourney final : public Journey {
  public:
-  Journey(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
-      : Stretches(system, patience),
-        system_(system),
-        p_(system_.parameters()),
-        difference_(system),
-        state_(state),
-        stop_(stop) {}
-
-  Approach settle();
+  using Journey::Journey;
 
  private:
-  bool is_over() const { return are_over(elapsed_) || is_set(stop_); }
-  // Time between samples_.
-  double spacing() const { return on_section() ? section_period() : last_.spacing; }
-
-  bool travel_stretch(double duration);
-  bool travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
-              std::vector<Eigen::VectorXd>* samples = nullptr) {
-    return follow_whole(z, duration, statistics, samples) == IntegrationStatus::done;
-  }
-  IntegrationStatus follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics = nullptr,
-                                 std::vector<Eigen::VectorXd>* samples = nullptr) const;
+  bool travel_stretch(double duration) override;
+  std::optional<Motion> seen() override;
+  bool creeps() const override;
+  std::optional<Motion> seen_late() override;
   template <class Distance>
   bool approaches(double rate, const Distance& distance, double blur = 0.0) {
-    return approaches(rate, distance, blur, patience() - elapsed_);
+    return approaches(rate, distance, blur, patience_ - elapsed_);
   }
   template <class Distance>
   bool approaches(double rate, const Distance& distance, double blur, double left);
@@ -95,7 +67,6 @@ class Journey : Stretches {
   std::optional<Motion> continuum();
   std::optional<Motion> creep();
   std::optional<Motion> recurrence();
-  std::optional<Motion> late_return();
   std::optional<Motion> persistence();
   std::optional<PeriodicOrbit> orbit_of(const Return& now);
   bool worth_trying(const Return& now);
@@ -104,42 +75,18 @@ class Journey : Stretches {
   bool statistics_repeat(double share_of_extremes, double share_of_means) const;
   bool comes_back() const;
   bool may_creep_balanced() const;
-  bool creeps() const;
   bool creeps_balanced(const Motion& motion) const;
 
-  const model::System system_;
-  const model::Parameters& p_;
-  const StateDifference difference_;
-  Eigen::VectorXd state_;
-  Eigen::VectorXd end_;  // end of the last stretch: state_ with angles that count turns, for statistics
-  double elapsed_ = 0.0;
-  const StopFlag* const stop_;
-  std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
-  MotionStatistics previous_, last_;      // of the last two stretches
-  int repeats_ = 0;                       // stretches in a row that repeated the one before
-  std::vector<KnownOrbit> orbits_;        // met so far
-  std::vector<Return> tried_;             // Newton's method failed from these returns
+  std::vector<KnownOrbit> orbits_;  // met so far
+  std::vector<Return> tried_;       // Newton's method failed from these returns
   // What the last exponents said. They are measured over a longer time than a journey, so a periodic motion stays one.
   // Chaos may end, and is believed only when patience is over.
   bool periodic_ = false, chaotic_ = false;
   // Its exponents if the last ones were those of a periodic motion, though its statistics repeat like a torus's.
   std::optional<std::vector<double>> locked_;
-  double ahead_ = 0.0;  // how far the last approach was followed beyond elapsed_
 };
 
-IntegrationStatus Journey::follow_whole(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,
-                                        std::vector<Eigen::VectorXd>* samples) const {
-  if (!on_section()) return follow(system_, z, duration, follow_tolerance, statistics, samples, stop_);
-  if (samples) samples->assign(1, z);
-  for (long k = std::lround(duration / section_period()); k > 0; --k) {
-    const auto status = follow(system_, z, section_period(), follow_tolerance, statistics, nullptr, stop_);
-    if (status != IntegrationStatus::done) return status;
-    if (samples) samples->push_back(z);
-  }
-  return IntegrationStatus::done;
-}
-
-bool Journey::travel_stretch(double duration) {
+bool SmoothJourney::travel_stretch(double duration) {
   // A given trajectory may have coincident balls (as some starts of an attractor search do). Whether they stay together
   // shows from the second stretch on.
   if (elapsed_ > 0.0) model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
@@ -158,7 +105,7 @@ bool Journey::travel_stretch(double duration) {
 // deviation, negative. If the motion is known only up to `blur`, no approach below that is required. `left`: the
 // longest time to follow.
 template <class Distance>
-bool Journey::approaches(double rate, const Distance& distance, double blur, double left) {
+bool SmoothJourney::approaches(double rate, const Distance& distance, double blur, double left) {
   ahead_ = 0.0;
   const double first = distance(state_);
   if (first > in_reach || !(rate < 0.0)) return false;
@@ -170,8 +117,8 @@ bool Journey::approaches(double rate, const Distance& distance, double blur, dou
   // Outside the linear regime the distance may grow for a while. A motion left far behind is not approached again soon.
   for (int k = 0; k < 40 && now < 2.0 * in_reach; ++k) {
     const double duration = std::min(chunk, left);
-    if (duration <= 0.5 * section_period()) break;
-    if (follow_whole(z, duration) != IntegrationStatus::done) return false;
+    if (duration <= 0.5 * section_period_) break;
+    if (!travel(z, duration)) return false;
     z = system_.with_angles_reduced(std::move(z));
     left -= duration;
     travelled += duration;
@@ -183,7 +130,7 @@ bool Journey::approaches(double rate, const Distance& distance, double blur, dou
   return now < 0.1 * in_reach && now < first * std::exp(0.5 * rate * travelled) && travelled * -rate > 0.5;
 }
 
-std::optional<Motion> Journey::continuum() {
+std::optional<Motion> SmoothJourney::continuum() {
   const auto balanced = nearest_balanced(system_, state_, in_reach);
   if (!balanced || !balanced->attracts) return std::nullopt;
   std::optional<BalancedMember> end;
@@ -196,7 +143,7 @@ std::optional<Motion> Journey::continuum() {
 }
 
 // Near the rest of a continuum of balanced states under gravity, and creeping along it.
-std::optional<Motion> Journey::creep() {
+std::optional<Motion> SmoothJourney::creep() {
   if (!may_creep_balanced() || !ContinuumOfEquilibria::is_of(system_)) return std::nullopt;
   const ContinuumOfEquilibria continuum(system_);
   std::optional<ContinuumMember> end = continuum.destination(state_);
@@ -212,7 +159,7 @@ std::optional<Motion> Journey::creep() {
   return describe_creep(system_, end->centre, end->rate);
 }
 
-std::optional<Motion> Journey::rest() {
+std::optional<Motion> SmoothJourney::rest() {
   // If it moves faster, no equilibrium is near: swings have rates of order one, so the equilibrium is as far away.
   Eigen::VectorXd rate = model::rate(system_, state_);
   if (system_.layout().psi >= 0) rate[system_.layout().psi] = 0.0;
@@ -236,7 +183,7 @@ std::optional<Motion> Journey::rest() {
   return describe_equilibrium(system_, *end);
 }
 
-std::optional<Motion> Journey::recurrence() {
+std::optional<Motion> SmoothJourney::recurrence() {
   const auto accepted = [&](const KnownOrbit& known) {
     return approaches(known.orbit.slowest_rate(), [&](const Eigen::VectorXd& z) { return known.curve.distance(z); });
   };
@@ -254,11 +201,11 @@ std::optional<Motion> Journey::recurrence() {
 // A torus that locks comes back only after as many turns of its slower angle as the lock takes of both. Without a
 // second zero exponent it is not quasi-periodic, so returns over much longer times are looked for once patience is
 // over. If none leads to an orbit, the lock is finer than can be followed, and all that can be seen is a torus.
-std::optional<Motion> Journey::late_return() {
+std::optional<Motion> SmoothJourney::seen_late() {
   constexpr double share = 0.5;  // of patience
   constexpr int returns = 16;
   if (on_section() || !locked_ || !is_over() || is_set(stop_)) return std::nullopt;
-  const double duration = share * patience(), spacing = sample_spacing(system_, state_);
+  const double duration = share * patience_, spacing = sample_spacing(system_, state_);
   std::vector<Eigen::VectorXd> samples;
   if (!travel(end_ = state_, duration, nullptr, &samples)) return std::nullopt;
   elapsed_ += duration;
@@ -271,21 +218,21 @@ std::optional<Motion> Journey::late_return() {
     if (!orbit || !orbit->stable()) continue;
     const OrbitCurve curve(system_, *orbit);
     const auto distance = [&](const Eigen::VectorXd& z) { return curve.distance(z); };
-    if (approaches(orbit->slowest_rate(), distance, 0.0, patience())) return describe_orbit(system_, *orbit);
+    if (approaches(orbit->slowest_rate(), distance, 0.0, patience_)) return describe_orbit(system_, *orbit);
   }
   return repeats_ >= 2 ? restless(MotionKind::quasi_periodic, *locked_) : std::nullopt;
 }
 
-std::optional<PeriodicOrbit> Journey::orbit_of(const Return& now) {
+std::optional<PeriodicOrbit> SmoothJourney::orbit_of(const Return& now) {
   if (!on_section()) return worth_trying(now) ? find_orbit(system_, state_, now.time, in_reach, stop_) : std::nullopt;
-  const long sections = std::lround(now.time / section_period());
+  const long sections = std::lround(now.time / section_period_);
   return refine_orbit(system_, std::vector<Eigen::VectorXd>(samples_.end() - 1 - sections, samples_.end() - 1),
                       now.time, in_reach, stop_);
 }
 
 // After Newton's method fails from a return, it is tried again once the return is twice as close. That happens on the
 // way to a periodic motion, but not on a torus.
-bool Journey::worth_trying(const Return& now) {
+bool SmoothJourney::worth_trying(const Return& now) {
   constexpr double same_time = 0.02;
   for (Return& before : tried_) {
     if (std::fabs(before.time - now.time) > same_time * now.time) continue;
@@ -297,20 +244,20 @@ bool Journey::worth_trying(const Return& now) {
   return true;
 }
 
-bool Journey::statistics_repeat(double share_of_extremes, double share_of_means) const {
+bool SmoothJourney::statistics_repeat(double share_of_extremes, double share_of_means) const {
   return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
 }
 
 // Whether everything is so nearly at rest that the trajectory gets nowhere in the time left: neither by its rate of
 // change nor by growth of deviations.
-bool Journey::creeps() const {
-  if (on_section() || difference_.length(model::rate(system_, state_)) * patience() > in_reach) return false;
-  return dense::largest_real_part(model::jacobian(system_, state_)) * patience() < 1.0;
+bool SmoothJourney::creeps() const {
+  if (on_section() || difference_.length(model::rate(system_, state_)) * patience_ > in_reach) return false;
+  return dense::largest_real_part(model::jacobian(system_, state_)) * patience_ < 1.0;
 }
 
 // Whether the trajectory was here before: within half of the farthest distance that it has gone since. A creeping one
 // repeats its statistics and has no positive exponent, but never returns.
-bool Journey::comes_back() const {
+bool SmoothJourney::comes_back() const {
   if (samples_.empty()) return false;
   double farthest = 0.0;
   bool back = false;
@@ -326,9 +273,9 @@ bool Journey::comes_back() const {
 }
 
 // Under gravity a continuum of balanced states leaves a motion along it that never comes back.
-bool Journey::may_creep_balanced() const { return on_section() && p_.gravity != 0.0 && p_.balls > 2; }
+bool SmoothJourney::may_creep_balanced() const { return on_section() && p_.gravity != 0.0 && p_.balls > 2; }
 
-bool Journey::creeps_balanced(const Motion& motion) const {
+bool SmoothJourney::creeps_balanced(const Motion& motion) const {
   if (!may_creep_balanced() || motion.kind != MotionKind::quasi_periodic) return false;
   const auto creeps = [&](double drift) { return std::fabs(drift) * motion.duration < 0.5 * pi; };
   return std::all_of(motion.drift.begin(), motion.drift.begin() + p_.balls, creeps) &&
@@ -336,7 +283,7 @@ bool Journey::creeps_balanced(const Motion& motion) const {
 }
 
 // Lyapunov exponents from here on, and the kind that they imply; empty if the motion does not last.
-std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
+std::optional<std::vector<double>> SmoothJourney::exponents_of(MotionKind& kind) {
   // A shift in time has exponent 0; on a stroboscopic section there is no such shift.
   const std::size_t next = on_section() ? 0 : 1;
   const int count = std::min<int>(4, system_.dimension());
@@ -349,7 +296,7 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
     duration *= 8.0;
     exponents = lyapunov_exponents(system_, state_, duration, count, stop_);
     if (exponents.size() < 2) return std::nullopt;
-    periodic_ = duration >= patience() && exponents[next] < -8.0 / duration;
+    periodic_ = duration >= patience_ && exponents[next] < -8.0 / duration;
   }
   const double zero = 8.0 / duration;
   locked_.reset();
@@ -365,7 +312,7 @@ std::optional<std::vector<double>> Journey::exponents_of(MotionKind& kind) {
 }
 
 // The motion of this kind that the trajectory is on.
-std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<double>& exponents) {
+std::optional<Motion> SmoothJourney::restless(MotionKind kind, const std::vector<double>& exponents) {
   Motion motion;
   motion.kind = kind;
   motion.speed = system_.speed(state_);
@@ -390,7 +337,7 @@ std::optional<Motion> Journey::restless(MotionKind kind, const std::vector<doubl
   return motion;
 }
 
-std::optional<Motion> Journey::persistence() {
+std::optional<Motion> SmoothJourney::persistence() {
   const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
   repeats_ = tight ? repeats_ + 1 : 0;
   ahead_ = 0.0;
@@ -404,28 +351,18 @@ std::optional<Motion> Journey::persistence() {
   return restless(kind, *exponents);
 }
 
-Approach Journey::settle() {
-  Approach result;
-  for (double stretch = first(); !is_over(); stretch = elapsed_) {
-    if (!travel_stretch(stretch) || system_.runs_away(system_.speed(state_))) break;
-    result.motion = rest();
-    if (!result.motion) result.motion = recurrence();
-    if (!result.motion) result.motion = persistence();
-    if (!result.motion && creeps()) break;
-    if (!result.motion) continue;
-    result.time = elapsed_ + ahead_;
-    return result;
-  }
-  result.motion = late_return();
-  result.time = elapsed_ + ahead_;
-  return result;
+std::optional<Motion> SmoothJourney::seen() {
+  auto motion = rest();
+  if (!motion) motion = recurrence();
+  if (!motion) motion = persistence();
+  return motion;
 }
 
 }  // namespace
 
 Approach settle(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop) {
   if (!system.smooth()) return settle_with_events(system, state, patience, stop);
-  return Journey(system, state, patience, stop).settle();
+  return SmoothJourney(system, state, patience, stop).settle();
 }
 
 std::optional<Motion> motion_from(const model::System& system, const Eigen::VectorXd& state, double patience,

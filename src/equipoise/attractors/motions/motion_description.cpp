@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "equipoise/attractors/equilibria/equilibria.hpp"
-#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/motions/motion_symmetry.hpp"
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"

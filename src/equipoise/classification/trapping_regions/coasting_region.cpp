@@ -9,7 +9,6 @@
 #include "equipoise/attractors/equilibria/nearest_balanced.hpp"
 #include "equipoise/attractors/equilibria/stuck.hpp"
 #include "equipoise/attractors/motions/approach.hpp"
-#include "equipoise/attractors/motions/event_motion.hpp"
 #include "equipoise/attractors/periodic_orbits/recurrence.hpp"
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <array>
 #include <cmath>
 #include <complex>
-#include <utility>
 #include <vector>
 
 #include "equipoise/attractors/equilibria/stuck.hpp"
-#include "equipoise/attractors/motions/event_motion.hpp"
+#include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/classification/balanced_regions/family_regions.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
