@@ -44,8 +44,13 @@ class Discoverer {
     if (!s_.pilot.make()) return stopped();
     for (OwnRotor& rotor : s_.pilot.rotors()) s_.result.place(rotor);
     if (!follow_pilot(s_.pilot.scouts())) return stopped();
-    if (s_.settings.few_starts) return of_few_starts();
-    if (!list_found(s_.settings.warm_start ? WarmStartStates::listed : WarmStartStates::new_ones)) return stopped();
+    const bool few = s_.settings.few_starts;  // the scouts are then all that is looked at
+    if (!list_found(few || s_.settings.warm_start ? WarmStartStates::listed : WarmStartStates::new_ones))
+      return stopped();
+    if (few) {
+      if (s_.study.numerics.decide == ClassificationMode::proof) regions_.level_balanced();
+      return finished();
+    }
     std::vector<Candidate> all = seeds_;
     all.insert(all.end(), found_.begin(), found_.end());
     make_boxes(s_, all);
@@ -70,13 +75,6 @@ class Discoverer {
   }
 
  private:
-  // The scouts are all that is looked at.
-  AttractorSearch of_few_starts() {
-    if (!list_found(WarmStartStates::listed)) return stopped();
-    if (s_.study.numerics.decide == ClassificationMode::proof) regions_.level_balanced();
-    return finished();
-  }
-
   AttractorSearch finished() {
     if (s_.balance_box) ask_for_balance();
     if (s_.drawn && !follow_chaos(s_, chaos_)) return stopped();

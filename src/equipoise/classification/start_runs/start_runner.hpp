@@ -119,8 +119,6 @@ class StartRunner {
   bool stopped() const { return search_.stopped || mesh_.stopped; }
 
   const StudyFamily* family() const { return family_ ? &*family_ : nullptr; }
-  const FamilyMesh& mesh() const { return mesh_; }
-  const BalancedAnalysis& balanced() const { return search_.balanced; }
   const ClassificationRule& rule() const { return search_.rule; }
 
  private:

@@ -13,7 +13,6 @@
 #include <optional>
 #include <span>
 
-#include "equipoise/machine/model/equations-inl.hpp"
 #include "equipoise/simulation/transients/transient_step-inl.hpp"
 #include "equipoise/results/types/transient_table.hpp"
 
@@ -21,64 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace equipoise {
 namespace HWY_NAMESPACE {
 namespace transient {
-
-template <class T>
-inline constexpr int lane_count = 1;
-template <>
-inline constexpr int lane_count<Pack> = static_cast<int>(pack_lanes);
-
-using HWY_NAMESPACE::element;  // of packs
-HWY_INLINE double& element(double& a, int) { return a; }
-HWY_INLINE double element(const double& a, int) { return a; }
-HWY_INLINE unsigned bits_of(Mask m) { return lane_bits(m); }
-HWY_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
-
-// The motion at one time. Frame invariant: rotating and fixed components give the same.
-template <class T>
-struct Sample {
-  T r2, slope;           // squared distance of O from its place of rest under weight, and its derivative
-  T force2, velocity2;   // |f|^2 of the bearing force, u^2 + v^2
-  T dynamic2, upright2;  // |f - f at rest|^2, the squared velocity along Y
-  T power;               // its integral, with the change of `stored`, is the work of the drive
-  T stored;              // read only at the ends of steps
-  T speed;               // psi', likewise
-};
-
-// Without weight on supports alike in X and Y. The slope needs no derivative of the state: the frame's rotation drops
-// out.
-template <class T>
-HWY_INLINE Sample<T> sample_of(const Vector2<T>& force, const T* z) {
-  using namespace model::index;
-  const T force2 = force.x * force.x + force.y * force.y, velocity2 = z[u] * z[u] + z[v] * z[v];
-  return {z[x] * z[x] + z[y] * z[y],
-          T(2.0) * (z[x] * z[u] + z[y] * z[v]),
-          force2,
-          velocity2,
-          force2,
-          T(0.5) * velocity2,
-          T(0.0),
-          T(0.0),
-          T(0.0)};
-}
-
-// `up`: the direction of Y, along which the rotor rests at `rest` under its weight, with the force `at_rest`.
-template <class T>
-HWY_INLINE Sample<T> sample_of(const Vector2<T>& up, const T& rest, const Vector2<T>& at_rest, const Vector2<T>& force,
-                               const T* z) {
-  using namespace model::index;
-  const T rx = z[x] - rest * up.x, ry = z[y] - rest * up.y;
-  const T fx = force.x - at_rest.x, fy = force.y - at_rest.y;
-  const T upright = z[u] * up.x + z[v] * up.y;
-  return {rx * rx + ry * ry,
-          T(2.0) * (rx * z[u] + ry * z[v]),
-          force.x * force.x + force.y * force.y,
-          z[u] * z[u] + z[v] * z[v],
-          fx * fx + fy * fy,
-          upright * upright,
-          T(0.0),
-          T(0.0),
-          T(0.0)};
-}
 
 template <class T>
 struct Limits {

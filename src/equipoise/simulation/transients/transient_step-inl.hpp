@@ -1,5 +1,5 @@
-// Peaks, integrals and times above a limit within one step, for SIMD lanes and for double. Included once per CPU
-// target.
+// Samples of a motion; peaks, integrals and times above a limit within one step, for SIMD lanes and for double.
+// Included once per CPU target.
 //
 // r^2 is known with its slope at the step's ends and at two places between: a cubic on each of three pieces. The
 // squares of force and velocity are known at the same four places: one cubic over the step.
@@ -11,6 +11,7 @@
 #endif
 
 #include "equipoise/core/base/pack-inl.hpp"
+#include "equipoise/machine/model/equations-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace equipoise {
@@ -24,10 +25,68 @@ HWY_INLINE bool any_of(bool m) { return m; }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE bool both(bool a, bool b) { return a && b; }
 
+template <class T>
+inline constexpr int lane_count = 1;
+template <>
+inline constexpr int lane_count<Pack> = static_cast<int>(pack_lanes);
+
+using HWY_NAMESPACE::element;  // of packs
+HWY_INLINE double& element(double& a, int) { return a; }
+HWY_INLINE double element(const double& a, int) { return a; }
+HWY_INLINE unsigned bits_of(Mask m) { return lane_bits(m); }
+HWY_INLINE unsigned bits_of(bool m) { return m ? 1u : 0u; }
+
 // Where samples lie in a step from 0 to 1: stages of DOP853 sit at the inner two
 // (simulation/batch/batch_watch-inl.hpp).
 inline constexpr double node1 = 1.0 / 3, node2 = 0.6;
 inline constexpr double piece_length[3] = {node1, node2 - node1, 1.0 - node2};
+
+// The motion at one time. Frame invariant: rotating and fixed components give the same.
+template <class T>
+struct Sample {
+  T r2, slope;           // squared distance of O from its place of rest under weight, and its derivative
+  T force2, velocity2;   // |f|^2 of the bearing force, u^2 + v^2
+  T dynamic2, upright2;  // |f - f at rest|^2, the squared velocity along Y
+  T power;               // its integral, with the change of `stored`, is the work of the drive
+  T stored;              // read only at the ends of steps
+  T speed;               // psi', likewise
+};
+
+// Without weight on supports alike in X and Y. The slope needs no derivative of the state: the frame's rotation drops
+// out.
+template <class T>
+HWY_INLINE Sample<T> sample_of(const Vector2<T>& force, const T* z) {
+  using namespace model::index;
+  const T force2 = force.x * force.x + force.y * force.y, velocity2 = z[u] * z[u] + z[v] * z[v];
+  return {z[x] * z[x] + z[y] * z[y],
+          T(2.0) * (z[x] * z[u] + z[y] * z[v]),
+          force2,
+          velocity2,
+          force2,
+          T(0.5) * velocity2,
+          T(0.0),
+          T(0.0),
+          T(0.0)};
+}
+
+// `up`: the direction of Y, along which the rotor rests at `rest` under its weight, with the force `at_rest`.
+template <class T>
+HWY_INLINE Sample<T> sample_of(const Vector2<T>& up, const T& rest, const Vector2<T>& at_rest, const Vector2<T>& force,
+                               const T* z) {
+  using namespace model::index;
+  const T rx = z[x] - rest * up.x, ry = z[y] - rest * up.y;
+  const T fx = force.x - at_rest.x, fy = force.y - at_rest.y;
+  const T upright = z[u] * up.x + z[v] * up.y;
+  return {rx * rx + ry * ry,
+          T(2.0) * (rx * z[u] + ry * z[v]),
+          force.x * force.x + force.y * force.y,
+          z[u] * z[u] + z[v] * z[v],
+          fx * fx + fy * fy,
+          upright * upright,
+          T(0.0),
+          T(0.0),
+          T(0.0)};
+}
 
 // At the step's beginning, at node1, at node2 and at its end.
 template <class T>
