@@ -142,14 +142,7 @@ class EventJourney final : public Journey {
     for (const auto& value : at->eigenvalues)
       if (value.real() < -zero_eigenvalue) rate = std::max(rate, value.real());
     if (!approaches(rate, 0.0, distance)) return std::nullopt;
-    Motion motion;
-    motion.kind = MotionKind::equilibrium;
-    motion.state = system_.with_angles_reduced(at->state);
-    motion.spectrum = at->eigenvalues;
-    for (const auto& value : motion.spectrum) motion.exponents.push_back(value.real());
-    motion.residual = at->residual;
-    describe_rest(system_, motion);
-    motion.r_min = motion.r_mean = motion.r_max = r_at_rest(system_, motion.state);
+    Motion motion = motion_at_rest(system_, *at);
     motion.stable = motion.eventful = true;
     motion.mode = mode_at(system_, motion.state);
     return motion;

@@ -190,7 +190,7 @@ model::System system_of(const model::Parameters& p, const Motion& motion) {
   return motion.motor ? model::System(p, motion.motor->drive) : model::System(p, motion.speed);
 }
 
-Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium) {
+Motion motion_at_rest(const model::System& system, const Equilibrium& equilibrium) {
   Motion motion;
   motion.kind = MotionKind::equilibrium;
   motion.state = system.with_angles_reduced(equilibrium.state);
@@ -199,6 +199,11 @@ Motion describe_equilibrium(const model::System& system, const Equilibrium& equi
   for (const std::complex<double>& value : equilibrium.eigenvalues) motion.exponents.push_back(value.real());
   motion.residual = equilibrium.residual;
   motion.r_min = motion.r_mean = motion.r_max = r_at_rest(system, motion.state);
+  return motion;
+}
+
+Motion describe_equilibrium(const model::System& system, const Equilibrium& equilibrium) {
+  Motion motion = motion_at_rest(system, equilibrium);
   motion.stable = attracts(motion.spectrum, is_balanced(system, motion) ? model::balanced_freedom(system)
                                                                         : free_angles(system, motion.state));
   motion.copies = count_copies(system, motion);

@@ -22,6 +22,9 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
 /// For a motion at rest in the rotating frame at motion.state: the drive, and the angles between balls.
 void describe_rest(const model::System& system, Motion& motion);
 
+/// A motion at rest, but for what of it is stable or a copy.
+Motion motion_at_rest(const model::System& system, const Equilibrium& equilibrium);
+
 /// r of a system at rest at `state`, from its sag under gravity.
 double r_at_rest(const model::System& system, const Eigen::VectorXd& state);
 

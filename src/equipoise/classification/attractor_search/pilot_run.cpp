@@ -179,7 +179,6 @@ Eigen::Map<const Eigen::VectorXd> PilotRun::state(std::size_t i) const {
 }
 
 Eigen::VectorXd PilotRun::state_on_section(std::size_t i) const {
-  if (system_.section() != model::Section::stroboscopic) return state(i);
   const model::Segment& segment = rotors_.empty() ? task_.segment : rotors_[i].segment;
   return at_next_section(system(i), state(i), segment.psi_at(fates_[i].time)).value_or(state(i));
 }

@@ -218,8 +218,7 @@ Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWe
   return modal_form(modes, weights_from(weights, modes));
 }
 
-Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
-    const BalancedRegion& region) {
+FactorView factor_of(const BalancedRegion& region) {
   const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(region.factor.size()))));
   return {region.factor.data(), size, size};
 }

@@ -26,8 +26,8 @@ BalancedRegion exchanged(const BalancedRegion& region);
 Eigen::MatrixXd weighted_form(const Eigen::MatrixXd& a, const std::vector<ModeWeight>& weights);
 
 /// F and P = F^T F of the region's Lyapunov function V = |F d|^2 = d^T P d. F is a view into the region.
-Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor_of(
-    const BalancedRegion& region);
+using FactorView = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+FactorView factor_of(const BalancedRegion& region);
 Eigen::MatrixXd form_of(const BalancedRegion& region);
 
 /// Sets the level, and the reach with it.

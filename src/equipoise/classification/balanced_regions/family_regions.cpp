@@ -83,8 +83,7 @@ FamilyRegions::FamilyRegions(std::vector<BalancedRegion>& regions, std::span<con
     OwnRotor placed = rotor;
     place(regions, placed);
     for (std::size_t k = 0; k < regions.size(); ++k) {
-      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> f(
-          &placed.factors[k * static_cast<std::size_t>(size_ * size_)], size_, size_);
+      const FactorView f(&placed.factors[k * static_cast<std::size_t>(size_ * size_)], size_, size_);
       const Eigen::MatrixXd inverse = dense::inverse(Eigen::MatrixXd(f.transpose() * f));
       for (Eigen::Index i = 0; i < size_; ++i)
         regions[k].reach[static_cast<std::size_t>(i)] =
@@ -194,8 +193,7 @@ Eigen::VectorXd state_on_level(const OwnRotor& rotor, std::size_t number, double
                                const Eigen::VectorXd& direction) {
   const Eigen::Index size = direction.size();
   const auto at = number * static_cast<std::size_t>(size);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> factor(
-      &rotor.factors[at * static_cast<std::size_t>(size)], size, size);
+  const FactorView factor(&rotor.factors[at * static_cast<std::size_t>(size)], size, size);
   const Eigen::Map<const Eigen::VectorXd> place(&rotor.places[at], size);
   return place + std::sqrt(level) * factor.triangularView<Eigen::Upper>().solve(direction);
 }

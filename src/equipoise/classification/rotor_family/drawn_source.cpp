@@ -45,35 +45,33 @@ std::vector<OwnRotor> DrawnSource::ends() const {
   return rotors;
 }
 
-bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                       TransientTable* transients) const {
+template <class StartOf>
+bool DrawnSource::set_off(std::size_t first, std::size_t count, const StartOf& start_at, SpunUp& starts,
+                          TransientTable* transients) const {
   std::vector<std::vector<double>> places;
   std::vector<OwnRotorStart> own;
-  for (std::size_t i = 0; i < count; ++i) {
-    auto [coordinates, study] = drawn(first + i);
-    const InitialState start = parted(study.parameters, start_of(study, seed, first + i));
+  for (std::size_t k = 0; k < count; ++k) {
+    auto [coordinates, study] = drawn(first + k);
+    const InitialState start = start_at(study, k);
     own.push_back({std::move(study), start});
     places.push_back(std::move(coordinates));
   }
-  return set_off(own, std::move(places), starts, transients);
+  if (!spin_up_own_rotors(own, stop_, starts, transients)) return false;
+  for (std::size_t k = 0; k < count; ++k) starts.rotors[k].coordinates = std::move(places[k]);
+  return true;
+}
+
+bool DrawnSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+                       TransientTable* transients) const {
+  const auto start = [&](const Study& study, std::size_t k) {
+    return parted(study.parameters, start_of(study, seed, first + k));
+  };
+  return set_off(first, count, start, starts, transients);
 }
 
 bool DrawnSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
-  std::vector<std::vector<double>> places;
-  std::vector<OwnRotorStart> own;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    auto [coordinates, study] = drawn(i);
-    own.push_back({std::move(study), given[i]});
-    places.push_back(std::move(coordinates));
-  }
-  return set_off(own, std::move(places), starts, transients);
-}
-
-bool DrawnSource::set_off(const std::vector<OwnRotorStart>& own, std::vector<std::vector<double>> places,
-                          SpunUp& starts, TransientTable* transients) const {
-  if (!spin_up_own_rotors(own, stop_, starts, transients)) return false;
-  for (std::size_t i = 0; i < own.size(); ++i) starts.rotors[i].coordinates = std::move(places[i]);
-  return true;
+  return set_off(
+      0, given.size(), [&](const Study&, std::size_t k) { return given[k]; }, starts, transients);
 }
 
 }  // namespace equipoise

@@ -34,8 +34,9 @@ class DrawnSource final : public SpinUp {
 
  private:
   StudyFamily::Placed drawn(std::uint64_t index) const;
-  // `places`: coordinates of each start's rotor.
-  bool set_off(const std::vector<OwnRotorStart>& own, std::vector<std::vector<double>> places, SpunUp& starts,
+  // With the rotors of draws `first` on; start_at(study, k) is start k.
+  template <class StartOf>
+  bool set_off(std::size_t first, std::size_t count, const StartOf& start_at, SpunUp& starts,
                TransientTable* transients) const;
 
   const StudyFamily& family_;

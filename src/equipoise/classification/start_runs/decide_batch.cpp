@@ -241,12 +241,9 @@ UnlistedStart StartRunner::met_again(const Batch& batch, std::size_t i, const Fa
 std::vector<double> StartRunner::when_recognised(const Batch& batch, std::size_t i, double now) const {
   const model::System& system = batch.system(i);
   const Eigen::Map<const Eigen::VectorXd> z(batch.state(i), system.dimension());
-  std::vector<double> result(z.begin(), z.end());
-  if (system.section() != model::Section::stroboscopic) return result;
   const model::Segment segment = family_ ? batch.starts.rotors[i].segment : source_->last_task().segment;
-  const auto on_section = at_next_section(system, z, segment.psi_at(now));
-  if (on_section) result.assign(on_section->begin(), on_section->end());
-  return result;
+  const Eigen::VectorXd there = at_next_section(system, z, segment.psi_at(now)).value_or(z);
+  return {there.begin(), there.end()};
 }
 
 }  // namespace equipoise

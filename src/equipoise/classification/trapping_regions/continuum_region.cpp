@@ -123,7 +123,7 @@ Eigen::VectorXd moved_to(const model::System& other, const model::System& system
 }
 
 // Whether all states tried at `factor` times the members' units of V come near the continuum.
-bool all_approach(const ContinuumRegion& region, const Members& members, DirectionTable& directions,
+bool all_approach(const ContinuumRegion& region, const Members& members, Directions& directions,
                   const TrialSettings& settings, double factor, const TryRange& tries) {
   const std::size_t count = members.all.size();
   Trials trials;
@@ -178,7 +178,7 @@ std::optional<ContinuumRegion> continuum_region(const std::shared_ptr<const Cont
   // With anisotropic supports or gravity every test takes a flight of its own.
   TrialCounts counts{.few = 128, .all = 1024, .low_may_fail = true};
   if (!settings.system->autonomous()) counts.few /= 4, counts.all /= 4;
-  DirectionTable directions(continuum->directions());
+  Directions directions(continuum->directions());
   const double factor = highest_good_level({0.5 / members.unit}, counts, [&](double level, const TryRange& tries) {
     return all_approach(region, members, directions, settings, level, tries);
   });

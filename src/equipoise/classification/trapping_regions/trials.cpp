@@ -103,14 +103,12 @@ std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& set
       });
 }
 
-const Eigen::VectorXd& Directions::next() {
-  for (double& x : v_) x = random_.normal();
-  v_.normalize();
-  return v_;
-}
-
-const Eigen::VectorXd& DirectionTable::operator[](std::size_t number) {
-  while (made_.size() <= number) made_.push_back(directions_.next());
+const Eigen::VectorXd& Directions::operator[](std::size_t number) {
+  while (made_.size() <= number) {
+    made_.emplace_back(size_);
+    for (double& x : made_.back()) x = random_.normal();
+    made_.back().normalize();
+  }
   return made_[number];
 }
 

@@ -70,26 +70,18 @@ bool all_attracted(Trials trials, const TrialSettings& settings);
 /// Which states come to this attractor; incomplete if stopped.
 std::vector<char> come_to(int attractor, Trials trials, const TrialSettings& settings);
 
-/// Unit vectors, the same for every study.
+/// Unit vectors, the same for every study, by number or one after the other.
 class Directions {
  public:
-  explicit Directions(Eigen::Index size) : v_(size) {}
-  const Eigen::VectorXd& next();
-
- private:
-  RandomStream random_;
-  Eigen::VectorXd v_;
-};
-
-/// The same by number, for repeated use.
-class DirectionTable {
- public:
-  explicit DirectionTable(Eigen::Index size) : directions_(size) {}
+  explicit Directions(Eigen::Index size) : size_(size) {}
   const Eigen::VectorXd& operator[](std::size_t number);
+  const Eigen::VectorXd& next() { return (*this)[next_++]; }
 
  private:
-  Directions directions_;
+  Eigen::Index size_;
+  RandomStream random_;
   std::deque<Eigen::VectorXd> made_;
+  std::size_t next_ = 0;
 };
 
 /// Levels from `highest` down over this many halvings, in eighths of one. The steps are small, so a trial that rounding

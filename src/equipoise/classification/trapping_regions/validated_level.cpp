@@ -45,7 +45,7 @@ ClassificationRule rule_of(const std::vector<BalancedRegion>& balanced, const mo
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
 // Whether all states tried on the level enter one of the `balanced` regions.
-bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>& balanced, DirectionTable& directions,
+bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>& balanced, Directions& directions,
                  const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
   const model::System& system = *settings.system;
   std::vector<double> states;
@@ -74,7 +74,7 @@ int row_of(const OrbitRegion& region, std::size_t i) {
 }
 
 // Whether all states tried on the level come to the motion.
-bool all_approach(const OrbitRegion& region, DirectionTable& random, const TrialSettings& settings, double slowest_rate,
+bool all_approach(const OrbitRegion& region, Directions& random, const TrialSettings& settings, double slowest_rate,
                   double floor, double level, const TryRange& tries) {
   if (floor > std::min(come_inside * level, largest_floor)) return false;
   const model::System& system = *settings.system;
@@ -136,7 +136,7 @@ bool validate(std::vector<OrbitRegion>& regions, const TrialSettings& settings, 
   const OrbitRegion& one = regions.front();
   if (!(slowest_rate < -(one.attractor == balanced_id ? slowest_balance : slowest_worth_it))) return false;
   const double highest = one.clock == OrbitRegion::rotor ? highest_by_rotor : highest_by_ball;
-  DirectionTable random(directions(one));
+  Directions random(directions(one));
   const auto good = [&](double tried, const TryRange& tries) {
     return all_approach(one, random, settings, slowest_rate, floor, tried, tries);
   };
@@ -155,7 +155,7 @@ void widen(BalancedRegion& region, const std::vector<BalancedRegion>& balanced, 
   int halvings = 0;
   while (std::ldexp(factor, -halvings) > 0.5) ++halvings;
   const LevelLadder ladder{2.0 * factor * region.level, halvings};
-  DirectionTable directions(settings.system->dimension());
+  Directions directions(settings.system->dimension());
   const auto good = [&](double tried, const TryRange& tries) {
     return all_balance(region, balanced, directions, settings, slowest_rate, tried, tries);
   };

@@ -54,7 +54,7 @@ void WindowRegion::widen(WindowRegions& bounds) const {
 
 namespace {
 
-bool all_approach(const std::shared_ptr<WindowRegion>& region, DirectionTable& directions, const WindowTries& how,
+bool all_approach(const std::shared_ptr<WindowRegion>& region, Directions& directions, const WindowTries& how,
                   const TrialSettings& settings, double level, const TryRange& tries) {
   Trials trials;
   for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
@@ -81,7 +81,7 @@ bool all_approach(const std::shared_ptr<WindowRegion>& region, DirectionTable& d
 
 bool validate(const std::shared_ptr<WindowRegion>& region, const WindowTries& how, const TrialSettings& settings,
               double near) {
-  DirectionTable directions(settings.system->dimension());
+  Directions directions(settings.system->dimension());
   const auto good = [&](double tried, const TryRange& tries) {
     return all_approach(region, directions, how, settings, tried, tries);
   };
