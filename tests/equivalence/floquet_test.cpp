@@ -47,7 +47,7 @@ class Orbits : public testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
     const Case& c = GetParam();
-    const auto found = equipoise::refine_orbit({p, c.speed}, settled(c.speed, c.phi1, c.phi2, c.settling), c.period);
+    const auto found = equipoise::refine_orbit({p, c.speed}, {settled(c.speed, c.phi1, c.phi2, c.settling)}, c.period);
     ASSERT_TRUE(found);
     orbit = *found;
   }

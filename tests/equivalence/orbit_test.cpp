@@ -51,7 +51,7 @@ double turn_time(const model::Parameters& p, double speed, VectorXd z, int ball)
 Found coincident(double speed) {
   const model::Parameters p = rotor();
   const VectorXd z = settled(p, speed, {1.0, 1.0}, 400.0);
-  return refine_orbit({p, speed}, z, turn_time(p, speed, z, 0));
+  return refine_orbit({p, speed}, {z}, turn_time(p, speed, z, 0));
 }
 
 // One ball captured, the other lagging, at W = 3.4: where this start ends.
@@ -59,7 +59,7 @@ constexpr double captured_speed = 3.4;
 Found captured() {
   const model::Parameters p = rotor();
   const VectorXd z = settled(p, captured_speed, {2.049, 1.781}, 1500.0);
-  return refine_orbit({p, captured_speed}, z, turn_time(p, captured_speed, z, 1));
+  return refine_orbit({p, captured_speed}, {z}, turn_time(p, captured_speed, z, 1));
 }
 
 // The same orbit at another speed, each from the one before. Empty once one is not found.
@@ -143,7 +143,7 @@ TEST(CoincidentOrbit, IsOneForEveryNumberOfBalls) {
     std::array<double, model::max_balls> phi;
     phi.fill(1.0);
     const VectorXd z = settled(p, speed, phi, 300.0);
-    const Found orbit = refine_orbit({p, speed}, z, turn_time(p, speed, z, 0));
+    const Found orbit = refine_orbit({p, speed}, {z}, turn_time(p, speed, z, 0));
     ASSERT_TRUE(orbit) << n;
     EXPECT_NEAR(orbit->period, two->period, 1e-10);  // steps of 1e-12 over a period
     for (int k = 1; k <= 2 * (n - 1); ++k) EXPECT_NEAR(std::abs(orbit->multipliers[k]), .90532, 1e-5);
@@ -196,7 +196,7 @@ TEST(CapturedOrbit, HasAnExchangeCopy) {
     std::swap(z[4], z[5]);
     std::swap(z[6], z[7]);
   }
-  const Found copy = refine_orbit({p, captured_speed}, exchanged, orbit->period);
+  const Found copy = refine_orbit({p, captured_speed}, {exchanged}, orbit->period);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->winding[0], -1);
   EXPECT_EQ(copy->winding[1], 0);
@@ -235,7 +235,7 @@ TEST(PeriodFourOrbit, IsWhereThreeRecordedStartsEnd) {
     // The slowest rate is -0.00061: after 6000 units the remainder of a deviation of 1 is small enough for a good
     // guess.
     const VectorXd z = settled(p, 4.4, {phi[0], phi[1]}, 6000.0);
-    const Found orbit = refine_orbit({p, 4.4}, z, 16.25);
+    const Found orbit = refine_orbit({p, 4.4}, {z}, 16.25);
     ASSERT_TRUE(orbit);
     EXPECT_NEAR(orbit->period, 16.2484, last_place * 1e-4);
     EXPECT_EQ(std::min(orbit->winding[0], orbit->winding[1]), -4);
@@ -261,7 +261,7 @@ TEST(PeriodFourOrbit, IsWhereThreeRecordedStartsEnd) {
 
 TEST(PeriodFourOrbit, EndsInASaddleNodeBelowAndAPeriodDoublingAbove) {
   const model::Parameters p = rotor();
-  const Found orbit = refine_orbit({p, 4.4}, settled(p, 4.4, {1.17174, 1.00534}, 6000.0), 16.25);
+  const Found orbit = refine_orbit({p, 4.4}, {settled(p, 4.4, {1.17174, 1.00534}, 6000.0)}, 16.25);
   ASSERT_TRUE(orbit);
   EXPECT_TRUE(continued(orbit, 4.4, 4.285, 0.005));
   EXPECT_FALSE(continued(orbit, 4.4, 4.284, 0.005));
@@ -282,7 +282,7 @@ TEST(PeriodFourOrbit, EndsInASaddleNodeBelowAndAPeriodDoublingAbove) {
   ASSERT_TRUE(single);
   VectorXd beside = single->nodes[0];
   beside[model::index::q(0, 2)] += 1e-3;
-  const Found doubled = refine_orbit({p, 4.41}, *advance_state({p, 4.41}, beside, 4000.0), 2.0 * single->period);
+  const Found doubled = refine_orbit({p, 4.41}, {*advance_state({p, 4.41}, beside, 4000.0)}, 2.0 * single->period);
   ASSERT_TRUE(doubled);
   EXPECT_GT(doubled->period, 1.9 * single->period);
   EXPECT_EQ(doubled->winding[0] + doubled->winding[1], -8);
@@ -294,7 +294,7 @@ TEST(RefineOrbit, ReturnsTheSmallestPeriod) {
   const Found once = captured();
   ASSERT_TRUE(once);
   for (int k : {2, 3, 8, 16}) {
-    const Found orbit = refine_orbit({p, captured_speed}, once->nodes[0], k * once->period * 1.0001);
+    const Found orbit = refine_orbit({p, captured_speed}, {once->nodes[0]}, k * once->period * 1.0001);
     ASSERT_TRUE(orbit) << k;
     EXPECT_NEAR(orbit->period, once->period, 1e-10);  // both to steps of 1e-12
     EXPECT_EQ(orbit->winding[1], -1);
@@ -305,10 +305,10 @@ TEST(RefineOrbit, RejectsEquilibria) {
   const model::Parameters p = rotor();
   const auto angles = model::balanced_states(p).angles[0];
   VectorXd z = model::centred_state(p, angles.data());
-  EXPECT_FALSE(refine_orbit({p, 2.4}, z, 5.0));
+  EXPECT_FALSE(refine_orbit({p, 2.4}, {z}, 5.0));
   z[0] += 1e-3;
   z[5] += 1e-2;
-  EXPECT_FALSE(refine_orbit({p, 2.4}, z, 5.0));
+  EXPECT_FALSE(refine_orbit({p, 2.4}, {z}, 5.0));
 }
 
 // Real part of the leading eigenvalue; unit/linearisation_test.cpp has the table of all.

@@ -331,10 +331,6 @@ std::optional<PeriodicOrbit> continue_orbit(const model::System& system, const P
   return orbit && orbit->winding == neighbour.winding ? orbit : std::nullopt;
 }
 
-std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const VectorXd& state, double period) {
-  return refine_orbit(system, std::vector<VectorXd>{state}, period);
-}
-
 std::optional<PeriodicOrbit> find_orbit(const model::System& system, const VectorXd& state, double period, double reach,
                                         const StopFlag* stop) {
   OrbitProblem problem(system, 1, searching.tolerance, stop);

@@ -41,8 +41,6 @@ std::optional<PeriodicOrbit> refine_imposed_orbit(const model::System& system,
                                                   const std::vector<Eigen::VectorXd>& guess, double section_period,
                                                   double reach = std::numeric_limits<double>::infinity(),
                                                   const StopFlag* stop = nullptr);
-/// The same from one state near the orbit and the time after which it returns.
-std::optional<PeriodicOrbit> refine_orbit(const model::System& system, const Eigen::VectorXd& state, double period);
 /// The orbit that a neighbouring system's becomes, by a few steps of the same method. Also empty if its winding
 /// differs. If there is no orbit, cheaper than refine_orbit().
 std::optional<PeriodicOrbit> continue_orbit(const model::System& system, const PeriodicOrbit& neighbour, double reach,

@@ -82,11 +82,6 @@ class ModeCoordinates {
   std::vector<model::System::Angle> angles_;
 };
 
-// Steps for which differences of fourth order err by less than rounding.
-VectorXd difference_steps(const model::System& system, const ModeCoordinates& coordinates, double share) {
-  return coordinates.reduced(system.scale()) * share;
-}
-
 // Central differences of fourth order of a smooth function.
 template <class Function>
 MatrixXd derivative_of(const Function& f, const VectorXd& r, const VectorXd& steps) {
@@ -291,8 +286,8 @@ std::optional<Equilibrium> refine_mode_equilibrium(const model::System& system, 
     equations(0.0, y.data(), dy.data());
     return coordinates.reduced(dy);
   };
-  constexpr double share = 1e-3;  // its fourth power is rounding
-  const VectorXd steps = difference_steps(system, coordinates, share);
+  // Steps for which differences of fourth order err by less than rounding.
+  const VectorXd steps = coordinates.reduced(system.scale()) * 1e-3;
   VectorXd r = coordinates.reduced(snapped);
   double last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < most_iterations; ++k) {
