@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "equipoise/classification/rotor_family/study_family.hpp"
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise::audit {

@@ -13,7 +13,7 @@
 #include "equipoise/analyses/ensembles/basin_header.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/classification/attractor_search/attractor_search.hpp"
-#include "equipoise/classification/attractor_search/cost.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/undecided.hpp"
 #include "equipoise/report/explain/explain.hpp"

@@ -14,7 +14,7 @@
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 
 #include "lane_studies.hpp"
 #include "../support/sizes.hpp"

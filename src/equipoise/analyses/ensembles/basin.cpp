@@ -26,7 +26,6 @@
 #include "equipoise/analyses/ensembles/write_basin.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/given_starts.hpp"
 #include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
 #include "equipoise/core/running/cpu_time.hpp"

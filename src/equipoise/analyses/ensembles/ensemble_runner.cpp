@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/classification/rotor_family/horizon.hpp"
-#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/simulation/words/runs.hpp"

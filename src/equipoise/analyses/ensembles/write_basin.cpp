@@ -10,7 +10,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/ensembles/basin_header.hpp"
-#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/results/result_files/basin_netcdf.hpp"

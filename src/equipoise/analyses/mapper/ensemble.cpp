@@ -11,7 +11,6 @@
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/attractors/periodic_orbits/return_map.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/given_starts.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

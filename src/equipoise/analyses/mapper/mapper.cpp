@@ -12,7 +12,6 @@
 #include "equipoise/analyses/ensembles/ensemble_runner.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
-#include "equipoise/classification/start_runs/given_starts.hpp"
 #include "equipoise/classification/start_runs/start_runner.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/parallel.hpp"

@@ -7,7 +7,7 @@
 #include "equipoise/attractors/motions/approach.hpp"
 #include "equipoise/attractors/periodic_orbits/stroboscopic_section.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
-#include "equipoise/classification/attractor_search/cost.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/fan.hpp"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "equipoise/classification/rotor_family/study_family.hpp"
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 
 namespace equipoise {
@@ -17,7 +16,6 @@ class DrawnSource final : public SpinUp {
   /// `family` and `box` must outlive this. Studies are taken at_final_speed().
   DrawnSource(const StudyFamily& family, const FamilyBox& box, const StopFlag* stop);
 
-  void watch(const TransientSettings&) override {}
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
   /// Given start k has the rotor of draw k.

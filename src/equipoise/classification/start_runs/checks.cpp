@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/attractor_search/cost.hpp"
 #include "equipoise/classification/rotor_family/study_family.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/model/system.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/transients/clamped_transients.hpp"
 #include "equipoise/simulation/words/runs.hpp"
 
@@ -141,9 +141,10 @@ void check_decidable(const Study& study) {
   check_has_balls(study);
   check_cost(study);
   const double speed = study.speed_profile().final_speed();
-  if (std::fabs(speed) > fastest_speed)
+  // No machine is faster, and the integrator's steps shrink with the speed.
+  if (std::fabs(speed) > runaway_speed)
     throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
-                     fmt::format(words::runs::final_speed_range, fastest_speed));
+                     fmt::format(words::runs::final_speed_range, runaway_speed));
   check_proof(study);
   reject_if_lacking(study, model::ResultKind::shares);
   check_tilting(study);

@@ -1,5 +1,5 @@
 // Checks the caller's starts before any is followed.
-#include "equipoise/classification/start_runs/given_starts.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 
 #include <cmath>
 

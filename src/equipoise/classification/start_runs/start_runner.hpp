@@ -20,7 +20,6 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -81,7 +80,7 @@ class StartRunner {
 
   /// Decides starts first .. first + count - 1. Thread-safe, like every const member. False if stopped early.
   bool run(std::uint64_t first, std::size_t count, Decided& decided) const;
-  /// The same for given starts (classification/start_runs/given_starts.hpp), unless the study has uncertain values.
+  /// The same for given starts (check_given_starts()), unless the study has uncertain values.
   bool run_from(std::span<const InitialState> given, Decided& decided) const;
   /// The identifier of the motion that an unlisted start came to, listed if need be; 0 if it is not stable. Not
   /// thread-safe: call it in the order of starts, so that identifiers do not depend on threads.

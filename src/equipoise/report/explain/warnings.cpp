@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/classification/attractor_search/cost.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/classification/rotor_family/horizon.hpp"
 #include "equipoise/classification/start_runs/undecided.hpp"
 #include "equipoise/core/base/angles.hpp"

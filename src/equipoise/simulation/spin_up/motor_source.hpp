@@ -8,7 +8,6 @@
 #include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
 #include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
@@ -20,7 +19,6 @@ class MotorSource final : public SpinUp {
   /// The study must have its horizon; balls still clamped at the horizon are not followed further.
   MotorSource(const Study& study, const StopFlag* stop);
 
-  void watch(const TransientSettings&) override {}
   bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;

@@ -1,5 +1,5 @@
 // Takes starts in groups whose drives have the same pieces, piece by piece on lanes.
-#include "equipoise/simulation/spin_up/own_rotor_starts.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 
 #include <algorithm>
 #include <map>

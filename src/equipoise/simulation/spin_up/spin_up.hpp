@@ -41,12 +41,13 @@ class SpinUp {
   virtual ~SpinUp() = default;
 
   /// Prepares make() for tables with these settings.
-  virtual void watch(const TransientSettings& settings) = 0;
+  virtual void watch(const TransientSettings& /*settings*/) {}
   /// Makes starts first .. first + count - 1 of `seed`. False if stopped early. `transients`, with the settings of
   /// watch(), receives a row for each start, up to the time of its state.
   virtual bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
                     TransientTable* transients = nullptr) const = 0;
-  /// The same for given starts (given_starts.hpp). At a prescribed speed with clamped balls, only their angles count.
+  /// The same for given starts (classification/start_runs/checks.hpp). At a prescribed speed with clamped balls, only
+  /// their angles count.
   virtual bool follow(std::span<const InitialState> given, SpunUp& starts,
                       TransientTable* transients = nullptr) const = 0;
   /// The task over the last piece of the drive, without trajectories, end and observers.
@@ -58,5 +59,16 @@ class SpinUp {
 
 /// For any system. The study must have its horizon.
 std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop);
+
+/// A start and its study, without uncertain values and with its horizon.
+struct OwnRotorStart {
+  Study study;
+  InitialState start;
+};
+
+/// As SpinUp::follow(), each start in the units of its own study; fills SpunUp::rotors. The last systems must fit
+/// together (simulation/batch/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
+bool spin_up_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                        TransientTable* transients = nullptr);
 
 }  // namespace equipoise

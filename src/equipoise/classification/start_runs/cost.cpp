@@ -1,5 +1,5 @@
 // Steps that an explicit method needs to be stable, times how long slow balls take.
-#include "equipoise/classification/attractor_search/cost.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
