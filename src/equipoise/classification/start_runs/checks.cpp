@@ -119,15 +119,7 @@ void check_tilting(const Study& study) {
     refuse("speed.torque", "0 in the end", words::runs::tilting_rotor_coasts);
 }
 
-}  // namespace
-
-void reject_if_lacking(const Study& study, model::ResultKind answer) {
-  const auto lack = model::lacking(study.system(), answer);
-  if (!lack) return;
-  const auto [key, value] = blamed(study, lack->need);
-  throw InputError(study.name, key, value, lack->reason);
-}
-
+// Throws InputError if the spin-up with clamped balls is too long to look for peaks in it.
 void check_watchable(const Study& study) {
   const double release = study.release_time();
   const double points = clamped_grid_points(study.parameters, model::segments(study.speed_profile(), release));
@@ -145,15 +137,21 @@ void check_decidable(const Study& study) {
   if (std::fabs(speed) > runaway_speed)
     throw InputError(study.name, final_speed_key(study), fmt::format("{:.6g}", speed),
                      fmt::format(words::runs::final_speed_range, runaway_speed));
-  check_proof(study);
+  if (study.numerics.decide == ClassificationMode::proof)
+    if (const auto lack = model::lacking(study.system(), model::ResultKind::proofs))
+      throw InputError(study.name, "numerics.decide", "proof",
+                       fmt::format(words::runs::no_proof_decides, lack->reason));
   reject_if_lacking(study, model::ResultKind::shares);
   check_tilting(study);
 }
 
-void check_proof(const Study& study) {
-  if (study.numerics.decide != ClassificationMode::proof) return;
-  if (const auto lack = model::lacking(study.system(), model::ResultKind::proofs))
-    throw InputError(study.name, "numerics.decide", "proof", fmt::format(words::runs::no_proof_decides, lack->reason));
+}  // namespace
+
+void reject_if_lacking(const Study& study, model::ResultKind answer) {
+  const auto lack = model::lacking(study.system(), answer);
+  if (!lack) return;
+  const auto [key, value] = blamed(study, lack->need);
+  throw InputError(study.name, key, value, lack->reason);
 }
 
 void check_has_balls(const Study& study) {
