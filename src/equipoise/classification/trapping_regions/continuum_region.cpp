@@ -126,26 +126,22 @@ Eigen::VectorXd moved_to(const model::System& other, const model::System& system
 bool all_approach(const ContinuumRegion& region, const Members& members, Directions& directions,
                   const TrialSettings& settings, double factor, const TryRange& tries) {
   const std::size_t count = members.all.size();
-  Trials trials;
-  trials.first = tries.first;
-  const auto member_of = [&](std::size_t i) -> const ContinuumMember& {
-    return members.all[(tries.first + i) * count / tries.of];
-  };
-  for (std::size_t i = 0; i < tries.count; ++i) {
-    const ContinuumMember& m = member_of(i);
-    Eigen::VectorXd z = state_with_room(region, m, factor * m.unit, directions[tries.first + i], *settings.system);
-    if (const OwnRotor* own = settings.rotor(tries.first + i)) z += moved_to(own->system, *settings.system, m);
-    trials.states.insert(trials.states.end(), z.begin(), z.end());
-  }
+  const auto member_of = [&](std::size_t i) -> const ContinuumMember& { return members.all[i * count / tries.of]; };
+  Trials trials = trials_from(
+      tries, directions, settings, [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
+        const ContinuumMember& m = member_of(i);
+        Eigen::VectorXd z = state_with_room(region, m, factor * m.unit, direction, *settings.system);
+        if (own) z += moved_to(own->system, *settings.system, m);
+        return z;
+      });
   ContinuumRegion near = at_factor(region, members, come_near * factor);
   near.slowest_rate *= slower;
-  trials.rule = rule_of_regions(*settings.system);
   // Regions are tested where half windows end. A test costs more than following a state until V has fallen by a factor
   // of e, even at the member that attracts most.
   trials.rule.window = std::max(trials.rule.window, 1.0 / -members.fastest_rate);
   set_regions(trials.rule, *settings.system, {}, near);  // tests depend on the window
   trials.flight = [&](std::size_t first) {
-    const double rate = -member_of(first).rate;  // the slowest of the chunk
+    const double rate = -member_of(tries.first + first).rate;  // the slowest of the chunk
     return Trials::Flight{2.0 * std::log(1.0 / come_near) / (2.0 * rate) + 500.0, 0.0};
   };
   return all_attracted(std::move(trials), settings);

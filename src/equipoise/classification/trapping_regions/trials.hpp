@@ -54,9 +54,14 @@ struct Trials {
   };
   std::vector<double> states;  ///< one after the other
   ClassificationRule rule;
-  std::function<Flight(std::size_t first)> flight;  ///< of the chunk that begins with this state
-  bool alike = false;                               ///< all have the same flight, so chunks may be larger
-  std::size_t first = 0;                            ///< number of the first state's rotor
+  std::function<Flight(std::size_t first)> flight = {};  ///< of the chunk that begins with this state
+  bool alike = false;                                    ///< all have the same flight, so chunks may be larger
+  std::size_t first = 0;                                 ///< number of the first state's rotor
+
+  void all_fly_for(double end) {
+    alike = true;
+    flight = [end](std::size_t) { return Flight{end, 0.0}; };
+  }
 };
 
 /// A rule without windows, in which only trapping regions decide.
@@ -102,6 +107,20 @@ struct TrialCounts {
 struct TryRange {
   std::size_t first, count, of;
 };
+
+/// These trials, each from state(number, direction, its rotor or null), by the rule of rule_of_regions(). They have no
+/// flight yet.
+template <class State>
+Trials trials_from(const TryRange& tries, Directions& directions, const TrialSettings& settings, State&& state) {
+  Trials trials;
+  trials.first = tries.first;
+  trials.rule = rule_of_regions(*settings.system);
+  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
+    const Eigen::VectorXd z = state(i, directions[i], settings.rotor(i));
+    trials.states.insert(trials.states.end(), z.begin(), z.end());
+  }
+  return trials;
+}
 
 /// Half the highest level at which good(level, tries) holds for all trials; 0 if there is none. Trials run in parts,
 /// the first part last. That a pass at one level implies a pass at lower ones is assumed only to choose the next level.

@@ -31,37 +31,22 @@ constexpr double highest_by_ball = 16.0, highest_by_rotor = 4.0;
 // Motions slower than slowest_worth_it are decided by windows. Balance is not, and deserves more patience.
 constexpr double slowest_balance = 2e-4;
 
-Trials follow_for(double end, ClassificationRule rule, std::vector<double> states) {
-  return {std::move(states), std::move(rule), [end](std::size_t) { return Trials::Flight{end, 0.0}; }, true};
-}
-
-ClassificationRule rule_of(const std::vector<BalancedRegion>& balanced, const model::System& system) {
-  ClassificationRule rule = rule_of_regions(system);
-  rule.balanced = balanced;
-  return rule;
-}
-
 // Ten times what the linear flow takes from a level `factor` times the region's own, plus time to come close.
 double patience(double factor, double slowest_rate) { return 10.0 * std::log(factor) / -slowest_rate + 500.0; }
 
 // Whether all states tried on the level enter one of the `balanced` regions.
 bool all_balance(const BalancedRegion& region, const std::vector<BalancedRegion>& balanced, Directions& directions,
                  const TrialSettings& settings, double slowest_rate, double level, const TryRange& tries) {
-  const model::System& system = *settings.system;
-  std::vector<double> states;
   const auto self = static_cast<std::size_t>(
       std::find_if(balanced.begin(), balanced.end(), [&](const BalancedRegion& b) { return b.state == region.state; }) -
       balanced.begin());
-  for (std::size_t i = 0; i < tries.count; ++i) {
-    const OwnRotor* own = settings.rotor(tries.first + i);
-    const Eigen::VectorXd& direction = directions[tries.first + i];
-    const Eigen::VectorXd z =
-        own ? state_on_level(*own, self, level, direction) : state_on_level(system, region, level, direction);
-    states.insert(states.end(), z.begin(), z.end());
-  }
-  const double end = patience(level / region.level, slowest_rate);
-  Trials trials = follow_for(end, rule_of(balanced, system), std::move(states));
-  trials.first = tries.first;
+  Trials trials =
+      trials_from(tries, directions, settings, [&](std::size_t, const Eigen::VectorXd& direction, const OwnRotor* own) {
+        return own ? state_on_level(*own, self, level, direction)
+                   : state_on_level(*settings.system, region, level, direction);
+      });
+  trials.rule.balanced = balanced;
+  trials.all_fly_for(patience(level / region.level, slowest_rate));
   return all_attracted(std::move(trials), settings);
 }
 
@@ -78,21 +63,18 @@ bool all_approach(const OrbitRegion& region, Directions& random, const TrialSett
                   double floor, double level, const TryRange& tries) {
   if (floor > std::min(come_inside * level, largest_floor)) return false;
   const model::System& system = *settings.system;
-  Trials trials;
-  trials.first = tries.first;
-  for (std::size_t i = 0; i < tries.count; ++i) {
-    Eigen::VectorXd z = state_on_level(region, row_of(region, tries.first + i), level, random[tries.first + i]);
-    const OwnRotor* own = settings.rotor(tries.first + i);
-    if (own && region.attractor == balanced_id && !system.autonomous())
-      z += balanced_shift(own->system, system, region.nodes.front().state);
-    trials.states.insert(trials.states.end(), z.begin(), z.end());
-  }
+  Trials trials =
+      trials_from(tries, random, settings, [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
+        Eigen::VectorXd z = state_on_level(region, row_of(region, i), level, direction);
+        if (own && region.attractor == balanced_id && !system.autonomous())
+          z += balanced_shift(own->system, system, region.nodes.front().state);
+        return z;
+      });
   auto close = std::make_shared<OrbitRegion>(region);
   const bool far = tries.first == 0 && tries.of == orbit_tries.all;
   // A rotor of its own has its motion beside this one, where V does not fall to zero.
   const double share = far ? std::max(come_close, floor / level) : come_inside;
   close->level = share * level;
-  trials.rule = rule_of_regions(system);
   set_regions(trials.rule, system, {close}, {});
   const double end = 2.0 * std::log(1.0 / share) / (2.0 * -slowest_rate) + 200.0;
   double cell_angle = 0.0;  // unless it is the phase, the rotor's angle does not matter
@@ -165,8 +147,9 @@ void widen(BalancedRegion& region, const std::vector<BalancedRegion>& balanced, 
 
 std::vector<char> come_to_balance(std::vector<double> states, const ClassificationRule& rule,
                                   const TrialSettings& settings, double slowest_rate) {
-  const double end = patience(widest_factor, slowest_rate);
-  return come_to(balanced_id, follow_for(end, regions_of(rule), std::move(states)), settings);
+  Trials trials{std::move(states), regions_of(rule)};
+  trials.all_fly_for(patience(widest_factor, slowest_rate));
+  return come_to(balanced_id, std::move(trials), settings);
 }
 
 }  // namespace equipoise

@@ -56,24 +56,19 @@ namespace {
 
 bool all_approach(const std::shared_ptr<WindowRegion>& region, Directions& directions, const WindowTries& how,
                   const TrialSettings& settings, double level, const TryRange& tries) {
-  Trials trials;
-  for (std::size_t i = tries.first; i < tries.first + tries.count; ++i) {
-    // Spread over the motion, whatever the order of its states.
-    const Eigen::VectorXd z = region->state_on_level(i * 40503, level, directions[i], settings.rotor(i));
-    trials.states.insert(trials.states.end(), z.begin(), z.end());
-  }
-  trials.first = tries.first;
+  // Spread over the motion, whatever the order of its states.
+  Trials trials = trials_from(tries, directions, settings,
+                              [&](std::size_t i, const Eigen::VectorXd& direction, const OwnRotor* own) {
+                                return region->state_on_level(i * 40503, level, direction, own);
+                              });
   const bool far = tries.first == 0 && tries.of == TrialCounts{}.all;
   const double share = std::max(far ? how.come_close : come_inside, 4.0 * region->floor() / level);
   if (share > come_inside) return false;
   region->set_level(share * level);
-  trials.alike = true;
-  trials.rule = rule_of_regions(*settings.system);
   trials.rule.window = window;
   set_window_regions(trials.rule, {region});
   // Twice what the slowest approach takes, plus time to come close.
-  const double end = 2.0 * region->time_to_level(level) + 200.0;
-  trials.flight = [end](std::size_t) { return Trials::Flight{end, 0.0}; };
+  trials.all_fly_for(2.0 * region->time_to_level(level) + 200.0);
   return all_attracted(std::move(trials), settings);
 }
 
