@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -119,7 +120,7 @@ bool PathRegion::describe_orbit(const model::System& system, const Motion& motio
   }
   lay_out();
   for (std::size_t k = 1; k < frame->states.size(); k += 2)
-    floor_ = std::max(floor_, floor_margin * value_in_place(frame->states[k].data(), terms(nullptr), nullptr));
+    floor_ = std::max(floor_, floor_margin * value_in_place(frame->states[k].data(), nullptr));
   return floor_ < highest_path_floor;
 }
 
@@ -196,37 +197,41 @@ VectorXd PathRegion::places_of(const model::System& system, There& there) const 
 // From rotor to rotor, each from the nearest one that has the motion. If few of the first have it, more next to those.
 bool PathRegion::follow_rotors(const Motion& motion, const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
                                NotePage* notes) {
-  std::vector<Tried> tried;
+  std::vector<const OwnRotor*> tried;
   There first;
   first.rest = motion.state;
   first.orbit = motion.orbit;
   std::vector<There> all;
+  const auto lacks = [&](const OwnRotor* own) {
+    return std::none_of(all.begin(), all.end(), [&](const There& there) { return there.own == own; });
+  };
   const std::size_t at_first = first_looked_at(*rotors.front());
   for (std::size_t k = 0; k < rotors.size() && tried.size() < most_looked_at; ++k) {
     const OwnRotor& own = *rotors[k];
     if (k >= at_first && (all.empty() || all.size() >= at_first / 2)) break;
-    const auto nearer_to_it = [&](const auto& a, const auto& b) { return nearer(own, *a.own, *b.own); };
-    if (k >= at_first && !std::min_element(tried.begin(), tried.end(), nearer_to_it)->has) continue;
-    const auto near = std::min_element(all.begin(), all.end(), nearer_to_it);
+    const auto nearer_to_it = [&](const OwnRotor* a, const OwnRotor* b) { return nearer(own, *a, *b); };
+    if (k >= at_first && lacks(*std::min_element(tried.begin(), tried.end(), nearer_to_it))) continue;
+    const auto near = std::min_element(all.begin(), all.end(),
+                                       [&](const There& a, const There& b) { return nearer_to_it(a.own, b.own); });
     auto there = noted(
         notes, "a rotor's motion", stop, [&] { return found(own, near == all.end() ? first : *near, stop); },
         [&](const std::optional<There>& known) { return !known || fits(own.system, *known); });
     if (is_set(stop)) return false;
-    if (there) there->own = &own;
-    tried.push_back({&own, there.has_value()});
-    if (there) all.push_back(*std::move(there));
+    tried.push_back(&own);
+    if (!there) continue;
+    there->own = &own;
+    all.push_back(*std::move(there));
   }
   for (int shrunk = 0; all.size() < fewest || !fit(all); ++shrunk) {
     if (all.size() < fewest || shrunk == most_shrunk) return false;
     all.resize(std::min(all.size() - 1, static_cast<std::size_t>(nearer_ones * static_cast<double>(all.size()))));
-    for (Tried& t : tried) t.has = std::any_of(all.begin(), all.end(), [&](const There& a) { return a.own == t.own; });
   }
   for (const There& there : all) rate_ = std::max(rate_, there.rate);
-  for (const Tried& t : tried) {
-    if (t.has) continue;
+  for (const OwnRotor* own : tried) {
+    if (!lacks(own)) continue;
     double square = infinite;
-    for (const There& there : all) square = std::min(square, apart(*there.own, *t.own));
-    lacking_.push_back({t.own->coordinates, square});
+    for (const There& there : all) square = std::min(square, apart(*there.own, *own));
+    lacking_.push_back({own->coordinates, square});
   }
   return true;
 }
@@ -257,10 +262,9 @@ double PathRegion::largest_miss(const std::vector<There>& all) {
   const Eigen::Index size = inverse_scale_.size();
   double largest = 0.0;
   for (const There& there : all) {
-    const VectorXd factors = terms(there.own);
     const auto look_at = [&](const VectorXd& state) {
       hold(state);
-      largest = std::max(largest, value_in_place(state.data(), factors, there.own));
+      largest = std::max(largest, value_in_place(state.data(), there.own));
     };
     for (Eigen::Index k = 0; k < there.places.size(); k += size) look_at(there.places.segment(k, size));
     for (const VectorXd& state : there.between) look_at(state);
@@ -294,8 +298,10 @@ VectorXd PathRegion::terms(const OwnRotor* own) const {
   return own && degree_ > 0 ? polynomial_terms(own->coordinates, degree_) : VectorXd::Ones(positions_.cols());
 }
 
-double PathRegion::value_in_place(const double* state, const VectorXd& terms, const OwnRotor* own) const {
-  const int size = static_cast<int>(inverse_scale_.size()), count = static_cast<int>(terms.size());
+double PathRegion::value_in_place(const double* state, const OwnRotor* own) const {
+  if (own && !holds_for(*own)) return infinite;
+  const VectorXd factors = terms(own);
+  const int size = static_cast<int>(inverse_scale_.size()), count = static_cast<int>(factors.size());
   const std::size_t row = static_cast<std::size_t>(size) * static_cast<std::size_t>(count + 3) +
                           static_cast<std::size_t>(size * (size + 1) / 2);
   std::array<double, max_dimension> d{};
@@ -304,8 +310,8 @@ double PathRegion::value_in_place(const double* state, const VectorXd& terms, co
   for (std::size_t k = 0; k < along_.size(); ++k) {
     const double* at = &table_[k * row];
     for (int i = 0; i < size; ++i, at += count) {
-      here[i] = at[0] * terms[0];
-      for (int t = 1; t < count; ++t) here[i] += at[t] * terms[t];
+      here[i] = at[0] * factors[0];
+      for (int t = 1; t < count; ++t) here[i] += at[t] * factors[t];
       d[i] = state[i] - here[i];
     }
     for (int i = 4; i < 4 + balls_; ++i) d[i] = kernels::shortest_turn(d[i]);
@@ -313,7 +319,7 @@ double PathRegion::value_in_place(const double* state, const VectorXd& terms, co
       double later = 0.0;
       for (int i = 0; i < size; ++i) later += at[i] * d[i];
       if (std::fabs(later) > half_) continue;
-      if (own) {  // its motion passes here in its own time
+      if (own && degree_ > 0) {  // its motion passes here in its own time
         const VectorXd flow = model::rate(own->system, here);
         later /= Eigen::Map<const VectorXd>(at, size).dot(flow);
         for (int i = 0; i < size; ++i) d[i] -= later * (flow[i] + 0.5 * later * at[2 * size + i]);
@@ -332,20 +338,6 @@ double PathRegion::value_in_place(const double* state, const VectorXd& terms, co
       v += d[i] * sum;
     }
     least = std::min(least, v);
-  }
-  return least;
-}
-
-double PathRegion::value(const double* state, const OwnRotor* own) const {
-  double least = infinite;
-  std::array<double, max_dimension> placed{};
-  VectorXd factors;
-  if (own && !holds_for(*own)) return least;
-  for (const Eigen::VectorXi& places : places_) {
-    for (Eigen::Index i = 0; i < places.size(); ++i) placed[i] = state[places[i]];
-    if (!may_hold(placed.data())) continue;
-    if (factors.size() == 0) factors = terms(own);
-    least = std::min(least, value_in_place(placed.data(), factors, degree_ > 0 ? own : nullptr));
   }
   return least;
 }
@@ -388,8 +380,7 @@ std::shared_ptr<PathRegion> PathRegion::around(const model::System& system, cons
 
 std::shared_ptr<const PathRegion> path_region(const model::System& system, const Motion& motion, int attractor,
                                               const TrialSettings& settings, const OwnRotor* own, double near) {
-  std::vector<const OwnRotor*> rotors;
-  for (const OwnRotor& rotor : settings.rotors) rotors.push_back(&rotor);
+  std::vector<const OwnRotor*> rotors = pointers_to(settings.rotors);
   if (own)  // the first ones contain the part's corners; the nearest go first
     std::stable_sort(rotors.begin(),
                      rotors.begin() + static_cast<std::ptrdiff_t>(std::min(rotors.size(), first_looked_at(*own))),
@@ -398,8 +389,8 @@ std::shared_ptr<const PathRegion> path_region(const model::System& system, const
   if (!region) return nullptr;
   TrialSettings of_those = settings;
   std::vector<OwnRotor> having;
-  for (const OwnRotor& rotor : settings.rotors)
-    if (region->holds_for(rotor)) having.push_back(rotor);
+  std::copy_if(settings.rotors.begin(), settings.rotors.end(), std::back_inserter(having),
+               [&](const OwnRotor& rotor) { return region->holds_for(rotor); });
   if (having.empty() && !settings.rotors.empty()) return nullptr;
   of_those.rotors = having;
   return validate(region, tries_above(region->floor()), of_those, near) ? region : nullptr;

@@ -34,7 +34,6 @@ class PathRegion final : public WindowRegion {
                                             const std::vector<const OwnRotor*>& rotors, const StopFlag* stop,
                                             NotePage* notes = nullptr);
 
-  double value(const double* state, const OwnRotor* own) const override;
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                  const OwnRotor* own) const override;
   /// Whether the rotor has the motion, as far as known.
@@ -59,10 +58,6 @@ class PathRegion final : public WindowRegion {
   friend void members(Bytes& b, T& t) {
     b(t.rest, t.orbit, t.rate, t.places, t.between);
   }
-  struct Tried {
-    const OwnRotor* own;
-    bool has = false;
-  };
   // A rotor without the motion, and its distance from the nearest rotor that has it.
   struct Lacking {
     std::vector<double> coordinates;
@@ -86,7 +81,7 @@ class PathRegion final : public WindowRegion {
   Eigen::VectorXd away(const Eigen::VectorXd& state, const Eigen::VectorXd& from) const;
   void lay_out();
   Eigen::VectorXd terms(const OwnRotor* own) const;
-  double value_in_place(const double* state, const Eigen::VectorXd& terms, const OwnRotor* own) const;
+  double value_in_place(const double* state, const OwnRotor* own) const override;
 
   std::vector<Place> along_;
   Eigen::MatrixXd positions_;     // a column for each term of the coordinates; place after place

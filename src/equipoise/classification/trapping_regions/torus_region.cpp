@@ -179,7 +179,7 @@ void TorusRegion::make_patches(const StopFlag* stop) {
   }
 }
 
-double TorusRegion::value_in_place(const double* state) const {
+double TorusRegion::value_in_place(const double* state, const OwnRotor* /*own*/) const {
   const Eigen::Index size = inverse_scale_.size();
   std::array<float, max_dimension + 3> here{}, d{};
   for (Eigen::Index i = 0; i < size; ++i) here[i] = static_cast<float>(state[i] * inverse_scale_[i]);
@@ -203,17 +203,6 @@ double TorusRegion::value_in_place(const double* state) const {
     // Tangents are orthonormal. A part along the torus, up to its next state, adds no distance.
     const float a = along.sum(), b = across.sum();
     least = std::min(least, std::max(0.0f, squares.sum() - a * a - b * b));
-  }
-  return least;
-}
-
-double TorusRegion::value(const double* state, const OwnRotor* /*own*/) const {
-  const Eigen::Index size = inverse_scale_.size();
-  double least = infinite;
-  std::array<double, max_dimension> placed;
-  for (const Eigen::VectorXi& places : places_) {
-    for (Eigen::Index i = 0; i < size; ++i) placed[i] = state[places[i]];
-    if (may_hold(placed.data())) least = std::min(least, value_in_place(placed.data()));
   }
   return least;
 }

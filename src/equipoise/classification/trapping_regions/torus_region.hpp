@@ -23,7 +23,6 @@ class TorusRegion final : public WindowRegion {
   static std::shared_ptr<TorusRegion> around(const model::System& system, const Motion& motion, int attractor,
                                              const StopFlag* stop);
 
-  double value(const double* state, const OwnRotor* own = nullptr) const override;
   /// Beside state `which` of the cloud.
   Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                  const OwnRotor* own = nullptr) const override;
@@ -38,7 +37,7 @@ class TorusRegion final : public WindowRegion {
   bool find_images(const model::System& system, const Motion& motion);
   int cell_of(double first, double second) const;
   bool lies_on(int patch, int other) const;
-  double value_in_place(const double* state) const;
+  double value_in_place(const double* state, const OwnRotor* own) const override;
   // Calls f(number) for all states of the cells around a pair of angles.
   template <class F>
   void around_angles(double first, double second, F&& f) const;

@@ -2,6 +2,7 @@
 #include "equipoise/classification/trapping_regions/window_region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,16 @@ void WindowRegion::hold(const Eigen::VectorXd& state) {
   if (state.size() - model::dimension(balls_) >= of_tilt) r2 += state.tail(of_tilt).head<2>().squaredNorm();
   r2_low_ = std::min(r2_low_, r2);
   r2_high_ = std::max(r2_high_, r2);
+}
+
+double WindowRegion::value(const double* state, const OwnRotor* own) const {
+  double least = infinite;
+  std::array<double, max_dimension> placed{};
+  for (const Eigen::VectorXi& places : places_) {
+    for (Eigen::Index i = 0; i < places.size(); ++i) placed[i] = state[places[i]];
+    if (may_hold(placed.data())) least = std::min(least, value_in_place(placed.data(), own));
+  }
+  return least;
 }
 
 bool WindowRegion::may_hold(const double* state) const {

@@ -30,7 +30,7 @@ class WindowRegion {
 
   /// V, the least over the places that alike balls may take. Infinite if nothing on the motion is near, or the state is
   /// well above the level. `own`: the state's own rotor, or null.
-  virtual double value(const double* state, const OwnRotor* own) const = 0;
+  double value(const double* state, const OwnRotor* own = nullptr) const;
   /// A state on `level` beside place `which` (modulo their number) of the motion.
   virtual Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
                                          const OwnRotor* own) const = 0;
@@ -39,10 +39,10 @@ class WindowRegion {
   WindowRegion(const model::System& system, int attractor)
       : attractor_(attractor), balls_(system.balls()), inverse_scale_(system.scale().cwiseInverse()) {}
 
+  // V of a state whose balls are in their places, not outside may_hold().
+  virtual double value_in_place(const double* state, const OwnRotor* own) const = 0;
   // Widens low_, high_ and the bounds of r to contain a state on the motion.
   void hold(const Eigen::VectorXd& state);
-  // Whether a state, its balls in their places, may lie within the level, by everything except ball angles.
-  bool may_hold(const double* state) const;
 
   int attractor_, balls_;
   double level_ = 0.0, floor_ = 0.0;
@@ -52,6 +52,9 @@ class WindowRegion {
   std::vector<Eigen::VectorXi> places_;  // of a state's components, for each exchange of alike balls
 
  private:
+  // Whether a state, its balls in their places, may lie within the level, by everything except ball angles.
+  bool may_hold(const double* state) const;
+
   Eigen::VectorXd low_, high_;  // of everything on the motion
   double r2_low_ = 1e300, r2_high_ = 0.0;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "equipoise/machine/drives/speed.hpp"
@@ -36,7 +37,7 @@ inline OwnRotor own_rotor(const model::System& system, double psi = 0.0) {
   return {system, {0.0, 1e300, psi, system.drive().speed, 0.0, false}};
 }
 
-inline std::vector<const OwnRotor*> pointers_to(const std::vector<OwnRotor>& rotors) {
+inline std::vector<const OwnRotor*> pointers_to(std::span<const OwnRotor> rotors) {
   std::vector<const OwnRotor*> pointers;
   pointers.reserve(rotors.size());
   for (const OwnRotor& rotor : rotors) pointers.push_back(&rotor);
