@@ -21,8 +21,6 @@ class DrawnSource final : public SpinUp {
   /// Given start k has the rotor of draw k.
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   BatchTask last_task() const override { return middle_->last_task(); }
-  double settled() const override { return middle_->settled(); }
-  double tolerance() const override { return middle_->tolerance(); }
 
   std::vector<double> place(std::uint64_t index) const { return family_.place(index); }
   const Study& middle() const { return study_; }

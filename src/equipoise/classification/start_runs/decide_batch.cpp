@@ -63,18 +63,17 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
   task.end = source_->settled() + *study_.numerics.horizon;
   std::vector<double> states, begins;
   std::vector<const OwnRotor*> own;
-  TransientTable rows{transients_, {}, ends_};
+  TransientTable rows;
+  if (batch.watched) rows = batch.table.part(places);
   for (const std::size_t i : places) {
     states.insert(states.end(), &starts.states[i * size], &starts.states[i * size] + size);
     begins.push_back(starts.begin(i, source_->settled()));
-    if (batch.watched) rows.rows.push_back(batch.table.rows[i]);
     if (!family_) continue;
     const FamilyCell& cell = mesh_.cells[batch.cell[i]];
     starts.rotors[i].coordinates = family_->coordinates(cell.box, batch.own[i].fractions);
     cell.search.place(starts.rotors[i]);
     if (const MetMotions* met = batch.own[i].met) starts.rotors[i].met = &met->known;
     own.push_back(&starts.rotors[i]);
-    if (batch.watched) rows.own.push_back(batch.table.own[i]);
   }
   task.count = places.size();
   task.states = states.data();
@@ -90,8 +89,8 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
     batch.fates[i] = decided[k];
     if (batch.records) (*batch.records)[i] = records[k];
     std::copy_n(&states[k * size], size, &starts.states[i * size]);
-    if (batch.watched) batch.table.rows[i] = rows.rows[k];
   }
+  if (batch.watched) batch.table.put_back(places, rows);
   return true;
 }
 

@@ -192,6 +192,19 @@ struct TransientTable {
 
   const TransientSettings& settings_of(std::size_t row) const { return own.empty() ? settings : own[row]; }
 
+  /// The rows at these places, and where they go back to.
+  TransientTable part(const std::vector<std::size_t>& places) const {
+    TransientTable part{settings, {}, ends};
+    for (const std::size_t i : places) {
+      part.rows.push_back(rows[i]);
+      if (!own.empty()) part.own.push_back(own[i]);
+    }
+    return part;
+  }
+  void put_back(const std::vector<std::size_t>& places, const TransientTable& part) {
+    for (std::size_t k = 0; k < places.size(); ++k) rows[places[k]] = part.rows[k];
+  }
+
   const KnownEnd& end_of(int attractor) const {
     static const KnownEnd unknown;
     const bool listed = attractor > 0 && static_cast<std::size_t>(attractor) < ends.size();

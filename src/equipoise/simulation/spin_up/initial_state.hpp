@@ -18,8 +18,9 @@
 
 namespace equipoise {
 
-/// Writes dimension(balls) numbers: the state of `s` at rotor speed `speed` (psi' at t = 0).
-inline void initial_state(const InitialState& s, int balls, double speed, double* z) {
+/// Writes dimension(balls) numbers: the state of `s` at rotor speed `speed` (psi' at t = 0). Of a rotor that tilts also
+/// the four variables of the tilt, which begin at `tilt`.
+inline void initial_state(const InitialState& s, int balls, double speed, double* z, int tilt = -1) {
   z[model::index::x] = s.x;
   z[model::index::y] = s.y;
   const std::array<double, 2> velocity = model::inertial_velocity(speed, s.x, s.y, s.x_dot, s.y_dot);
@@ -29,15 +30,12 @@ inline void initial_state(const InitialState& s, int balls, double speed, double
     z[model::index::phi(i)] = s.phi[i];
     z[model::index::q(i, balls)] = s.phi_dot[i];
   }
-}
-
-/// Writes the four variables of the tilt.
-inline void initial_tilt(const InitialState& s, double speed, double* z) {
-  z[0] = s.tilt_x;
-  z[1] = s.tilt_y;
+  if (tilt < 0) return;
+  z[tilt] = s.tilt_x;
+  z[tilt + 1] = s.tilt_y;
   const std::array<double, 2> rate = model::inertial_velocity(speed, s.tilt_x, s.tilt_y, s.tilt_x_dot, s.tilt_y_dot);
-  z[2] = rate[0];
-  z[3] = rate[1];
+  z[tilt + 2] = rate[0];
+  z[tilt + 3] = rate[1];
 }
 
 /// Sets alike balls in one place a few 1e-9 apart, as all simulations do.

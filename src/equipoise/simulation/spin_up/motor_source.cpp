@@ -131,8 +131,7 @@ void MotorSource::add(const Machine& machine, const InitialState& start, SpunUp&
   starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + system.balls());
   starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
   double* state = &*starts.states.end() - system.dimension();
-  initial_state(start, system.balls(), machine.drive.speed, state);
-  if (const int tilt = system.layout().tilt; tilt >= 0) initial_tilt(start, machine.drive.speed, state + tilt);
+  initial_state(start, system.balls(), machine.drive.speed, state, system.layout().tilt);
   if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
   state[system.layout().speed] = machine.drive.speed;
   if (system.layout().error >= 0) state[system.layout().error] = 0.0;
@@ -186,8 +185,8 @@ bool MotorSource::follow_own_rotors(std::span<const OwnRotorStart> starts, const
       spun.over[i] = some.over[j];
       spun.nearest[i] = some.nearest[j];
       spun.rotors[i] = source.of(j).rotor(source.of(j).systems.size() - 1);
-      if (transients) transients->rows[i] = table.rows[j];
     }
+    if (transients) transients->put_back(places, table);
   }
   return true;
 }
@@ -255,14 +254,11 @@ bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::
   std::vector<double> begins;
   std::vector<OwnRotor> rotors;
   TransientTable table;
-  if (fleet.transients) table = {fleet.transients->settings, {}, fleet.transients->ends};
+  if (fleet.transients) table = fleet.transients->part(places);
   for (const std::size_t i : places) {
     begins.push_back(fleet.starts.begins[i]);
     if (are_own()) rotors.push_back(of(i).rotor(k));
     if (are_own() && held) rotors.back().end = until(i, k);
-    if (!fleet.transients) continue;
-    table.rows.push_back(fleet.transients->rows[i]);
-    if (!fleet.transients->own.empty()) table.own.push_back(fleet.transients->own[i]);
   }
   const std::vector<const OwnRotor*> own = pointers_to(rotors);
   if (are_own()) task.own = own.data();
@@ -272,7 +268,7 @@ bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::
   task.begins = begins.data();
   task.held = held;
   if (!run(task)) return false;
-  for (std::size_t j = 0; j < table.rows.size(); ++j) fleet.transients->rows[places[j]] = table.rows[j];
+  if (fleet.transients) fleet.transients->put_back(places, table);
   return true;
 }
 

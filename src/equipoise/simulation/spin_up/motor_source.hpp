@@ -23,8 +23,6 @@ class MotorSource final : public SpinUp {
             TransientTable* transients = nullptr) const override;
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients = nullptr) const override;
   BatchTask last_task() const override;
-  double settled() const override { return machines_.front().drive.pieces.back().begin; }
-  double tolerance() const override { return tolerance_; }
 
   /// Does spin_up_own_rotors() for driven rotors.
   static bool follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,

@@ -36,12 +36,11 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   for (const Prescribed* p : group) rotors.push_back(p->rotor(k));
   const std::vector<const OwnRotor*> own = pointers_to(rotors);
   const model::System& first = rotors.front().system;
-  BatchTask task;
-  task.parameters = &first.parameters();
+  BatchTask task = batch_task(first);
   task.segment = rotors.front().segment;
   task.end = rotors.front().end;
   task.held = held;
-  if (held || !first.simple()) task.system = &first;
+  if (held) task.system = &first;
   // Clamped balls cost little to follow, and the state at release decides much.
   constexpr double held_tolerance = 1e-3;
   task.tolerance = group.front()->tolerance() * (held ? held_tolerance : 1.0);
@@ -115,9 +114,7 @@ class PrescribedGroup {
     for (std::size_t j = 0; j < group_.size(); ++j) {
       const Prescribed& p = *group_[j];
       const model::System& system = p.systems.front();
-      initial_state(p.own->start, system.balls(), p.segments.front().speed, &states[j * size]);
-      if (const int tilt = system.layout().tilt; tilt >= 0)
-        initial_tilt(p.own->start, p.segments.front().speed, &states[j * size + static_cast<std::size_t>(tilt)]);
+      initial_state(p.own->start, system.balls(), p.segments.front().speed, &states[j * size], system.layout().tilt);
       if (transients_) table_.rows.emplace_back();
     }
     if (group_.front()->free == 0) return true;

@@ -53,8 +53,8 @@ class SpinUp {
   /// The task over the last piece of the drive, without trajectories, end and observers.
   virtual BatchTask last_task() const = 0;
   /// When the last piece begins and, at a prescribed speed, the balls are free.
-  virtual double settled() const = 0;
-  virtual double tolerance() const = 0;
+  double settled() const { return last_task().segment.begin; }
+  double tolerance() const { return last_task().tolerance; }
 };
 
 /// For any system. The study must have its horizon.

@@ -122,9 +122,7 @@ class TiltingWatch {
 void StartSource::place_tilting(const InitialState& start, double* state, TransientSums* sums) const {
   using Machine = HWY_NAMESPACE::EventTrajectory<model::any_count, true>;
   const model::Parameters& p = study_.parameters;
-  const int centre = model::dimension(p.balls);
-  initial_state(start, p.balls, segments_.front().speed, state);
-  initial_tilt(start, segments_.front().speed, state + centre);
+  initial_state(start, p.balls, segments_.front().speed, state, model::dimension(p.balls));
   if (first_free_ == 0) return;
   const auto scale = HWY_NAMESPACE::machine_scale<Machine::dimension>(p, default_simulate_tolerance);
   const model::Drive drive = model::prescribed_drive(segments_);

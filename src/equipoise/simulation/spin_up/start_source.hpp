@@ -45,10 +45,6 @@ class StartSource : public SpinUp {
   const std::vector<model::Segment>& segments() const { return segments_; }
   std::size_t first_free() const { return first_free_; }
 
-  /// When the last piece has begun and the balls are free.
-  double settled() const override { return segments_.back().begin; }
-  double tolerance() const override { return tolerance_; }
-
  private:
   std::size_t size() const;  // of a state
   void place(const InitialState& start, double* state, TransientSums* sums = nullptr) const;

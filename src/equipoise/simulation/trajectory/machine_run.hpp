@@ -53,8 +53,8 @@ class MachineRunOf {
   static std::array<double, Machine::dimension> first_state(const Study& study, const model::Drive& drive) {
     std::array<double, Machine::dimension> z{};
     const InitialState start = parted(study.parameters, study.initial);
-    initial_state(start, study.parameters.balls, drive.speed, z.data());
-    if constexpr (tilt) initial_tilt(start, drive.speed, &z[model::dimension(study.parameters.balls)]);
+    const int balls = study.parameters.balls;
+    initial_state(start, balls, drive.speed, z.data(), tilt ? model::dimension(balls) : -1);
     return z;
   }
 

@@ -275,8 +275,7 @@ std::vector<double> StudyEquations::state(std::size_t piece, double t, const Mot
   z[state_->machine.error] = motion.speed_error_integral;
   const model::DrivePiece& p = state_->drive_at(piece);
   const double speed_now = p.driven() ? motion.psi_dot : p.motion(false).speed_at(t);
-  equipoise::initial_state(motion, n, speed_now, z);
-  if (const int tilt = state_->machine.tilt; tilt >= 0) initial_tilt(motion, speed_now, z + tilt);
+  equipoise::initial_state(motion, n, speed_now, z, state_->machine.tilt);
   if (pieces()[piece].held)
     for (int i = 0; i < n; ++i) z[model::index::q(i, n)] = 0.0;
   std::vector<double> y(static_cast<std::size_t>(dimension()));
