@@ -1,16 +1,17 @@
 // Takes driven rotors on lanes through their drive, first with balls clamped, then free.
-#include "equipoise/simulation/spin_up/motor_source.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
-#include "equipoise/core/base/stop_flag.hpp"
+#include "equipoise/machine/drives/full_state.hpp"
 #include "equipoise/machine/mechanics/gravity_well.hpp"
 #include "equipoise/machine/model/held_state.hpp"
 #include "equipoise/machine/model/smooth_flow-inl.hpp"
@@ -18,7 +19,9 @@
 #include "equipoise/simulation/integrate/adaptive-inl.hpp"
 #include "equipoise/simulation/integrate/first_time.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
+#include "equipoise/simulation/rule/classification_rule.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
+#include "equipoise/simulation/spin_up/spin_up.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
@@ -78,9 +81,34 @@ std::optional<double> find_release(const model::System& system, const ReleaseRul
   return found;
 }
 
-}  // namespace
+struct Machine {
+  explicit Machine(const Study& given)
+      : study(given),
+        drive(study.drive()),
+        release_rule(release_rule_of(study.parameters, drive)),
+        clamped_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
+        horizon(*study.numerics.horizon) {
+    for (const model::DrivePiece& piece : drive.pieces) systems.emplace_back(study.parameters, piece);
+    if (study.numerics.decide == ClassificationMode::horizon) release_rule.windows.at_horizon = true;
+  }
 
-struct MotorSource::Fleet {
+  double settled() const { return drive.pieces.back().begin; }
+  OwnRotor rotor(std::size_t k) const {
+    OwnRotor rotor = own_rotor(systems[k]);
+    rotor.segment.begin = drive.pieces[k].begin;
+    rotor.end = k + 1 < systems.size() ? drive.pieces[k].end : settled() + horizon;
+    return rotor;
+  }
+
+  Study study;
+  model::Drive drive;
+  std::vector<model::System> systems;  // over each piece
+  ReleaseRule release_rule;
+  bool clamped_at_first;
+  double horizon;
+};
+
+struct Fleet {
   SpunUp& starts;
   TransientTable* transients;
   std::vector<char> clamped;
@@ -100,255 +128,260 @@ struct MotorSource::Fleet {
   }
 };
 
-MotorSource::Machine::Machine(const Study& given)
-    : study(given),
-      drive(study.drive()),
-      release_rule(release_rule_of(study.parameters, drive)),
-      clamped_at_first(drive.release_time > 0.0 && !(drive.release_speed && *drive.release_speed == drive.speed)),
-      horizon(*study.numerics.horizon) {
-  for (const model::DrivePiece& piece : drive.pieces) systems.emplace_back(study.parameters, piece);
-  if (study.numerics.decide == ClassificationMode::horizon) release_rule.windows.at_horizon = true;
-}
+// Takes a start of a driven rotor from its index to its state in the last piece of the drive. Balls still clamped at
+// the horizon are not followed further.
+class MotorSource final : public SpinUp {
+ public:
+  MotorSource(const Study& study, const StopFlag* stop) : MotorSource(std::vector<Machine>{Machine(study)}, stop) {}
 
-OwnRotor MotorSource::Machine::rotor(std::size_t k) const {
-  OwnRotor rotor = own_rotor(systems[k]);
-  rotor.segment.begin = drive.pieces[k].begin;
-  rotor.end = k + 1 < systems.size() ? drive.pieces[k].end : settled() + horizon;
-  return rotor;
-}
-
-MotorSource::MotorSource(const Study& study, const StopFlag* stop)
-    : MotorSource(std::vector<Machine>{Machine(study)}, stop) {}
-
-MotorSource::MotorSource(std::vector<Machine> machines, const StopFlag* stop)
-    : machines_(std::move(machines)),
-      sampler_(sampler_of(machines_.front().study)),
-      stop_(stop),
-      tolerance_(machines_.front().study.numerics.tolerance.value_or(default_basin_tolerance)) {}
-
-void MotorSource::add(const Machine& machine, const InitialState& start, SpunUp& starts) const {
-  const model::System& system = machine.systems.front();
-  starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + system.balls());
-  starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
-  double* state = &*starts.states.end() - system.dimension();
-  initial_state(start, system.balls(), machine.drive.speed, state, system.layout().tilt);
-  if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
-  state[system.layout().speed] = machine.drive.speed;
-  if (system.layout().error >= 0) state[system.layout().error] = 0.0;
-}
-
-bool MotorSource::make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
-                       TransientTable* transients) const {
-  return follow(starts_of(machines_.front().study, sampler_, seed, first, count), starts, transients);
-}
-
-bool MotorSource::follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const {
-  starts.phi.clear();
-  starts.states.clear();
-  for (const InitialState& start : given) add(machines_.front(), start, starts);
-  return !is_set(stop_) && advance(starts, transients);
-}
-
-// Machines whose drives have the same pieces run side by side.
-bool MotorSource::follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
-                                    TransientTable* transients) {
-  using Shape = std::tuple<std::size_t, bool, bool, bool>;
-  std::map<Shape, std::vector<std::size_t>> groups;
-  std::vector<Machine> machines;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const Machine& m = machines.emplace_back(starts[i].study);
-    groups[{m.systems.size(), m.clamped_at_first, m.drive.release_speed.has_value(), m.release_rule.rising}].push_back(
-        i);
+  bool make(std::uint64_t seed, std::uint64_t first, std::size_t count, SpunUp& starts,
+            TransientTable* transients) const override {
+    return follow(starts_of(machines_.front().study, sampler_, seed, first, count), starts, transients);
   }
-  const std::size_t size = machines.front().systems.front().dimension();
-  for (const auto& [shape, places] : groups) {
-    std::vector<Machine> group;
-    for (const std::size_t i : places) group.push_back(machines[i]);
-    const MotorSource source(std::move(group), stop);
-    SpunUp some;
-    for (std::size_t j = 0; j < places.size(); ++j) source.add(source.of(j), starts[places[j]].start, some);
-    TransientTable table;
-    if (transients) {
-      table.settings = transients->settings;
-      for (const std::size_t i : places) table.own.push_back(transients->own[i]);
+
+  bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const override {
+    starts.phi.clear();
+    starts.states.clear();
+    for (const InitialState& start : given) add(machines_.front(), start, starts);
+    return !is_set(stop_) && advance(starts, transients);
+  }
+
+  BatchTask last_task() const override { return task(machines_.front().systems.size() - 1); }
+
+  // Machines whose drives have the same pieces run side by side.
+  static bool follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                                TransientTable* transients) {
+    using Shape = std::tuple<std::size_t, bool, bool, bool>;
+    std::map<Shape, std::vector<std::size_t>> groups;
+    std::vector<Machine> machines;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const Machine& m = machines.emplace_back(starts[i].study);
+      groups[{m.systems.size(), m.clamped_at_first, m.drive.release_speed.has_value(), m.release_rule.rising}]
+          .push_back(i);
     }
-    if (is_set(stop) || !source.advance(some, transients ? &table : nullptr)) return false;
-    spun.released.resize(starts.size());
-    spun.over.resize(starts.size());
-    spun.nearest.resize(starts.size());
+    const std::size_t size = machines.front().systems.front().dimension();
+    for (const auto& [shape, places] : groups) {
+      std::vector<Machine> group;
+      for (const std::size_t i : places) group.push_back(machines[i]);
+      const MotorSource source(std::move(group), stop);
+      SpunUp some;
+      for (std::size_t j = 0; j < places.size(); ++j) source.add(source.of(j), starts[places[j]].start, some);
+      TransientTable table;
+      if (transients) {
+        table.settings = transients->settings;
+        for (const std::size_t i : places) table.own.push_back(transients->own[i]);
+      }
+      if (is_set(stop) || !source.advance(some, transients ? &table : nullptr)) return false;
+      spun.released.resize(starts.size());
+      spun.over.resize(starts.size());
+      spun.nearest.resize(starts.size());
+      for (std::size_t j = 0; j < places.size(); ++j) {
+        const std::size_t i = places[j];
+        std::copy_n(&some.states[j * size], size, &spun.states[i * size]);
+        spun.begins[i] = some.begins[j];
+        spun.released[i] = some.released[j];
+        spun.fates[i] = some.fates[j];
+        spun.over[i] = some.over[j];
+        spun.nearest[i] = some.nearest[j];
+        spun.rotors[i] = source.of(j).rotor(source.of(j).systems.size() - 1);
+      }
+      if (transients) transients->put_back(places, table);
+    }
+    return true;
+  }
+
+ private:
+  MotorSource(std::vector<Machine> machines, const StopFlag* stop)
+      : machines_(std::move(machines)),
+        sampler_(sampler_of(machines_.front().study)),
+        stop_(stop),
+        tolerance_(machines_.front().study.numerics.tolerance.value_or(default_basin_tolerance)) {}
+
+  // All starts share one machine, or each has its own.
+  const Machine& of(std::size_t i) const { return machines_[machines_.size() == 1 ? 0 : i]; }
+  bool are_own() const { return machines_.size() > 1; }
+
+  void add(const Machine& machine, const InitialState& start, SpunUp& starts) const {
+    const model::System& system = machine.systems.front();
+    starts.phi.insert(starts.phi.end(), start.phi.begin(), start.phi.begin() + system.balls());
+    starts.states.resize(starts.states.size() + static_cast<std::size_t>(system.dimension()));
+    double* state = &*starts.states.end() - system.dimension();
+    initial_state(start, system.balls(), machine.drive.speed, state, system.layout().tilt);
+    if (system.layout().psi >= 0) state[system.layout().psi] = start.psi;
+    state[system.layout().speed] = machine.drive.speed;
+    if (system.layout().error >= 0) state[system.layout().error] = 0.0;
+  }
+
+  bool advance(SpunUp& starts, TransientTable* transients) const {
+    const Machine& one = machines_.front();
+    const std::size_t size = one.systems.front().dimension(), count = starts.states.size() / size;
+    starts.begins.assign(count, 0.0);
+    starts.released.assign(count, 0.0);
+    starts.fates.assign(count, Fate{});
+    starts.over.assign(count, 0);
+    starts.nearest.resize(count);
+    for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
+    if (transients) transients->rows.assign(count, TransientSums{});
+    Fleet fleet{starts, transients, std::vector<char>(count, one.clamped_at_first), size};
+    for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
+      if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
+      const bool last = k + 1 == one.drive.pieces.size();
+      if (!last && !run_free(k, fleet)) return false;
+      if (!last && transients)
+        for (TransientSums& row : transients->rows) row.work.end_piece();
+    }
+    return true;
+  }
+
+  BatchTask task(std::size_t k) const {
+    const Machine& one = machines_.front();
+    BatchTask task = batch_task(one.systems[k]);
+    task.segment.begin = one.drive.pieces[k].begin;
+    task.end = one.drive.pieces[k].end;
+    task.tolerance = tolerance_;
+    task.stop = stop_;
+    return task;
+  }
+
+  // While the release time or a change of torque is still to come, a steady rotor is no end.
+  ReleaseRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
+    const Machine& one = machines_.front();
+    ReleaseRule rule = one.release_rule;
+    for (const std::size_t i : places)
+      if (are_own()) rule.own_speeds.push_back(of(i).release_rule.release_speed);
+    if (!one.drive.release_speed || k + 1 < one.systems.size())
+      rule.windows.first_long_window = std::numeric_limits<double>::infinity();
+    else if (!are_own())  // the trapping region knows only one release speed
+      rule.windows.section_regions = regions_by(
+          [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
+            return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
+          });
+    return rule;
+  }
+
+  double until(std::size_t i, std::size_t k) const {
+    const Machine& m = of(i);
+    return std::min({m.drive.pieces[k].end, m.drive.release_time, m.settled() + m.horizon});
+  }
+
+  // Runs these starts side by side over piece k; false if stopped early.
+  template <class Run>
+  bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, std::vector<double>& states,
+                    const Fleet& fleet, Run&& run) const {
+    BatchTask task = this->task(k);
+    if (held) task.end = until(places.front(), k);
+    std::vector<double> begins;
+    std::vector<OwnRotor> rotors;
+    TransientTable table;
+    if (fleet.transients) table = fleet.transients->part(places);
+    for (const std::size_t i : places) {
+      begins.push_back(fleet.starts.begins[i]);
+      if (are_own()) rotors.push_back(of(i).rotor(k));
+      if (are_own() && held) rotors.back().end = until(i, k);
+    }
+    const std::vector<const OwnRotor*> own = pointers_to(rotors);
+    if (are_own()) task.own = own.data();
+    if (fleet.transients) task.transients = &table;
+    task.count = places.size();
+    task.states = states.data();
+    task.begins = begins.data();
+    task.held = held;
+    if (!run(task)) return false;
+    if (fleet.transients) fleet.transients->put_back(places, table);
+    return true;
+  }
+
+  // Follows clamped balls over piece k of the drive, until their release.
+  bool follow_clamped(std::size_t k, Fleet& fleet) const {
+    const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
+    SpunUp& starts = fleet.starts;
+    for (;;) {
+      const auto places =
+          fleet.which([&](std::size_t i) { return fleet.clamped[i] && starts.begins[i] < until(i, k); });
+      if (places.empty()) break;
+      const ReleaseRule rule = rule_over(k, places);
+      std::vector<double> states(places.size() * size);
+      for (std::size_t j = 0; j < places.size(); ++j)
+        model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
+      std::vector<ClampedEnd> ends(places.size());
+      if (!side_by_side(k, true, places, states, fleet,
+                        [&](BatchTask& task) { return follow_clamped_batch(task, rule, ends); }))
+        return false;
+      for (std::size_t j = 0; j < places.size(); ++j) end_clamped(k, places[j], ends[j], &states[j * size], fleet);
+    }
+    // Releases balls whose release time comes by the end of this piece.
+    for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.clamped[i] != 0; }))
+      if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
+    return true;
+  }
+
+  void end_clamped(std::size_t k, std::size_t i, const ClampedEnd& end, double* state, Fleet& fleet) const {
+    SpunUp& starts = fleet.starts;
+    const Machine& m = of(i);
+    const ReleaseRule& rule = m.release_rule;
+    double now = end.fate.time;
+    if (end.crossing) {
+      const auto release = find_release(m.systems[k], rule, now, end.crossed_by, state);
+      now = release.value_or(end.crossed_by);
+      if (release) fleet.let_go(i, now);
+    }
+    starts.begins[i] = now;
+    starts.nearest[i] = end.nearest;
+    model::release_balls(m.systems[k], state, fleet.state(i));
+    if (end.crossing) return;
+    Fate fate = end.fate;
+    const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
+    if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
+    const bool may_come = std::fabs(end.nearest - rule.release_speed) < nearly_let_go * std::fabs(rule.release_speed);
+    const bool hangs = fate.by == DecidedBy::validated;
+    if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on with new windows
+    const bool steady_now = fate.outcome == Outcome::attracted || rule.windows.at_horizon;
+    if (hangs) fate.mean_speed = 0.0F;
+    // A window of the run-up has the mean speed of its time, not the last one.
+    if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
+    const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
+    if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
+    if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;
+    fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing : to_the_end ? DecidedBy::horizon : end.fate.by;
+    starts.fates[i] = fate;
+    starts.over[i] = 1;
+  }
+
+  // Follows free balls over piece k of the drive, not the last.
+  bool run_free(std::size_t k, Fleet& fleet) const {
+    SpunUp& starts = fleet.starts;
+    const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
+    const auto places = fleet.which([&](std::size_t i) { return !fleet.clamped[i] && starts.begins[i] < end(i); });
+    if (places.empty()) return true;
+    std::vector<double> states;
+    std::vector<Fate> fates(places.size());
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      const double* state = fleet.state(places[j]);
+      states.insert(states.end(), state, state + fleet.size);
+      fates[j].met = starts.fates[places[j]].met;
+    }
+    if (!side_by_side(k, false, places, states, fleet, [&](BatchTask& task) { return advance_batch(task, fates); }))
+      return false;
     for (std::size_t j = 0; j < places.size(); ++j) {
       const std::size_t i = places[j];
-      std::copy_n(&some.states[j * size], size, &spun.states[i * size]);
-      spun.begins[i] = some.begins[j];
-      spun.released[i] = some.released[j];
-      spun.fates[i] = some.fates[j];
-      spun.over[i] = some.over[j];
-      spun.nearest[i] = some.nearest[j];
-      spun.rotors[i] = source.of(j).rotor(source.of(j).systems.size() - 1);
+      std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));
+      starts.begins[i] = end(i);
+      starts.fates[i] = fates[j];
     }
-    if (transients) transients->put_back(places, table);
+    return true;
   }
-  return true;
-}
 
-bool MotorSource::advance(SpunUp& starts, TransientTable* transients) const {
-  const Machine& one = machines_.front();
-  const std::size_t size = one.systems.front().dimension(), count = starts.states.size() / size;
-  starts.begins.assign(count, 0.0);
-  starts.released.assign(count, 0.0);
-  starts.fates.assign(count, Fate{});
-  starts.over.assign(count, 0);
-  starts.nearest.resize(count);
-  for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
-  if (transients) transients->rows.assign(count, TransientSums{});
-  Fleet fleet{starts, transients, std::vector<char>(count, one.clamped_at_first), size};
-  for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
-    if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
-    const bool last = k + 1 == one.drive.pieces.size();
-    if (!last && !run_free(k, fleet)) return false;
-    if (!last && transients)
-      for (TransientSums& row : transients->rows) row.work.end_piece();
-  }
-  return true;
-}
+  std::vector<Machine> machines_;
+  Sampler sampler_;
+  const StopFlag* stop_;
+  double tolerance_;
+};
 
-BatchTask MotorSource::task(std::size_t k) const {
-  const Machine& one = machines_.front();
-  BatchTask task = batch_task(one.systems[k]);
-  task.segment.begin = one.drive.pieces[k].begin;
-  task.end = one.drive.pieces[k].end;
-  task.tolerance = tolerance_;
-  task.stop = stop_;
-  return task;
-}
+}  // namespace
 
-BatchTask MotorSource::last_task() const { return task(machines_.front().systems.size() - 1); }
-
-// While the release time or a change of torque is still to come, a steady rotor is no end.
-ReleaseRule MotorSource::rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
-  const Machine& one = machines_.front();
-  ReleaseRule rule = one.release_rule;
-  for (const std::size_t i : places)
-    if (are_own()) rule.own_speeds.push_back(of(i).release_rule.release_speed);
-  if (!one.drive.release_speed || k + 1 < one.systems.size())
-    rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-  else if (!are_own())  // the trapping region knows only one release speed
-    rule.windows.section_regions = regions_by(
-        [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
-          return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
-        });
-  return rule;
-}
-
-double MotorSource::until(std::size_t i, std::size_t k) const {
-  const Machine& m = of(i);
-  return std::min({m.drive.pieces[k].end, m.drive.release_time, m.settled() + m.horizon});
-}
-
-// Runs these starts side by side over piece k; false if stopped early.
-template <class Run>
-bool MotorSource::side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places,
-                               std::vector<double>& states, const Fleet& fleet, Run&& run) const {
-  BatchTask task = this->task(k);
-  if (held) task.end = until(places.front(), k);
-  std::vector<double> begins;
-  std::vector<OwnRotor> rotors;
-  TransientTable table;
-  if (fleet.transients) table = fleet.transients->part(places);
-  for (const std::size_t i : places) {
-    begins.push_back(fleet.starts.begins[i]);
-    if (are_own()) rotors.push_back(of(i).rotor(k));
-    if (are_own() && held) rotors.back().end = until(i, k);
-  }
-  const std::vector<const OwnRotor*> own = pointers_to(rotors);
-  if (are_own()) task.own = own.data();
-  if (fleet.transients) task.transients = &table;
-  task.count = places.size();
-  task.states = states.data();
-  task.begins = begins.data();
-  task.held = held;
-  if (!run(task)) return false;
-  if (fleet.transients) fleet.transients->put_back(places, table);
-  return true;
-}
-
-// Follows clamped balls over piece k of the drive, until their release.
-bool MotorSource::follow_clamped(std::size_t k, Fleet& fleet) const {
-  const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
-  SpunUp& starts = fleet.starts;
-  for (;;) {
-    const auto places = fleet.which([&](std::size_t i) { return fleet.clamped[i] && starts.begins[i] < until(i, k); });
-    if (places.empty()) break;
-    const ReleaseRule rule = rule_over(k, places);
-    std::vector<double> states(places.size() * size);
-    for (std::size_t j = 0; j < places.size(); ++j)
-      model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
-    std::vector<ClampedEnd> ends(places.size());
-    if (!side_by_side(k, true, places, states, fleet,
-                      [&](BatchTask& task) { return follow_clamped_batch(task, rule, ends); }))
-      return false;
-    for (std::size_t j = 0; j < places.size(); ++j) end_clamped(k, places[j], ends[j], &states[j * size], fleet);
-  }
-  // Releases balls whose release time comes by the end of this piece.
-  for (const std::size_t i : fleet.which([&](std::size_t i) { return fleet.clamped[i] != 0; }))
-    if (starts.begins[i] >= of(i).drive.release_time) fleet.let_go(i, starts.begins[i]);
-  return true;
-}
-
-void MotorSource::end_clamped(std::size_t k, std::size_t i, const ClampedEnd& end, double* state, Fleet& fleet) const {
-  SpunUp& starts = fleet.starts;
-  const Machine& m = of(i);
-  const ReleaseRule& rule = m.release_rule;
-  double now = end.fate.time;
-  if (end.crossing) {
-    const auto release = find_release(m.systems[k], rule, now, end.crossed_by, state);
-    now = release.value_or(end.crossed_by);
-    if (release) fleet.let_go(i, now);
-  }
-  starts.begins[i] = now;
-  starts.nearest[i] = end.nearest;
-  model::release_balls(m.systems[k], state, fleet.state(i));
-  if (end.crossing) return;
-  Fate fate = end.fate;
-  const bool to_the_end = fate.outcome == Outcome::undecided && now >= until(i, k);
-  if (to_the_end && until(i, k) < m.settled() + m.horizon) return;
-  const bool may_come = std::fabs(end.nearest - rule.release_speed) < nearly_let_go * std::fabs(rule.release_speed);
-  const bool hangs = fate.by == DecidedBy::validated;
-  if (fate.outcome == Outcome::attracted && may_come && !hangs) return;  // goes on with new windows
-  const bool steady_now = fate.outcome == Outcome::attracted || rule.windows.at_horizon;
-  if (hangs) fate.mean_speed = 0.0F;
-  // A window of the run-up has the mean speed of its time, not the last one.
-  if (to_the_end) fate.mean_speed = static_cast<float>(fleet.state(i)[m.systems[k].layout().speed]);
-  const bool slow = std::fabs(fate.mean_speed) < m.study.stall_speed();
-  if (fate.outcome == Outcome::attracted) fate.outcome = Outcome::undecided;
-  if (fate.outcome == Outcome::undecided && steady_now && slow) fate.outcome = Outcome::stalled;
-  fate.by = fate.outcome != Outcome::stalled ? DecidedBy::nothing : to_the_end ? DecidedBy::horizon : end.fate.by;
-  starts.fates[i] = fate;
-  starts.over[i] = 1;
-}
-
-// Follows free balls over piece k of the drive, not the last.
-bool MotorSource::run_free(std::size_t k, Fleet& fleet) const {
-  SpunUp& starts = fleet.starts;
-  const auto end = [&](std::size_t i) { return of(i).drive.pieces[k].end; };
-  const auto places = fleet.which([&](std::size_t i) { return !fleet.clamped[i] && starts.begins[i] < end(i); });
-  if (places.empty()) return true;
-  std::vector<double> states;
-  std::vector<Fate> fates(places.size());
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const double* state = fleet.state(places[j]);
-    states.insert(states.end(), state, state + fleet.size);
-    fates[j].met = starts.fates[places[j]].met;
-  }
-  if (!side_by_side(k, false, places, states, fleet, [&](BatchTask& task) { return advance_batch(task, fates); }))
-    return false;
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const std::size_t i = places[j];
-    std::copy_n(&states[j * fleet.size], fleet.size, fleet.state(i));
-    starts.begins[i] = end(i);
-    starts.fates[i] = fates[j];
-  }
-  return true;
+bool spin_up_motors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                    TransientTable* transients) {
+  return MotorSource::follow_own_rotors(starts, stop, spun, transients);
 }
 
 std::unique_ptr<SpinUp> make_spin_up(const Study& study, const StopFlag* stop) {

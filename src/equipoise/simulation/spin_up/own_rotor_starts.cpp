@@ -8,7 +8,6 @@
 #include "equipoise/machine/model/held_state.hpp"
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
-#include "equipoise/simulation/spin_up/motor_source.hpp"
 #include "equipoise/simulation/spin_up/start_source.hpp"
 
 namespace equipoise {
@@ -182,7 +181,7 @@ bool spin_up_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* s
   spun.fates.assign(count, Fate{});
   spun.rotors.assign(count, own_rotor(last));
   if (transients) transients->rows.assign(count, TransientSums{});
-  if (starts.front().study.speed.driven()) return MotorSource::follow_own_rotors(starts, stop, spun, transients);
+  if (starts.front().study.speed.driven()) return spin_up_motors(starts, stop, spun, transients);
   return spin_up_prescribed(starts, stop, spun, transients);
 }
 

@@ -70,5 +70,8 @@ struct OwnRotorStart {
 /// together (simulation/batch/own_rotor.hpp). `transients`, if given, holds the settings of each (TransientTable::own).
 bool spin_up_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
                         TransientTable* transients = nullptr);
+/// The same where all are driven; `spun` and `transients` have room for all.
+bool spin_up_motors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
+                    TransientTable* transients);
 
 }  // namespace equipoise
