@@ -32,7 +32,7 @@ struct Found {
   model::System system{base_rotor(2), 2.4};
   Motion motion;
   TrialSettings settings;
-  std::shared_ptr<const TorusRegion> region;
+  std::shared_ptr<const WindowRegion> region;
 };
 
 const Found& torus() {
@@ -43,7 +43,7 @@ const Found& torus() {
 TEST(TorusRegion, SurroundsTheTorusAndNothingElse) {
   const Found& found = torus();
   ASSERT_TRUE(found.region);
-  const TorusRegion& region = *found.region;
+  const WindowRegion& region = *found.region;
   EXPECT_EQ(region.attractor(), 3);
   EXPECT_GT(region.level(), 32.0 * region.floor());  // tries need 16
   // A trajectory begun elsewhere on the torus, and its mirror image by exchange of the balls.
@@ -66,7 +66,7 @@ TEST(TorusRegion, SurroundsTheTorusAndNothingElse) {
 TEST(TorusRegion, LetsNothingOut) {
   const Found& found = torus();
   ASSERT_TRUE(found.region);
-  const TorusRegion& region = *found.region;
+  const WindowRegion& region = *found.region;
   Directions directions(8);
   for (std::size_t k = 0; k < 40; ++k) {
     Eigen::VectorXd state = region.state_on_level(977 * k + 5, region.level(), directions.next());

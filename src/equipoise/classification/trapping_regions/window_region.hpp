@@ -33,7 +33,7 @@ class WindowRegion {
   double value(const double* state, const OwnRotor* own = nullptr) const;
   /// A state on `level` beside place `which` (modulo their number) of the motion.
   virtual Eigen::VectorXd state_on_level(std::size_t which, double level, const Eigen::VectorXd& direction,
-                                         const OwnRotor* own) const = 0;
+                                         const OwnRotor* own = nullptr) const = 0;
 
  protected:
   WindowRegion(const model::System& system, int attractor)
