@@ -53,8 +53,6 @@ void group_by_drift(const model::Parameters& p, const MotionStatistics& statisti
   }
 }
 
-}  // namespace
-
 void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion) {
   const int n = p.balls;
   const auto as_one = [&](int i, int k) { return statistics.pair[i][k].farthest < coincident; };
@@ -89,7 +87,6 @@ void describe_pairs(const model::Parameters& p, const MotionStatistics& statisti
   motion.together = one_side;
 }
 
-namespace {
 void describe_drive(const model::System& system, const MotionStatistics& statistics, Motion& motion) {
   motion.speed = system.speed();
   if (system.prescribed()) return;
@@ -99,6 +96,7 @@ void describe_drive(const model::System& system, const MotionStatistics& statist
   motion.motor = MotorLoad{system.drive(),           d.speed_min,   d.speed_max,
                            d.torque_integral / time, d.work / time, d.support_work / time};
 }
+
 }  // namespace
 
 void describe_statistics(const model::System& system, const MotionStatistics& statistics, Motion& motion) {

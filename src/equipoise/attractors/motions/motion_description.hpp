@@ -16,9 +16,6 @@ void describe_statistics(const model::System& system, const MotionStatistics& st
 /// Whether statistics of a measured motion are long enough to show which balls drift, and which of them alike.
 bool drifts_are_known(const model::Parameters& p, const MotionStatistics& statistics, const Motion& motion);
 
-/// The part of describe_statistics() about pairs of balls.
-void describe_pairs(const model::Parameters& p, const MotionStatistics& statistics, Motion& motion);
-
 /// For a motion at rest in the rotating frame at motion.state: the drive, and the angles between balls.
 void describe_rest(const model::System& system, Motion& motion);
 

@@ -72,15 +72,9 @@ double slow_quartile(std::vector<double> rates) {
   return rates[rates.size() / 4];
 }
 
-}  // namespace
-
-double SettlingRates::slowest() const {
-  double least = drag;
-  for (const double rate : {approach, growth})
-    if (rate > 0.0) least = std::min(least, rate);
-  return least;
-}
-
+// For the isotropic, horizontal rotor with `p`'s mean stiffness and damping and a centred race. Gravity, anisotropy and
+// a motor change these rates, but seldom their order of magnitude. For a continuum of balanced states: sampled at its
+// members; a quarter of them may be slower.
 SettlingRates settling_rates(const model::Parameters& parameters, double speed) {
   using Kind = model::BalancedStates::Kind;
   const model::Parameters p = model::weakened(parameters, 0.0);
@@ -96,6 +90,15 @@ SettlingRates settling_rates(const model::Parameters& parameters, double speed) 
   }
   const double drag = *std::min_element(p.drag.begin(), p.drag.begin() + p.balls) / p.inertia_along_race();
   return {slow_quartile(approach), slow_quartile(growth), 0.5 * drag};
+}
+
+}  // namespace
+
+double SettlingRates::slowest() const {
+  double least = drag;
+  for (const double rate : {approach, growth})
+    if (rate > 0.0) least = std::min(least, rate);
+  return least;
 }
 
 Horizon choose_horizon(const Study& study) {

@@ -16,11 +16,6 @@ struct SettlingRates {
   double slowest() const;
 };
 
-/// For the isotropic, horizontal rotor with `p`'s mean stiffness and damping and a centred race. Gravity, anisotropy
-/// and a motor change these rates, but seldom their order of magnitude. For a continuum of balanced states: sampled at
-/// its members; a quarter of them may be slower.
-SettlingRates settling_rates(const model::Parameters& p, double speed);
-
 /// How long a start is followed from the last piece of the drive (and release) on, and why.
 struct Horizon {
   double time = 0.0;

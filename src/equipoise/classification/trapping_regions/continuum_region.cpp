@@ -45,7 +45,7 @@ struct Members {
   std::vector<ContinuumMember> all;
   Eigen::Vector4d place = Eigen::Vector4d::Zero();  // mean of the rotor's
   double unit = 0.0, slowest_rate = 0.0, fastest_rate = 0.0, unrest = 0.0;
-  bool everywhere = false;  // catches_all()
+  bool everywhere = false;  // all members drawn attract, at no less than a tenth of the fastest rate
 };
 
 Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSample& sample,
@@ -56,7 +56,7 @@ Members members_to_try(const ContinuumOfEquilibria& continuum, const ContinuumSa
   const auto first = static_cast<std::size_t>(
       std::find_if(sample.rates.begin(), sample.rates.end(), [&](double r) { return r <= result.slowest_rate; }) -
       sample.rates.begin());
-  result.everywhere = catches_all(sample);
+  result.everywhere = sample.drawn > 0 && sample.stable == sample.drawn && sample.slowest_rate <= result.slowest_rate;
   const std::size_t count = sample.members.size() - first, taken = std::min(most, count);
   const int balls = settings.system->balls();
   for (std::size_t k = 0; k < taken && !is_set(settings.stop); ++k) {
@@ -148,10 +148,6 @@ bool all_approach(const ContinuumRegion& region, const Members& members, Directi
 }
 
 }  // namespace
-
-bool catches_all(const ContinuumPart& part) {
-  return part.drawn > 0 && part.stable == part.drawn && part.slowest_rate <= slowest_caught(part);
-}
 
 bool ContinuumRegion::holds(const Eigen::VectorXd& state, const OwnRotor* own) const {
   if (own)

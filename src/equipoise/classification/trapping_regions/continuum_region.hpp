@@ -37,9 +37,6 @@ struct ContinuumRegion {
   bool holds(const Eigen::VectorXd& state, const OwnRotor* own = nullptr) const;
 };
 
-/// Whether all members drawn attract, at no less than a tenth of the fastest rate: none is then left out.
-bool catches_all(const ContinuumPart& part);
-
 /// Level sets around the attracting members of a continuum. All of 1024 trial states on twice their levels, spread over
 /// the members, came near the continuum and were about to come to an attracting member; balls in contact may have
 /// touched on the way. 256 trials if the rotor's angle matters. Slower members that rest have a hundredth of that
