@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equipoise/machine/balance/coincident_balls.hpp"
+
 namespace equipoise {
 
 Journey::Journey(const model::System& system, const Eigen::VectorXd& state, double patience, const StopFlag* stop)
@@ -36,6 +38,22 @@ Approach Journey::settle() {
   result.motion = seen_late();
   result.time = elapsed_ + ahead_;
   return result;
+}
+
+bool Journey::travel_stretch(double duration) {
+  // A given trajectory may have coincident balls (as some starts of an attractor search do). Whether they stay together
+  // shows from the second stretch on.
+  if (system_.smooth() && elapsed_ > 0.0)
+    model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
+  previous_ = last_;
+  last_ = MotionStatistics();
+  const double memory = std::min(system_.smooth() ? duration : 0.5 * duration, whole(longest_memory));
+  elapsed_ += duration;
+  end_ = state_;
+  if (duration > memory && !travel(end_, duration - memory, &last_)) return false;
+  if (!travel(end_, memory, &last_, &samples_, &log_)) return false;
+  state_ = system_.with_angles_reduced(end_);
+  return true;
 }
 
 bool Journey::travel(Eigen::VectorXd& z, double duration, MotionStatistics* statistics,

@@ -45,8 +45,6 @@ class Journey {
   Approach settle();
 
  protected:
-  /// Follows the next stretch. False if the trajectory is lost.
-  virtual bool travel_stretch(double duration) = 0;
   /// The motion that it is now seen to be on.
   virtual std::optional<Motion> seen() = 0;
   /// Whether it gets nowhere in the time left.
@@ -54,6 +52,10 @@ class Journey {
   /// A last look after all stretches.
   virtual std::optional<Motion> seen_late() { return std::nullopt; }
 
+  /// Whether the last two stretches look alike: extremes and means up to these shares.
+  bool statistics_repeat(double share_of_extremes, double share_of_means) const {
+    return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
+  }
   bool on_section() const { return section_period_ > 0.0; }
   /// About that time, at least one period of the section.
   double whole(double time) const;
@@ -75,8 +77,13 @@ class Journey {
   Eigen::VectorXd end_;                   // of the last stretch: state_ with angles that count turns, for statistics
   double elapsed_ = 0.0, ahead_ = 0.0;    // how far the last approach was followed beyond elapsed_
   std::vector<Eigen::VectorXd> samples_;  // of the last part of the stretch
+  EventLog log_;                          // of that part
   MotionStatistics previous_, last_;      // of the last two stretches
   int repeats_ = 0;                       // stretches in a row that repeated the one before
+
+ private:
+  // False if the trajectory is lost.
+  bool travel_stretch(double duration);
 };
 
 /// Does what motion_from() does, and also says when. Once `stop` is set there is no motion.

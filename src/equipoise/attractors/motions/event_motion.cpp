@@ -72,18 +72,6 @@ class EventJourney final : public Journey {
   using Journey::Journey;
 
  private:
-  bool travel_stretch(double duration) override {
-    previous_ = last_;
-    last_ = MotionStatistics();
-    const double memory = std::min(0.5 * duration, whole(longest_memory));
-    elapsed_ += duration;
-    end_ = state_;
-    if (!travel(end_, whole(duration - memory), &last_)) return false;
-    if (!travel(end_, whole(memory), &last_, &samples_, &log_)) return false;
-    state_ = system_.with_angles_reduced(end_);
-    return true;
-  }
-
   std::optional<Motion> seen() override {
     auto motion = stuck();
     if (!motion) motion = smooth();
@@ -222,9 +210,8 @@ class EventJourney final : public Journey {
   // A motion that neither rests nor comes back, and goes on as before for as long again.
   std::optional<Motion> persistence() {
     if (previous_.duration == 0.0 || last_.duration < 1000.0) return std::nullopt;
-    const bool tight = similar(previous_, last_, p_.balls, 0.01, 0.005);
+    const bool tight = statistics_repeat(0.01, 0.005), loose = statistics_repeat(0.1, 0.05);
     repeats_ = tight ? repeats_ + 1 : 0;
-    const bool loose = similar(previous_, last_, p_.balls, 0.1, 0.05);
     if (!(repeats_ >= 2 || (is_over() && loose))) return std::nullopt;
     Motion motion;
     const double growth = separation_rate();
@@ -260,8 +247,6 @@ class EventJourney final : public Journey {
     }
     return sum / time;
   }
-
-  EventLog log_;  // of the last part of the stretch
 };
 
 }  // namespace

@@ -25,7 +25,6 @@
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/math/dense.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
-#include "equipoise/machine/balance/coincident_balls.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 
 namespace equipoise {
@@ -53,7 +52,6 @@ class SmoothJourney final : public Journey {
   using Journey::Journey;
 
  private:
-  bool travel_stretch(double duration) override;
   std::optional<Motion> seen() override;
   bool creeps() const override;
   std::optional<Motion> seen_late() override;
@@ -72,7 +70,6 @@ class SmoothJourney final : public Journey {
   bool worth_trying(const Return& now);
   std::optional<std::vector<double>> exponents_of(MotionKind& kind);
   std::optional<Motion> restless(MotionKind kind, const std::vector<double>& exponents);
-  bool statistics_repeat(double share_of_extremes, double share_of_means) const;
   bool comes_back() const;
   bool may_creep_balanced() const;
   bool creeps_balanced(const Motion& motion) const;
@@ -85,21 +82,6 @@ class SmoothJourney final : public Journey {
   // Its exponents if the last ones were those of a periodic motion, though its statistics repeat like a torus's.
   std::optional<std::vector<double>> locked_;
 };
-
-bool SmoothJourney::travel_stretch(double duration) {
-  // A given trajectory may have coincident balls (as some starts of an attractor search do). Whether they stay together
-  // shows from the second stretch on.
-  if (elapsed_ > 0.0) model::part_coincident(p_, &state_[model::index::phi(0)], &state_[model::index::q(0, p_.balls)]);
-  previous_ = last_;
-  last_ = MotionStatistics();
-  const double memory = std::min(duration, whole(longest_memory));
-  elapsed_ += duration;
-  end_ = state_;
-  if (duration > memory && !travel(end_, duration - memory, &last_)) return false;
-  if (!travel(end_, memory, &last_, &samples_)) return false;
-  state_ = system_.with_angles_reduced(end_);
-  return true;
-}
 
 // Follows a copy of the trajectory and says whether it comes closer to a stable motion. `rate`: of the slowest
 // deviation, negative. If the motion is known only up to `blur`, no approach below that is required. `left`: the
@@ -242,10 +224,6 @@ bool SmoothJourney::worth_trying(const Return& now) {
   }
   tried_.push_back(now);
   return true;
-}
-
-bool SmoothJourney::statistics_repeat(double share_of_extremes, double share_of_means) const {
-  return previous_.duration > 0.0 && similar(previous_, last_, p_.balls, share_of_extremes, share_of_means);
 }
 
 // Whether everything is so nearly at rest that the trajectory gets nowhere in the time left: neither by its rate of
