@@ -36,8 +36,6 @@ bool follow_windows(const Search& s, std::vector<double> states, const std::vect
   BatchTask task = batch_task(s.system);
   task.end = longest * rule.first_long_window + rule.window;  // windows end with a step, a little late
   task.tolerance = s.trials.tolerance;
-  task.count = fates.size();
-  task.states = states.data();
   task.stop = s.settings.stop;
   std::vector<OwnRotor> rotors;
   for (const OwnRotor* given : own) {
@@ -46,7 +44,7 @@ bool follow_windows(const Search& s, std::vector<double> states, const std::vect
     rotors.back().end = task.end;
   }
   const std::vector<const OwnRotor*> pointers = pointers_to(rotors);
-  if (!own.empty()) task.own = pointers.data();
+  task.take(states, pointers, {});
   return fates.empty() || classify_batch(task, rule, fates, records);
 }
 

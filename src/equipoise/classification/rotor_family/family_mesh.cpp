@@ -150,10 +150,7 @@ class MeshMaker {
     const std::vector<const OwnRotor*> own = pointers_to(starts.rotors);
     BatchTask task = source.last_task();
     task.end = source.settled() + horizon;
-    task.count = judged;
-    task.states = starts.states.data();
-    task.begins = starts.begins.data();
-    task.own = own.data();
+    task.take(starts.states, own, starts.begins);
     task.stop = settings_.stop;
     std::vector<Fate> fates(judged);
     if (!classify_batch(task, cell.search.rule, fates, nullptr)) return judgement;
@@ -208,10 +205,7 @@ class MeshMaker {
     for (OwnRotor& rotor : rotors) rotor.end = task.end;
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     const std::vector<double> begins(count, horizon);
-    task.count = count;
-    task.states = states.data();
-    task.begins = begins.data();
-    task.own = own.data();
+    task.take(states, own, begins);
     std::vector<Fate> later(count);
     if (!classify_batch(task, cell.search.rule, later, nullptr)) return false;
     // These fates stand for those of all open starts.

@@ -75,10 +75,7 @@ bool StartRunner::classify_some(Batch& batch, const std::vector<std::size_t>& pl
     if (const MetMotions* met = batch.own[i].met) starts.rotors[i].met = &met->known;
     own.push_back(&starts.rotors[i]);
   }
-  task.count = places.size();
-  task.states = states.data();
-  task.begins = begins.data();
-  if (family_) task.own = own.data();
+  task.take(states, own, begins);
   if (batch.watched) task.transients = &rows;
   std::vector<Fate> decided(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) decided[k].met = starts.fates[places[k]].met;

@@ -34,10 +34,7 @@ std::vector<double> mean_speeds_from(BatchTask task, std::vector<double> states,
   const std::vector<const OwnRotor*> rotors = pointers_to(own);
   for (std::size_t i = 0; i < own.size(); ++i) begins[i] = own[i].end;
   const std::vector<double> from = begins;
-  if (!own.empty()) task.own = rotors.data();
-  task.count = count;
-  task.states = states.data();
-  task.begins = begins.data();
+  task.take(states, rotors, begins);
   std::vector<Fate> fates(count);
   for (int k = 0; k <= watched_parts; ++k) {
     const double weight = k == 0 || k == watched_parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
@@ -115,10 +112,7 @@ std::vector<float> steady_radii(BatchTask task, std::vector<double> states, std:
     TransientTable table;
     table.rows.resize(open.size());
     task.transients = &table;
-    task.count = open.size();
-    task.states = here.data();
-    task.begins = begins.data();
-    task.own = rotors.data();
+    task.take(here, rotors, begins);
     std::vector<Fate> fates(open.size());
     if (!advance_batch(task, fates)) return {};
     std::vector<Followed> still;

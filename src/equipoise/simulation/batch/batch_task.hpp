@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/machine/drives/speed.hpp"
@@ -88,6 +89,14 @@ struct BatchTask {
     return held ? model::held_layout(*system) : system->layout();
   }
   int dimension() const { return layout().size; }
+
+  /// Follows these rows in place. `rotors`: their own, or none; `from`: when each begins, or none.
+  void take(std::vector<double>& rows, const std::vector<const OwnRotor*>& rotors, const std::vector<double>& from) {
+    count = rows.size() / static_cast<std::size_t>(dimension());
+    states = rows.data();
+    own = rotors.empty() ? nullptr : rotors.data();
+    begins = from.empty() ? nullptr : from.data();
+  }
 };
 
 /// Trajectories of any system in the last piece of its drive, from time 0 on; a prescribed rotor angle begins at `psi`.

@@ -280,12 +280,9 @@ class MotorSource final : public SpinUp {
       if (are_own() && held) rotors.back().end = until(i, k);
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
-    if (are_own()) task.own = own.data();
     if (fleet.transients) task.transients = &table;
-    task.count = places.size();
-    task.states = states.data();
-    task.begins = begins.data();
     task.held = held;
+    task.take(states, own, begins);
     if (!run(task)) return false;
     if (fleet.transients) fleet.transients->put_back(places, table);
     return true;

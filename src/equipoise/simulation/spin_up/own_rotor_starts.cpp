@@ -43,9 +43,7 @@ bool advance(std::vector<Prescribed*>& group, std::size_t k, bool held, std::vec
   // Clamped balls cost little to follow, and the state at release decides much.
   constexpr double held_tolerance = 1e-3;
   task.tolerance = group.front()->tolerance() * (held ? held_tolerance : 1.0);
-  task.count = group.size();
-  task.states = states.data();
-  task.own = own.data();
+  task.take(states, own, {});
   task.transients = table;
   task.stop = stop;
   return advance_batch(task, fates);
