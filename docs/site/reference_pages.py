@@ -118,7 +118,7 @@ def public(source):
         written = (source / f"python/equipoise/{module}.py").read_text()
         order = re.findall(r"^(class|def) (\w+)", written, re.MULTILINE)
         names[module] = [(kind, name) for kind, name in order if name in wanted]
-    names["results"] = [("class", "Answer"), ("class", "Result")]
+    names["results"] = [("class", name) for name in ("Answer", "SavedAsData", "WithPage", "Result")]
     return names
 
 

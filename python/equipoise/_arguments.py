@@ -11,6 +11,8 @@ import numpy.typing as npt
 from .errors import StudyError
 from .study import Study, is_quantity
 
+Array = npt.NDArray[np.float64]
+
 MOST_STARTS = 10**12
 LARGEST_SEED = 2**63 - 1
 

@@ -10,22 +10,25 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import real, refuse
+from ._arguments import Array, real, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
 from ._ranges import Range, Values, over_texts, path_text, range_text
 from .ensembles import with_starts
-from .results import Result, WithPage, optional, write_text
+from .results import Result, WithPage, member, optional, write_text
 from .study import Study
 
 if TYPE_CHECKING:
     import pandas
 
-Array = npt.NDArray[np.float64]
-
 
 def _shown(number: Optional[float]) -> str:
     return "?" if number is None else f"{number:.5g}"
+
+
+def _column(name: str, kind: Any) -> Any:
+    """A property: what every cell has under a name."""
+    return property(lambda self: np.array([cell.get(name) for cell in self.cells], dtype=kind))
 
 
 class CapacityResult(Result, WithPage):
@@ -41,47 +44,19 @@ class CapacityResult(Result, WithPage):
     cells : list[dict]
     """
 
-    @property
-    def of(self) -> str:
-        return self.data["of"]
-
-    @property
-    def unit(self) -> str:
-        return self.data["unit"]
-
-    @property
-    def cells(self) -> list[dict[str, Any]]:
-        return self.data["cells"]
-
-    def _column(self, name: str, kind: Any) -> npt.NDArray[Any]:
-        return np.array([cell.get(name) for cell in self.cells], dtype=kind)
-
-    @property
-    def value(self) -> Array:
-        return self._column("value", float)
-
-    @property
-    def low(self) -> Array:
-        return self._column("low", float)
-
-    @property
-    def high(self) -> Array:
-        return self._column("high", float)
-
-    @property
-    def always(self) -> npt.NDArray[np.bool_]:
-        return self._column("always", bool)
-
-    @property
-    def never(self) -> npt.NDArray[np.bool_]:
-        return self._column("never", bool)
+    of: str = member("of")
+    unit: str = member("unit")
+    cells: list[dict[str, Any]] = member("cells")
+    value: Array = _column("value", float)
+    low: Array = _column("low", float)
+    high: Array = _column("high", float)
+    always: npt.NDArray[np.bool_] = _column("always", bool)
+    never: npt.NDArray[np.bool_] = _column("never", bool)
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a cell."""
-        pandas = optional("pandas")
-
         names = ("value", "low", "high", "always", "never")
-        return pandas.DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])
+        return optional("pandas").DataFrame([{**c["at"], **{name: c.get(name) for name in names}} for c in self.cells])
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the program's CSV."""

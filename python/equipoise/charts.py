@@ -12,15 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study
+from ._arguments import Array, checked_study
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
+from ._planes import Size, plane_axes
 from ._ranges import Range, path_text
 from .results import Result
-from .stability_planes import plane_axes
 from .study import Study
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -124,7 +122,7 @@ class ChartResult(Result):
         Part of the plane by what is proved: "stable", "unstable", "none", "open"; empty if nothing was tried.
     """
 
-    def __init__(self, core: _core.Chart, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         data = self.data
         self.answer: str = data["answer"]
@@ -162,7 +160,7 @@ def chart(
     study: Study,
     x: str = "speed.final",
     y: str = "balancer.drag",
-    size: int | tuple[int, int] = 64,
+    size: Size = 64,
     *,
     x_range: Range,
     y_range: Range,
@@ -197,14 +195,14 @@ def chart(
         As for :func:`basin`.
     """
     checked_study(study)
-    axes = plane_axes(x, y, size, x_range, y_range)
+    axes = plane_axes((x, y), size, (x_range, y_range), "speed.final")
     with settings(threads, progress, cpu, within) as how:
         core = _core.chart(study._core, *axes, boxes, undecided, cycles, path_text(output), how)
     return unless_interrupted(ChartResult(core, study), core.interrupted)
 
 
 def curve(
-    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: int | tuple[int, int] = 64, *,
+    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: Size = 64, *,
     x_range: Range, y_range: Range, threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None,
     within: WithinArgument = None,
 ) -> Curves:

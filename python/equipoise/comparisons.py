@@ -12,7 +12,7 @@ from ._arguments import checked_study, flag, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import with_starts
-from .results import Result, optional, write_json
+from .results import Result, SavedAsData, member, optional
 from .study import Study
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class Difference:
     second: float
 
 
-class Comparison(Result):
+class Comparison(SavedAsData, Result):
     """Two ensembles side by side.
 
     Attributes
@@ -46,7 +46,7 @@ class Comparison(Result):
         What the difference in balanced starts amounts to.
     """
 
-    def __init__(self, core: _core.Comparison, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         self.verdict: str = core.verdict()
 
@@ -63,19 +63,11 @@ class Comparison(Result):
         and ``high`` (95 %), ``counts`` and ``open`` starts of both; empty without transients."""
         return list(self.data["figures"])
 
-    @property
-    def changed(self) -> Optional[int]:
-        return self.data["changed"]
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
+    changed: Optional[int] = member("changed")
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row an outcome."""
-        pandas = optional("pandas")
-
-        return pandas.DataFrame([vars(d) for d in self.differences]).set_index("name")
+        return optional("pandas").DataFrame([vars(d) for d in self.differences]).set_index("name")
 
     def __repr__(self) -> str:
         return f"<Comparison: {self.verdict}>"

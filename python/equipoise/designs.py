@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -11,7 +12,7 @@ from ._call import ProgressArgument, WithinArgument, settings, unless_interrupte
 from ._html import table
 from ._ranges import path_text
 from .ensembles import with_starts
-from .results import Result, WithPage, optional, write_text
+from .results import Result, WithPage, member, optional, write_text
 from .study import Study
 
 if TYPE_CHECKING:
@@ -44,46 +45,22 @@ class DesignResult(Result, WithPage):
 
     _lasting: tuple[str, ...] = ("data", "text", "best")
 
-    def __init__(self, core: _core.Design, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         chosen = core.best()
         self.best: Optional[Study] = None if chosen is None else Study._of(chosen)
 
-    @property
-    def feasible(self) -> bool:
-        return self.data["feasible"]
-
-    @property
-    def front(self) -> list[dict[str, Any]]:
-        return self.data["front"]
-
-    @property
-    def chosen(self) -> Optional[dict[str, Any]]:
-        return self.data.get("chosen")
-
-    @property
-    def before(self) -> Optional[dict[str, Any]]:
-        return self.data.get("before")
-
-    @property
-    def units(self) -> dict[str, str]:
-        return self.data["units"]
-
-    @property
-    def margins(self) -> dict[str, dict[str, Any]]:
-        return self.data["margins"]
-
-    @property
-    def limited_by(self) -> list[str]:
-        return self.data["limited_by"]
+    feasible: bool = member("feasible")
+    front: list[dict[str, Any]] = member("front")
+    chosen: Optional[dict[str, Any]] = member("chosen")
+    before: Optional[dict[str, Any]] = member("before")
+    units: dict[str, str] = member("units")
+    margins: dict[str, dict[str, Any]] = member("margins")
+    limited_by: list[str] = member("limited_by")
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a member of the front: the values chosen, each figure with its interval, as the program's CSV."""
-        import io
-
-        pandas = optional("pandas")
-
-        return pandas.read_csv(io.StringIO(self._saved_core().csv()), comment="#")
+        return optional("pandas").read_csv(io.StringIO(self._saved_core().csv()), comment="#")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the program's CSV, a line a member of the front. ``best.save(path)`` writes the chosen study."""

@@ -12,11 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import LARGEST_SEED, MOST_STARTS, checked_study, flag, real, refuse, whole
+from ._arguments import Array, LARGEST_SEED, MOST_STARTS, checked_study, flag, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
+from ._ranges import path_text
 from .errors import UndecidedWarning
-from .results import Result, flags, numbered, optional
+from .results import Result, flags, member, numbered, optional
 from .state import Frame, State, StateLike, starts_of
 from .study import Study
 
@@ -60,6 +61,17 @@ class AttractorShare:
     mean_time: float
 
 
+def _of_every_start(result: BasinResult, name: str) -> Any:
+    if name not in result.arrays:
+        raise AttributeError(f"there is no {name} of every start: basin() was called with keep=False")
+    return result.arrays[name]
+
+
+def _array(name: str) -> Any:
+    """A property: an array of every start."""
+    return property(lambda self: _of_every_start(self, name))
+
+
 class BasinResult(Result):
     """Shares of the starts that come to each attractor, and every start.
 
@@ -100,9 +112,15 @@ class BasinResult(Result):
         Stopped before all starts were done.
     """
 
-    _lasting: tuple[str, ...] = ("data", "text")
+    starts: int = member("starts")
+    without_balls: Optional[dict[str, Any]] = member("without_balls")
+    verdict: Optional[dict[str, Any]] = member("verdict")
+    labels: npt.NDArray[np.int16] = _array("outcome")
+    phi: Array = _array("phi")
+    decision_time: Array = _array("decision_time")
+    decided_by: npt.NDArray[np.int8] = _array("decided_by")
 
-    def __init__(self, core: _core.Basin, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         self.arrays: dict[str, Any] = core.arrays() or {}
         if self.arrays.get("drawn") is not None:  # one value, too, is a column
@@ -116,10 +134,6 @@ class BasinResult(Result):
                 UndecidedWarning,
                 stacklevel=3,  # the line that called basin()
             )
-
-    @property
-    def starts(self) -> int:
-        return self.data["starts"]
 
     @property
     def undecided(self) -> float:
@@ -161,19 +175,6 @@ class BasinResult(Result):
     def names(self) -> dict[int, str]:
         return {**NO_ATTRACTOR, **{o["id"]: o["name"] for o in self.data["outcomes"]}}
 
-    def _array(self, name: str) -> Any:
-        if name not in self.arrays:
-            raise AttributeError(f"there is no {name} of every start: basin() was called with keep=False")
-        return self.arrays[name]
-
-    @property
-    def labels(self) -> npt.NDArray[np.int16]:
-        return self._array("outcome")
-
-    @property
-    def phi(self) -> npt.NDArray[np.float64]:
-        return self._array("phi")
-
     @property
     def initial(self) -> State:
         fields = dict(self.study._core.initial)
@@ -185,28 +186,12 @@ class BasinResult(Result):
         return State(phi=self.phi, psi_dot=self.study._core.initial_speed, **fields)
 
     @property
-    def decision_time(self) -> npt.NDArray[np.float64]:
-        return self._array("decision_time")
-
-    @property
-    def decided_by(self) -> npt.NDArray[np.int8]:
-        return self._array("decided_by")
-
-    @property
     def decided_by_names(self) -> list[str]:
         return list(_core.grounds_of_decision())
 
     @property
     def transients(self) -> Optional[dict[str, npt.NDArray[np.float32]]]:
-        return self._array("transients") or None
-
-    @property
-    def without_balls(self) -> Optional[dict[str, Any]]:
-        return self.data.get("without_balls")
-
-    @property
-    def verdict(self) -> Optional[dict[str, Any]]:
-        return self.data.get("verdict")
+        return _of_every_start(self, "transients") or None
 
     @property
     def within_limits(self) -> dict[str, Any]:
@@ -232,8 +217,6 @@ class BasinResult(Result):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with dimension start: the variables of the NetCDF file, with units and long_name."""
-        xarray = optional("xarray")
-
         data: dict[str, Any] = {}
         kept = {**self.arrays, **(self.transients or {})}
         for name, (along, attributes) in self._columns.items():
@@ -251,13 +234,12 @@ class BasinResult(Result):
             units = self.study.uncertain
             coordinates["uncertain_value"] = list(units)
             coordinates["uncertain_unit"] = ("uncertain_value", list(units.values()))
-        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
+        return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """A table with a row a start: initial angles, outcome by name, decision time, transients if there are any; what the
         start drew by key, the cells that it stands for and the rotor's speed in the end where the study has such."""
         pandas = optional("pandas")
-
         columns: dict[str, Any] = {f"phi_{i + 1}": self.phi[:, i] for i in range(self.phi.shape[1])}
         codes = sorted(self.names)
         columns["outcome"] = pandas.Categorical.from_codes(
@@ -386,7 +368,7 @@ def basin(
     with settings(threads, progress, cpu, within) as how:
         core = _core.basin(
             asked._core, half_width_of(half_width), starts is not None, flag("transients", transients),
-            bool(flag("changes", changes)), "" if output is None else os.fspath(output), bool(keep), states, rows,
+            bool(flag("changes", changes)), path_text(output), bool(keep), states, rows,
             searched, how,
         )
     return unless_interrupted(BasinResult(core, asked), core.interrupted)

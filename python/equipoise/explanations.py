@@ -4,59 +4,38 @@ from __future__ import annotations
 
 import json
 import os
-from html import escape
 from typing import Any, Optional
 
 from . import _core
 from ._arguments import checked_study, refuse
 from ._call import WithinArgument, settings, time_limit, unless_interrupted
-from .results import write_json
+from .results import SavedAsData, member
 from .study import Study
 
 
-class _Told:
-    """Text and data that are there from the begin."""
+class _Said(SavedAsData):
+    """Text and data of a study that are there from the begin."""
 
-    study: Study
-    text: str
-    data: dict[str, Any]
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
-
-    def __str__(self) -> str:
-        return self.text
+    def __init__(self, study: Study, text: str, data: dict[str, Any]) -> None:
+        super().__init__(None)
+        self.study, self.text, self.data = study, text, data
 
     def __repr__(self) -> str:
         return self.text
 
-    def _repr_html_(self) -> str:
-        return f"<pre>{escape(self.text)}</pre>"
 
-
-class Explanation(_Told):
+class Explanation(_Said):
     """A study's numbers and what follows from them without any simulation; ``text`` and ``data``."""
 
-    def __init__(self, study: Study, made: dict[str, Any]) -> None:
-        self.study = study
-        self.text: str = made["text"]
-        self.data: dict[str, Any] = json.loads(made["json"])
-
-    @property
-    def warnings(self) -> list[str]:
-        """What to beware of."""
-        return self.data["warnings"]
+    warnings: list[str] = member("warnings", "What to beware of.")
+    cost: Optional[dict[str, Any]] = member(
+        "cost", "How long :func:`basin` takes, if it was asked for: measured on a part of it, in seconds."
+    )
 
     @property
     def advice(self) -> dict[str, dict[str, Any]]:
         """Rules of thumb by their ``id``: ``kept``, ``words``, ``figures``, ``formula``, ``source``; estimates, not results."""
         return {rule["id"]: rule for rule in self.data["advice"]}
-
-    @property
-    def cost(self) -> Optional[dict[str, Any]]:
-        """How long :func:`basin` takes, if it was asked for: measured on a part of it, in seconds."""
-        return self.data.get("cost")
 
 
 def explain(study: Study, *, cost: bool = False, within: WithinArgument = None) -> Explanation:
@@ -73,10 +52,10 @@ def explain(study: Study, *, cost: bool = False, within: WithinArgument = None) 
     patience = None if not cost else time_limit(within) or ""
     with settings(0, None, None) as how:
         made = study._core.explain(patience, how)
-    return unless_interrupted(Explanation(study, made), made["interrupted"])
+    return unless_interrupted(Explanation(study, made["text"], json.loads(made["json"])), made["interrupted"])
 
 
-class StudyCheck(_Told):
+class StudyCheck(_Said):
     """What was understood of a study, what was assumed, and which estimate matters most.
 
     Attributes
@@ -89,35 +68,17 @@ class StudyCheck(_Told):
         Which of the estimated quantities matters most, and how that was judged.
     """
 
-    def __init__(self, study: Study) -> None:
-        self.study = checked_study(study)
-        self.data: dict[str, Any] = study._core.check()
-        self.text: str = self.data.pop("text")
-
-    @property
-    def machine(self) -> str:
-        return self.data["machine"]
-
-    @property
-    def unbalance(self) -> str:
-        return self.data["unbalance"]
-
-    @property
-    def balls(self) -> str:
-        return self.data["balls"]
-
-    @property
-    def assumed(self) -> list[str]:
-        return self.data["assumed"]
-
-    @property
-    def matters_most(self) -> str:
-        return self.data["matters_most"]
+    machine: str = member("machine")
+    unbalance: str = member("unbalance")
+    balls: str = member("balls")
+    assumed: list[str] = member("assumed")
+    matters_most: str = member("matters_most")
 
 
 def check(study: Study) -> StudyCheck:
     """What was understood of a study, what was assumed, and which estimate matters most. Milliseconds."""
-    return StudyCheck(study)
+    data = checked_study(study)._core.check()
+    return StudyCheck(study, data.pop("text"), data)
 
 
 def machines() -> list[str]:

@@ -8,14 +8,14 @@ from typing import Any, Optional
 
 from . import _core
 from ._arguments import refuse
-from .results import Answer, write_json
+from .results import SavedAsData, member
 from .study import Study
 from .sweeps import SweepResult
 
 LARGEST_CERTIFICATES = 64 << 20  # certificates take some kilobytes
 
 
-class Inspection(Answer):
+class Inspection(SavedAsData):
     """What a file of results holds, how complete and whether damaged.
 
     Attributes
@@ -37,33 +37,16 @@ class Inspection(Answer):
         What was asked.
     """
 
-    @property
-    def path(self) -> str:
-        return self.data["path"]
-
-    @property
-    def kind(self) -> str:
-        return self.data["kind"]
-
-    @property
-    def version(self) -> str:
-        return self.data["version"]
-
-    @property
-    def bytes(self) -> int:
-        return self.data["bytes"]
-
-    @property
-    def damage(self) -> str:
-        return self.data["damage"]
+    path: str = member("path")
+    kind: str = member("kind")
+    version: str = member("version")
+    bytes: int = member("bytes")
+    damage: str = member("damage")
+    complete: Optional[bool] = member("complete")
 
     @property
     def sound(self) -> bool:
         return not self.damage
-
-    @property
-    def complete(self) -> Optional[bool]:
-        return self.data["complete"]
 
     @property
     def facts(self) -> dict[str, str]:
@@ -72,10 +55,6 @@ class Inspection(Answer):
     @property
     def study(self) -> Optional[Study]:
         return Study.from_toml(self.data["study"], self.path) if self.data["study"] else None
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
 
     def __repr__(self) -> str:
         state = f"DAMAGED: {self.damage}" if self.damage else "sound"
@@ -116,7 +95,7 @@ def merge(files: Iterable[str | os.PathLike[str]], output: str | os.PathLike[str
     return SweepResult(core, Study._of(core.study()))
 
 
-class CertificateCheck(Answer):
+class CertificateCheck(SavedAsData):
     """Certificates of a file, each checked from its own data.
 
     Attributes
@@ -125,13 +104,7 @@ class CertificateCheck(Answer):
         Whether all of them are valid.
     """
 
-    @property
-    def proved(self) -> bool:
-        return self.data["proved"]
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
+    proved: bool = member("proved")
 
     def __repr__(self) -> str:
         return f"<CertificateCheck: {'proved' if self.proved else 'NOT proved'}>"

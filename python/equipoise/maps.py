@@ -12,42 +12,29 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study, refuse, whole
+from ._arguments import checked_study, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
-from ._ranges import Range, path_text, range_text
-from .results import Result, WithPage, flags, optional
+from ._planes import OverPlane, Size, plane_axes
+from ._ranges import Range, path_text
+from .results import WithPage, flags
 from .study import Study
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-_MOST_PIXELS = 20000
-
-Array = npt.NDArray[np.float64]
 
 
-def _size(size: int | tuple[int, int]) -> tuple[int, int]:
-    sides = [size, size] if np.ndim(size) == 0 else list(size)  # type: ignore[arg-type]
-    if len(sides) != 2:
-        refuse("size", size, "one whole number, or two: width and height")
-    width, height = (whole("size", side, 1, _MOST_PIXELS) for side in sides)
-    return width, height
-
-
-def _axis(study: Study, name: str, key: str) -> str:
-    if not isinstance(key, str):
-        refuse(name, key, 'a key of the study, such as "initial.phi_1"')
-    ball = re.fullmatch(r"initial\.phi(?:_dot)?_(\d+)", key)
+def _check_ball(study: Study, name: str, key: str) -> None:
+    ball = isinstance(key, str) and re.fullmatch(r"initial\.phi(?:_dot)?_(\d+)", key)
     if ball and not 1 <= int(ball[1]) <= study.balls:
         last = study.balls
         others = 'of its one ball, "initial.phi_1" or "initial.phi_dot_1"' if last == 1 else f"of one of its balls 1 to {last}"
         refuse(name, key, f"{others}, or another key of the study")
-    return key
 
 
-class MapResult(Result, WithPage):
+class MapResult(OverPlane, WithPage):
     """The outcome of one start at every pixel of a plane.
 
     Attributes
@@ -78,25 +65,15 @@ class MapResult(Result, WithPage):
     complete : bool
     """
 
-    _lasting = ("text",)  # its data are as large as its arrays
+    outcome: npt.NDArray[np.int16]
+    time: npt.NDArray[np.float32]
+    r_max: npt.NDArray[np.float32]
+    figures: dict[str, Any]
+    left_out: int
 
-    def __init__(self, core: _core.Map, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
-        arrays, summary = core.arrays(), core.summary()
-        self.outcome: npt.NDArray[np.int16] = arrays["outcome"]
-        self.time: npt.NDArray[np.float32] = arrays["time"]
-        self.r_max: npt.NDArray[np.float32] = arrays["r_max"]
-        self.x: Array = arrays["x"]
-        self.y: Array = arrays["y"]
-        self.x_key: str = summary["x_key"]
-        self.y_key: str = summary["y_key"]
-        self.x_edges: tuple[float, float] = summary["x_edges"]
-        self.y_edges: tuple[float, float] = summary["y_edges"]
-        self.figures: dict[str, Any] = summary["figures"]
-        self.left_out: int = summary["left_out"]
-        self.complete: bool = summary["complete"]
-        self.seconds: float = summary["seconds"]
-        self._codes = summary["codes"]
+        self._codes: list[Any] = vars(self).pop("codes")
 
     @property
     def names(self) -> dict[int, str]:
@@ -114,18 +91,6 @@ class MapResult(Result, WithPage):
     def errors(self) -> dict[str, tuple[float, float]]:
         return {code[1]: (code[4], code[5]) for code in self._codes}
 
-    @property
-    def partial(self) -> bool:
-        return not self.complete
-
-    def __repr__(self) -> str:
-        shares = "; ".join(f"{name} {100 * share:.1f} %" for name, share in self.shares.items() if share)
-        ny, nx = self.outcome.shape
-        return (
-            f"<MapResult of {self.study.name}: {nx} x {ny} over {self.x_key} and {self.y_key}"
-            f"{'' if self.complete else ', not complete'}: {shares}>"
-        )
-
     def _repr_html_(self) -> str:
         rows = [(c[1], c[6], percent(c[3], c[4], c[5])) for c in self._codes]
         figures = [
@@ -138,34 +103,21 @@ class MapResult(Result, WithPage):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over y and x."""
-        xarray = optional("xarray")
-
         told = _core.pixel_numbers()
-        data = {
-            "outcome": (("y", "x"), self.outcome, {**told["outcome"], **flags(self.names, np.int16)}),
-            "decision_time": (("y", "x"), self.time, told["decision_time"]),
-            "r_max": (("y", "x"), self.r_max, told["r_max"]),
-        }
-        units = _core.axis_units
-        axes = {
-            "x": ("x", self.x, {"units": units(self.x_key), "long_name": self.x_key}),
-            "y": ("y", self.y, {"units": units(self.y_key), "long_name": self.y_key}),
-        }
-        return xarray.Dataset(data, axes, {"study": self.study.to_toml()})
+        outcome = {**told["outcome"], **flags(self.names, np.int16)}
+        arrays = {"outcome": self.outcome, "decision_time": self.time, "r_max": self.r_max}
+        return self._dataset({name: (array, outcome if name == "outcome" else told[name]) for name, array in arrays.items()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """Outcomes by name: rows are y, columns x."""
-        pandas = optional("pandas")
-
-        names = np.vectorize(lambda code: self.names.get(code, ""), otypes=[object])(self.outcome)
-        return pandas.DataFrame(names, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))
+        return self._frame(np.vectorize(lambda code: self.names.get(code, ""), otypes=[object])(self.outcome))
 
 
 def map(  # noqa: A001 (the command line's name)
     study: Study,
     x: str = "initial.phi_1",
     y: str = "initial.phi_2",
-    size: int | tuple[int, int] = 512,
+    size: Size = 512,
     *,
     x_range: Range = None,
     y_range: Range = None,
@@ -199,12 +151,10 @@ def map(  # noqa: A001 (the command line's name)
     threads, progress, cpu, within
         As for :func:`basin`.
     """
-    across, up = _axis(checked_study(study), "x", x), _axis(study, "y", y)
-    width, height = _size(size)
+    for name, key in (("x", x), ("y", y)):
+        _check_ball(checked_study(study), name, key)
+    axes = plane_axes((x, y), size, (x_range, y_range), "initial.phi_1")
     ties = [tie] if isinstance(tie, str) else list(tie or ())
     with settings(threads, progress, cpu, within) as how:
-        core = _core.map(
-            study._core, (across, range_text("x_range", x_range), width), (up, range_text("y_range", y_range), height), ties,
-            path_text(output), how,
-        )
+        core = _core.map(study._core, *axes, ties, path_text(output), how)
     return unless_interrupted(MapResult(core, study), core.interrupted)

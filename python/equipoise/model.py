@@ -8,14 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import angles, checked_study, refuse
+from ._arguments import Array, angles, checked_study, refuse
 from ._call import ProgressArgument, settings, unless_interrupted
 from .ensembles import NO_ATTRACTOR
 from .errors import Interrupted
 from .state import Frame, State, StateLike, checked_frame, floats, no_frame, of_study, starts_of, state_on
 from .study import Study
-
-Array = npt.NDArray[np.float64]
 
 
 class Model:

@@ -6,26 +6,24 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Generic, Optional, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import MOST_STARTS, checked_study, real, whole
+from ._arguments import Array, MOST_STARTS, checked_study, real, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from .ensembles import with_starts
 from .errors import RunError
-from .results import Result, optional, write_json
+from .results import Result, SavedAsData, member, optional, write_text
 from .state import Frame, State, StateLike, seeds_of, state_on
 from .study import Study, option_value
 
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-Array = npt.NDArray[np.float64]
 
 _UNITS = {
     "stable": ("1", "whether the attractor is stable"),
@@ -37,6 +35,9 @@ _UNITS = {
 }
 
 _LONGEST_PATH = 1e5  # a second or so, which Ctrl-C does not end
+
+
+_Item = TypeVar("_Item", "Attractor", "Branch")
 
 
 @dataclass(frozen=True)
@@ -133,26 +134,38 @@ class Attractor:
         )
 
 
-class AttractorsResult(Result):
+class _Named(Result, Generic[_Item]):
+    """A result that is a sequence of what has a name and an alias."""
+
+    _of: str  #: the attribute that holds them
+
+    @property
+    def _items(self) -> list[_Item]:
+        return getattr(self, self._of)
+
+    def __iter__(self) -> Iterator[_Item]:
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __getitem__(self, key: int | str) -> _Item:
+        if not isinstance(key, str):
+            return self._items[key]
+        for item in self._items:
+            if key in (item.name, item.alias):
+                return item
+        raise KeyError(key)
+
+
+class AttractorsResult(SavedAsData, _Named[Attractor]):
     """Every attractor that was found, as a sequence: ``for a in result``, ``result[0]``, ``result["balanced"]``."""
+
+    _of = "attractors"
 
     @property
     def attractors(self) -> list[Attractor]:
         return [Attractor(a, self.study) for a in self.data["attractors"]]
-
-    def __iter__(self) -> Iterator[Attractor]:
-        return iter(self.attractors)
-
-    def __len__(self) -> int:
-        return len(self.data["attractors"])
-
-    def __getitem__(self, key: int | str) -> Attractor:
-        if isinstance(key, str):
-            for a in self.attractors:
-                if key in (a.name, a.alias):
-                    return a
-            raise KeyError(key)
-        return self.attractors[key]
 
     def __repr__(self) -> str:
         names = "; ".join(f"{a.name} {100 * a.share:.1f} %" for a in self)
@@ -168,14 +181,8 @@ class AttractorsResult(Result):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row an attractor."""
-        pandas = optional("pandas")
-
         names = ("id", "name", "alias", "kind", "stable", "share", "low", "high", "period", "r_min", "r_mean", "r_max")
-        return pandas.DataFrame([{name: getattr(a, name) for name in names} for a in self]).set_index("id")
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
+        return optional("pandas").DataFrame([{name: getattr(a, name) for name in names} for a in self]).set_index("id")
 
 
 def attractors(
@@ -256,14 +263,16 @@ class Branch:
         self.name: str = data["name"]
         self.alias: str = data["alias"] or ""
         points = data["points"]
-        self.value = np.array([p["value"] for p in points], dtype=float)
-        self.r_min = np.array([p["radial"]["min"] for p in points], dtype=float)
-        self.r_mean = np.array([p["radial"]["mean"] for p in points], dtype=float)
-        self.r_max = np.array([p["radial"]["max"] for p in points], dtype=float)
+
+        def column(name: str) -> Array:
+            """Numbers of every point; nan where it has none."""
+            return np.array([p.get(name) for p in points], dtype=float)
+
+        self.value, self.growth_rate, self.multiplier = column("value"), column("growth_rate"), column("multiplier")
+        radial = np.array([[p["radial"][name] for p in points] for name in ("min", "mean", "max")], dtype=float)
+        self.r_min, self.r_mean, self.r_max = radial
         self.stable = np.array([p["stable"] for p in points], dtype=bool)
         self.kind = [p["kind"] for p in points]
-        self.growth_rate = np.array([p.get("growth_rate") for p in points], dtype=float)
-        self.multiplier = np.array([p.get("multiplier") for p in points], dtype=float)
         self.events = [
             Event(e["change"], e["type"], *e["between"], *(e["radial"][name] for name in ("min", "mean", "max")))
             for e in events
@@ -275,7 +284,7 @@ class Branch:
         return f"<Branch {self.id} {self.name}: {stretch}, stable at {int(self.stable.sum())} of {len(self.value)} values>"
 
 
-class BranchesResult(Result):
+class BranchesResult(_Named[Branch]):
     """Branches of attractors along a parameter, as a sequence.
 
     Attributes
@@ -285,9 +294,8 @@ class BranchesResult(Result):
         All values of the parameter, and those half-way between at which a branch lives that has no others.
     """
 
-    @property
-    def parameter(self) -> str:
-        return self.data["parameter"]
+    _of = "branches"
+    parameter: str = member("parameter")
 
     @property
     def values(self) -> Array:
@@ -296,20 +304,6 @@ class BranchesResult(Result):
     @property
     def branches(self) -> list[Branch]:
         return [Branch(b, self.data["events"]) for b in self.data["branches"]]
-
-    def __iter__(self) -> Iterator[Branch]:
-        return iter(self.branches)
-
-    def __len__(self) -> int:
-        return len(self.data["branches"])
-
-    def __getitem__(self, key: int | str) -> Branch:
-        if isinstance(key, str):
-            for b in self.branches:
-                if key in (b.name, b.alias):
-                    return b
-            raise KeyError(key)
-        return self.branches[key]
 
     def __repr__(self) -> str:
         values = self.values
@@ -330,24 +324,17 @@ class BranchesResult(Result):
     def to_pandas(self) -> pandas.DataFrame:
         """A row a value and branch."""
         pandas = optional("pandas")
-
-        frames = []
-        for b in self:
-            frames.append(
-                pandas.DataFrame(
-                    {self.parameter: b.value, "id": b.id, "name": b.name, "kind": b.kind, "stable": b.stable,
-                     "r_min": b.r_min, "r_mean": b.r_mean, "r_max": b.r_max, "multiplier": b.multiplier,
-                     "growth_rate": b.growth_rate}
-                )
-            )
+        names = ("id", "name", "kind", "stable", "r_min", "r_mean", "r_max", "multiplier", "growth_rate")
+        frames = [
+            pandas.DataFrame({self.parameter: b.value, **{name: getattr(b, name) for name in names}}) for b in self
+        ]
         return pandas.concat(frames, ignore_index=True) if frames else pandas.DataFrame()
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over the parameter and the attractors; nan where one is not there, else stable is 1 or 0."""
         rows = self.to_pandas()
         if rows.empty:
-            xarray = optional("xarray")
-            return xarray.Dataset(attrs={"study": self.study.to_toml()})
+            return optional("xarray").Dataset(attrs={"study": self.study.to_toml()})
         rows["stable"] = rows["stable"].astype(float)
         dataset = rows.set_index([self.parameter, "id"]).drop(columns=["name", "kind"]).to_xarray()
         for name, (unit, meaning) in _UNITS.items():
@@ -411,25 +398,16 @@ class CertifyResult(Result):
         One a stable balanced state that is no copy: ``phi``, ``level``, ``reach``, ``proved``, ``reason``.
     """
 
-    @property
-    def proved(self) -> bool:
-        return self.data["proved"]
-
-    @property
-    def note(self) -> str:
-        return self.data["note"]
-
-    @property
-    def states(self) -> list[dict[str, Any]]:
-        return self.data["states"]
+    proved: bool = member("proved")
+    note: str = member("note")
+    states: list[dict[str, Any]] = member("states")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the certificates as JSON, which ``equipoise certify --check`` reads. RunError if nothing is proved."""
         text = self._saved_core().certificates()
         if not text:
             raise RunError("nothing is proved: there is no certificate to save")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
+        write_text(path, text)
 
     def __repr__(self) -> str:
         return f"<CertifyResult of {self.study.name}: {'proved' if self.proved else 'not proved'}, {len(self.states)} states>"

@@ -32,7 +32,7 @@ class Report(BasinResult):
 
     _lasting: tuple[str, ...] = ("data", "text", "html", "sentences")
 
-    def __init__(self, core: _core.Basin, study: Study) -> None:
+    def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         self.html: str = core.page()
         self.sentences: str = core.sentences()

@@ -9,10 +9,10 @@ from . import _core
 from ._arguments import MOST_STARTS, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._ranges import path_text
-from .results import Answer, write_json, write_text
+from .results import SavedAsData, member, write_text
 
 
-class Reproduction(Answer):
+class Reproduction(SavedAsData):
     """Tables and figures of the paper, computed again and judged.
 
     Attributes
@@ -23,13 +23,8 @@ class Reproduction(Answer):
         A cell that is claimed to agree does not.
     """
 
-    @property
-    def tables(self) -> list[dict[str, Any]]:
-        return self.data["tables"]
-
-    @property
-    def differs(self) -> bool:
-        return self.data["differs"]
+    tables: list[dict[str, Any]] = member("tables")
+    differs: bool = member("differs")
 
     def report(self, path: str | os.PathLike[str], explorer: str = "") -> None:
         """Write the page that the command line writes with ``--report``: one HTML file that needs nothing else.
@@ -42,10 +37,6 @@ class Reproduction(Answer):
             Address of the explorer's page, seen from this one: each row of settings then opens its study there.
         """
         write_text(path, self._saved_core().page(explorer))
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``data`` as JSON."""
-        write_json(path, self.data)
 
     def __repr__(self) -> str:
         verdicts = ", ".join(f"table {t['table']}: {t['agrees']} agree, {t['differs']} differ" for t in self.tables)

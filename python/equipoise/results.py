@@ -49,6 +49,11 @@ def numbered(count: int, meaning: str, first: int = 0) -> tuple[Any, dict[str, s
     return np.arange(first, first + count, dtype=np.int32), {"units": "1", "long_name": meaning}
 
 
+def member(name: str, meaning: str = "") -> Any:
+    """A property: what ``data`` has under a name, None if it has nothing."""
+    return property(lambda self: self.data.get(name), doc=meaning or None)
+
+
 class Answer:
     """An answer: its text as the command line prints it, and its data as ``--json`` does."""
 
@@ -113,10 +118,12 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
         file.write(text)
 
 
-def write_json(path: str | os.PathLike[str], data: Mapping[str, Any]) -> None:
-    """Write data as JSON."""
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(data, file, indent=1, ensure_ascii=False)
+class SavedAsData(Answer):
+    """An answer whose file is its data."""
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``data`` as JSON."""
+        write_text(path, json.dumps(self.data, indent=1, ensure_ascii=False))
 
 
 class WithPage(Answer):

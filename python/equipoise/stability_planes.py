@@ -10,36 +10,19 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study, refuse
+from ._arguments import Array, checked_study
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
-from ._ranges import Range, path_text, range_text
-from .maps import _size
-from .results import Result, optional
+from ._planes import OverPlane, Size, plane_axes
+from ._ranges import Range, path_text
 from .study import Study
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-Array = npt.NDArray[np.float64]
 
-
-def _key(name: str, key: str) -> str:
-    if not isinstance(key, str):
-        refuse(name, key, 'a key of the study, such as "speed.final"')
-    return key
-
-
-def plane_axes(
-    x: str, y: str, size: int | tuple[int, int], x_range: Range, y_range: Range
-) -> tuple[tuple[str, str, int], tuple[str, str, int]]:
-    """Key, range and points of both axes, checked."""
-    width, height = _size(size)
-    return (_key("x", x), range_text("x_range", x_range), width), (_key("y", y), range_text("y_range", y_range), height)
-
-
-class StabilityResult(Result):
+class StabilityResult(OverPlane):
     """What balance does at every point of a plane of two parameters.
 
     Attributes
@@ -70,48 +53,23 @@ class StabilityResult(Result):
     complete : bool
     """
 
-    _lasting = ("text",)  # its data are as large as its arrays
-
     #: Words of `kind`, by number from 0.
     kinds: tuple[str, ...] = tuple(_core.balance_kinds)
 
-    def __init__(self, core: _core.Stability, study: Study) -> None:
-        super().__init__(core, study)
-        arrays, summary = core.arrays(), core.summary()
-        self.kind: npt.NDArray[np.int16] = arrays["kind"]
-        self.unstable: npt.NDArray[np.int16] = arrays["unstable"]
-        self.growth: Array = arrays["growth"]
-        self.frequency: Array = arrays["frequency"]
-        self.margin: Array = arrays["margin"]
-        self.x: Array = arrays["x"]
-        self.y: Array = arrays["y"]
-        self.x_key: str = summary["x_key"]
-        self.y_key: str = summary["y_key"]
-        self.x_edges: tuple[float, float] = summary["x_edges"]
-        self.y_edges: tuple[float, float] = summary["y_edges"]
-        self.own: Optional[tuple[float, float]] = summary["own"]
-        self.continuum: Optional[dict[str, Any]] = summary["continuum"]
-        self.answer: str = summary["answer"]
-        self.complete: bool = summary["complete"]
-        self.seconds: float = summary["seconds"]
+    kind: npt.NDArray[np.int16]
+    unstable: npt.NDArray[np.int16]
+    growth: Array
+    frequency: Array
+    margin: Array
+    own: Optional[tuple[float, float]]
+    continuum: Optional[dict[str, Any]]
+    answer: str
 
     @property
     def shares(self) -> dict[str, float]:
         """Part of the plane of every kind that occurs, and "not computed"."""
         names = [*enumerate(self.kinds), (-1, "not computed")]
         return {name: float(np.mean(self.kind == k)) for k, name in names if np.any(self.kind == k)}
-
-    @property
-    def partial(self) -> bool:
-        return not self.complete
-
-    def __repr__(self) -> str:
-        shares = "; ".join(f"{name} {100 * share:.1f} %" for name, share in self.shares.items())
-        ny, nx = self.kind.shape
-        return (
-            f"<StabilityResult of {self.study.name}: {nx} x {ny} over {self.x_key} and {self.y_key}"
-            f"{'' if self.complete else ', not complete'}: {shares}>"
-        )
 
     def _repr_html_(self) -> str:
         title = f"<b>{escape(self.study.name)}</b>: {escape(self.answer)}"
@@ -120,20 +78,11 @@ class StabilityResult(Result):
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset over y and x."""
-        xarray = optional("xarray")
-
-        told = _core.point_numbers()
-        data: dict[str, Any] = {name: (("y", "x"), getattr(self, name), attributes) for name, attributes in told.items()}
-        x = ("x", self.x, {"long_name": self.x_key})
-        y = ("y", self.y, {"long_name": self.y_key})
-        return xarray.Dataset(data, {"x": x, "y": y}, {"study": self.study.to_toml()})
+        return self._dataset({name: (getattr(self, name), told) for name, told in _core.point_numbers().items()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """Kinds by their words: rows are y, columns x."""
-        pandas = optional("pandas")
-
-        words = np.array([*self.kinds, ""], dtype=object)[self.kind]
-        return pandas.DataFrame(words, pandas.Index(self.y, name=self.y_key), pandas.Index(self.x, name=self.x_key))
+        return self._frame(np.array([*self.kinds, ""], dtype=object)[self.kind])
 
     def to_csv(self) -> str:
         """The table that the command line writes with ``--csv``."""
@@ -144,7 +93,7 @@ def stability(
     study: Study,
     x: str = "speed.final",
     y: str = "balancer.drag",
-    size: int | tuple[int, int] = 512,
+    size: Size = 512,
     *,
     x_range: Range,
     y_range: Range,
@@ -170,7 +119,7 @@ def stability(
         As for :func:`basin`.
     """
     checked_study(study)
-    axes = plane_axes(x, y, size, x_range, y_range)
+    axes = plane_axes((x, y), size, (x_range, y_range), "speed.final")
     with settings(threads, progress, cpu, within) as how:
         core = _core.stability(study._core, *axes, path_text(output), how)
     return unless_interrupted(StabilityResult(core, study), core.interrupted)

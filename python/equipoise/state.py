@@ -8,10 +8,9 @@ from typing import Any, Literal, NoReturn, Optional, Union
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import angles, checked_study, numbers, refuse
+from ._arguments import Array, angles, checked_study, numbers, refuse
 from .study import Study
 
-Array = npt.NDArray[np.float64]
 #: "rotating": velocities are x_dot, y_dot, rates of x and y. "inertial": they are u, v, the velocity in the room.
 Frame = Literal["rotating", "inertial"]
 

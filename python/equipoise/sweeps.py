@@ -13,21 +13,24 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import flag, refuse, whole
+from ._arguments import Array, flag, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._ranges import Values, over_texts, path_text
 from .ensembles import half_width_of, with_starts
-from .results import Result, WithPage, optional
+from .results import Result, WithPage, member, optional
 from .study import Study
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-Array = npt.NDArray[np.float64]
-
 MOST_CELLS = 100_000  # the command line's, too
+
+
+def _grids(what: str) -> Any:
+    """A property: a number of every outcome by name, over the axes."""
+    return property(lambda self: self._grid(what))
 
 
 class SweepResult(Result, WithPage):
@@ -50,6 +53,8 @@ class SweepResult(Result, WithPage):
         As the command line's ``--json`` has them.
     """
 
+    cells: list[dict[str, Any]] = member("cells")
+
     @property
     def _parameters(self) -> list[dict[str, Any]]:
         return self.data["over"]
@@ -66,10 +71,6 @@ class SweepResult(Result, WithPage):
     @property
     def shape(self) -> tuple[int, ...]:
         return tuple(len(values) for values in self.axes.values())
-
-    @property
-    def cells(self) -> list[dict[str, Any]]:
-        return self.data["cells"]
 
     @property
     def names(self) -> dict[int, str]:
@@ -97,17 +98,9 @@ class SweepResult(Result, WithPage):
                 grids.setdefault(o["name"], absent.copy())[place] = o[what]
         return grids
 
-    @property
-    def shares(self) -> dict[str, Array]:
-        return self._grid("share")
-
-    @property
-    def low(self) -> dict[str, Array]:
-        return self._grid("low")
-
-    @property
-    def high(self) -> dict[str, Array]:
-        return self._grid("high")
+    shares: dict[str, Array] = _grids("share")
+    low: dict[str, Array] = _grids("low")
+    high: dict[str, Array] = _grids("high")
 
     @property
     def undecided(self) -> Array:
@@ -131,24 +124,17 @@ class SweepResult(Result, WithPage):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Tidy: a row a cell and outcome; ``.attrs["units"]`` has the units of the parameters."""
-        pandas = optional("pandas")
-
-        rows = []
-        for _, cell in self.cells_by_place():
-            for o in cell["outcomes"]:
-                rows.append(
-                    {**cell["at"], "id": o["id"], "name": o["name"], "share": o["share"], "low": o["low"],
-                     "high": o["high"], "count": o["count"], "starts": cell["starts"],
-                     "undecided": cell["undecided"]["share"]}
-                )
-        frame = pandas.DataFrame(rows)
+        names = ("id", "name", "share", "low", "high", "count")
+        frame = optional("pandas").DataFrame([
+            {**cell["at"], **{name: o[name] for name in names}, "starts": cell["starts"], "undecided": cell["undecided"]["share"]}
+            for _, cell in self.cells_by_place()
+            for o in cell["outcomes"]
+        ])
         frame.attrs["units"] = self.units
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with the parameters, in their units, and the attractors' names as coordinates."""
-        xarray = optional("xarray")
-
         keys = list(self.axes)
         data: dict[str, Any] = {}
         for what in ("share", "low", "high"):
@@ -160,7 +146,7 @@ class SweepResult(Result, WithPage):
         for p in self._parameters:
             along = keys[0] if self.data["zipped"] else p["key"]
             coordinates[p["key"]] = (along, np.array(p["values"], dtype=float), {"units": p["unit"] or "1"})
-        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
+        return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
 
 def _shard(given: Optional[tuple[int, int]]) -> tuple[int, int]:

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study, numbers, real, refuse
+from ._arguments import Array, checked_study, numbers, real, refuse
 from ._call import WithinArgument, settings, unless_interrupted
 from ._html import definition_table
 from .results import optional
@@ -20,8 +20,6 @@ from .study import Study, is_quantity
 if TYPE_CHECKING:
     import pandas
     import xarray
-
-Array = npt.NDArray[np.float64]
 
 _COLUMNS = _core.trajectory_columns()
 
@@ -123,8 +121,6 @@ class Trajectory:
 
     def to_xarray(self) -> xarray.Dataset:
         """A dataset with coordinate t; every variable has units and long_name."""
-        xarray = optional("xarray")
-
         places = {"bearing_radial": "bearing", "bearing_force": "bearing"}
         data = {
             name: (("t", places.get(name, "ball"))[: getattr(self, name).ndim], getattr(self, name), _COLUMNS[name])
@@ -133,12 +129,10 @@ class Trajectory:
         coordinates = {"ball": np.arange(1, self.phi.shape[1] + 1)}
         if "bearing_radial" in self._names:
             coordinates["bearing"] = np.arange(1, self.bearing_radial.shape[1] + 1)
-        return xarray.Dataset(data, coordinates, {"study": self.study.to_toml()})
+        return optional("xarray").Dataset(data, coordinates, {"study": self.study.to_toml()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """A table with one row a time, indexed by t: the columns of the program's CSV."""
-        pandas = optional("pandas")
-
         columns: dict[str, Array] = {}
         for name in self._names:
             values = getattr(self, name)
@@ -146,7 +140,7 @@ class Trajectory:
                 columns[name] = values
             else:
                 columns.update({f"{name}_{i + 1}": values[:, i] for i in range(values.shape[1])})
-        return pandas.DataFrame(columns).set_index("t")
+        return optional("pandas").DataFrame(columns).set_index("t")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write NetCDF, or CSV where the name ends in .csv: the files of ``equipoise simulate -o``."""

@@ -48,12 +48,9 @@ def animate(
     seconds : float
         How long the film is, above 0.
     limit : float, optional
-        A displacement drawn as a circle, in mm of a study in physical units, else in race radii; left out: the
-        study's own, if it has one.
     frame : {"room", "rotor"}
-        Whose eyes: beside the machine, or turning with the rotor.
     magnify : float, optional
-        Of displacements; left out: such that they are well seen.
+        As for `disc`.
     dpi : int
         Dots an inch; the film is 4.8 by 5 inches.
 
@@ -64,8 +61,6 @@ def animate(
 
     Raises
     ------
-    TypeError
-        `motion` is neither of the two.
     ValueError
         The name ends otherwise, or a number is out of its range.
     RuntimeError

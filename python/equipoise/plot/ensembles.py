@@ -40,24 +40,13 @@ def _outcomes(result: BasinResult) -> list[Outcome]:
 
 
 def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
-    """Bars of the shares of starts by outcome, with their 95 % intervals; what stayed undecided comes last.
+    """Bars of the shares of starts by outcome in percent, with their 95 % intervals; what stayed undecided comes last.
 
     Parameters
     ----------
     result : BasinResult
         Of `equipoise.basin`.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        Shares in percent from left to right, one bar an outcome from top to bottom.
-
-    Raises
-    ------
-    TypeError
-        `result` is not that of an ensemble.
 
     Examples
     --------
@@ -65,8 +54,7 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
     """
     parts.need("shares", result, "a BasinResult, that of equipoise.basin()", ("shares", "errors", "counts", "names"))
     outcomes = _outcomes(result)
-    if ax is None:
-        ax = parts.new_axes((7.6, 0.9 + 0.42 * len(outcomes)))
+    ax = ax or parts.new_axes((7.6, 0.9 + 0.42 * len(outcomes)))
     for row, outcome in enumerate(outcomes):
         value = parts.PERCENT * outcome.share
         ax.barh(row, value, height=0.62, color=parts.colour_of(outcome.code), edgecolor=parts.QUIET, linewidth=0.6)
@@ -111,6 +99,9 @@ def transients(
 ) -> Axes:
     """How a figure of the way there is distributed over the starts, stacked by outcome, beside the study's limit.
 
+    Percent of all starts over the figure, in the picture's units. Starts without the figure (lost ones; times that go
+    on) are told in the legend.
+
     Parameters
     ----------
     result : BasinResult
@@ -118,22 +109,13 @@ def transients(
     column : str
         A key of ``result.transients``: "peak_radial", "settling_time" and so on.
     bins : int
-        Bars from the least to the largest figure.
+        Bars from the least to the largest figure, 1 or more.
     limit : float, optional
         Drawn in place of the limit that the study states, in the unit of the picture's axis.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The figure from left to right (mm, N, mm/s, s or J of a study in physical units, else dimensionless), percent of
-        all starts upwards. Starts without the figure (lost ones; times that go on) are told in the legend.
 
     Raises
     ------
-    TypeError
-        `result` is not that of an ensemble.
     ValueError
         It has no transients, there is no such column, or `bins` is below 1.
     """
@@ -146,8 +128,7 @@ def transients(
     values = values * unit.factor
     weight = _weights(result)
     finite = np.isfinite(values)
-    if ax is None:
-        ax = parts.new_axes((7.6, 3.8))
+    ax = ax or parts.new_axes((7.6, 3.8))
     own = result.study.limits[how.limit] if how.limit else None
     if limit is None and own is not None:
         limit = own * unit.factor

@@ -226,28 +226,18 @@ def disc(
     at : int
         Index of the time at which balls and rotor are shown; the way is drawn up to there, of an attractor all of it.
     limit : float, optional
-        A displacement drawn as a circle, in mm of a study in physical units, else in race radii; left out: the
-        study's own, if it has one.
+        A displacement drawn as a circle, in the unit of pictures; left out: the study's own, if it has one.
     frame : {"rotor", "room"}
         Whose eyes: turning with the rotor, or beside the machine.
     magnify : float, optional
-        Of displacements; left out: such that they are well seen.
+        Of displacements, above 0; left out: such that they are well seen.
     legend : bool
         Whether the signs are explained beside the picture.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
         In race radii, the axis of the bearings at the origin.
 
     Raises
     ------
-    TypeError
-        `motion` is neither of the two.
-    ValueError
-        There is no such frame, or `magnify` is not above 0.
     IndexError
         There is no such time.
     """
@@ -257,8 +247,7 @@ def disc(
     if not -states.t.size <= at < states.t.size:
         raise IndexError(f"plot.disc(): at = {at}; allowed: {-states.t.size} to {states.t.size - 1}")
     at %= states.t.size
-    if ax is None:
-        ax = parts.new_axes((6.4 if legend else 4.4, 4.4))
+    ax = ax or parts.new_axes((6.4 if legend else 4.4, 4.4))
     bound = own_limit(run.study, limit)
     colour = parts.INK if attractor is None else parts.colour_of(attractor.id)
     large = magnification(run.study, states, bound) if magnify is None else magnify

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 
 def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = None) -> Axes:
-    """Shares along one parameter, stacked; over two, the balanced share as a heat map.
+    """Shares in percent along one parameter, stacked; over two, the balanced share as a heat map.
+
+    What came to no attractor lies on top, undecided last.
 
     Parameters
     ----------
@@ -28,19 +30,11 @@ def sweep(result: SweepResult, x: Optional[str] = None, ax: Optional[Axes] = Non
     x : str, optional
         The key from left to right: of two parameters by default the last.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        Shares in percent. What came to no attractor lies on top, undecided last.
 
     Raises
     ------
-    TypeError
-        `result` is not that of a sweep.
     ValueError
-        It has three parameters in all combinations, or `x` is none of its keys.
+        The sweep has three parameters in all combinations, or `x` is none of its keys.
     """
     parts.need("sweep", result, "a SweepResult, that of equipoise.sweep()", ("axes", "shape", "cells_by_place"))
     keys = list(result.axes)
@@ -88,8 +82,7 @@ def _axis_unit(result: SweepResult, key: str) -> str:
 
 
 def _stacked(result: SweepResult, key: str, ax: Optional[Axes]) -> Axes:
-    if ax is None:
-        ax = parts.new_axes((8.2, 4.2))
+    ax = ax or parts.new_axes((8.2, 4.2))
     place = np.asarray(result.axes[key], dtype=float)
     order = np.argsort(place, kind="stable")
     place, base = place[order], np.zeros(place.size)
@@ -139,8 +132,7 @@ def _heat(result: SweepResult, x_key: str, ax: Optional[Axes]) -> Axes:
     share = parts.PERCENT * _layers(result)[parts.BALANCED].share
     if keys[0] == x_key:
         share = share.T  # rows follow y
-    if ax is None:
-        ax = parts.new_axes((7.2, 5.0))
+    ax = ax or parts.new_axes((7.2, 5.0))
     values = {"x": np.asarray(result.axes[x_key], dtype=float), "y": np.asarray(result.axes[y_key], dtype=float)}
     edges = {}
     for name, axis in (("x", ax.xaxis), ("y", ax.yaxis)):
@@ -181,25 +173,11 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
     events : bool
         Whether births, ends and changes of stability are marked.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The parameter from left to right, displacement upwards in race radii (mm of a study in physical units).
-
-    Raises
-    ------
-    TypeError
-        `result` holds no branches.
-    ValueError
-        `y` is none of the above.
     """
     wanted = "a BranchesResult, that of equipoise.follow()"
     parts.need("branches", result, wanted, ("__iter__", "parameter", "values", "study"))
     parts.one_of("branches", "y", y, [*_HEIGHTS, "range"])
-    if ax is None:
-        ax = parts.new_axes((8.6, 4.8))
+    ax = ax or parts.new_axes((8.6, 4.8))
     unit = parts.Units(result.study).length
     handles: list[Any] = []
     marks: dict[str, str] = {}

@@ -12,6 +12,7 @@ from . import parts
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .._planes import OverPlane
     from ..maps import MapResult
     from ..stability_planes import StabilityResult
 
@@ -22,6 +23,8 @@ DARKEST = 0.5
 def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axes:  # as equipoise.map()
     """Outcomes in their colours, within a colour the darker, the later a start was decided.
 
+    The legend has the outcomes' shares of the pixels. Pixels that were not computed are white.
+
     Parameters
     ----------
     result : MapResult
@@ -29,57 +32,35 @@ def map(result: MapResult, shade: bool = True, ax: Optional[Axes] = None) -> Axe
     shade : bool
         Whether decision times darken the colours.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The two quantities of the map; a legend with the outcomes' shares of the pixels. Pixels that were not
-        computed are white.
-
-    Raises
-    ------
-    TypeError
-        `result` is not a map.
     """
     parts.need("map", result, "a MapResult, that of equipoise.map()", ("outcome", "time", "x_edges", "y_edges"))
     outcome, time = np.asarray(result.outcome), np.asarray(result.time, dtype=float)
-    if ax is None:
-        ax = parts.new_axes((8.2, 5.2))
+    ax = ax or parts.new_axes((8.2, 5.2))
     extent = (*result.x_edges, *result.y_edges)
     angles = parts.is_angle(result.x_key) and parts.is_angle(result.y_key)
     ax.imshow(
         coloured(outcome, time if shade else None), origin="lower", extent=extent, interpolation="nearest",
         aspect="equal" if angles else "auto",
     )
-    ax.set_anchor("W")  # beside its legend
-    for key, axis, low, high in (
-        (result.x_key, ax.xaxis, extent[0], extent[1]),
-        (result.y_key, ax.yaxis, extent[2], extent[3]),
-    ):
+    for key, axis, (low, high) in ((result.x_key, ax.xaxis, result.x_edges), (result.y_key, ax.yaxis, result.y_edges)):
         if parts.is_angle(key) and high - low >= 0.5 * np.pi:
             parts.pi_ticks(axis, low, high)
+    return _finished(ax, result, _legend(result, outcome))
+
+
+def _finished(ax: Axes, result: OverPlane, handles: list[Any]) -> Axes:
+    ax.set_anchor("W")  # beside its legend
     ax.set_xlabel(parts.axis_label(result.x_key))
     ax.set_ylabel(parts.axis_label(result.y_key))
     ax.tick_params(color=parts.QUIET, labelcolor=parts.INK)
-    parts.legend_beside(ax, _legend(result, outcome))
+    parts.legend_beside(ax, handles)
     return ax
 
 
 def coloured(outcome: parts.Array, time: Optional[parts.Array] = None) -> parts.Array:
-    """Red, green and blue, from 0 to 1, of every pixel.
+    """Red, green and blue, from 0 to 1, of every pixel of an array of codes (ny, nx): an array (ny, nx, 3).
 
-    Parameters
-    ----------
-    outcome : ndarray of int, shape (ny, nx)
-        Codes of outcomes.
-    time : ndarray of float, shape (ny, nx), optional
-        When each was decided. Pixels darken by their rank among those of one outcome, so that each colour has all its
-        shades.
-
-    Returns
-    -------
-    ndarray of float, shape (ny, nx, 3)
+    If times are given pixels darken by their rank among those of one outcome, so that each colour has all its shades.
     """
     from matplotlib import colors
 
@@ -114,31 +95,21 @@ _KINDS = ((1, "stable", "#0072B2"), (2, "unstable", "#E69F00"), (0, "impossible"
 def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as equipoise.stability()
     """Where balance is stable, unstable and impossible, the darker, the faster deviations die out or grow.
 
+    Solid lines where balance changes stability with a swinging deviation (Hopf), dotted ones where it does without; a
+    ring at the study's own values.
+
     Parameters
     ----------
     result : StabilityResult
         Of `equipoise.stability`.
     ax : matplotlib.axes.Axes, optional
-        To draw into; a new figure if left out.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The two parameters; solid lines where balance changes stability with a swinging deviation (Hopf), dotted ones
-        where it does without; a ring at the study's own values.
-
-    Raises
-    ------
-    TypeError
-        `result` is of another call.
     """
     from matplotlib import colors
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
     parts.need("stability", result, "a StabilityResult, that of equipoise.stability()", ("kind", "growth", "frequency"))
-    if ax is None:
-        ax = parts.new_axes((8.2, 5.2))
+    ax = ax or parts.new_axes((8.2, 5.2))
     kind, growth = np.asarray(result.kind), np.asarray(result.growth)
     picture = np.ones((*kind.shape, 3))
     handles: list[Any] = []
@@ -164,9 +135,4 @@ def stability(result: StabilityResult, ax: Optional[Axes] = None) -> Axes:  # as
     if result.own and extent[0] <= result.own[0] <= extent[1] and extent[2] <= result.own[1] <= extent[3]:
         ax.plot(*result.own, "o", markerfacecolor="none", markeredgecolor=parts.INK, markeredgewidth=2.0)
         handles.append(Line2D([], [], color=parts.INK, marker="o", markerfacecolor="none", linestyle="", label="the study"))
-    ax.set_anchor("W")  # beside its legend
-    ax.set_xlabel(parts.axis_label(result.x_key))
-    ax.set_ylabel(parts.axis_label(result.y_key))
-    ax.tick_params(color=parts.QUIET, labelcolor=parts.INK)
-    parts.legend_beside(ax, handles)
-    return ax
+    return _finished(ax, result, handles)

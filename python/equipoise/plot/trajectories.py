@@ -23,7 +23,8 @@ def trajectory(
     """Displacement of the rotor over time; on request the angles of its balls below.
 
     While the speed changes the ground is grey; where it passes a critical speed of the supports, and where the balls
-    are let go, a line says so.
+    are let go, a line says so. Angles are in the rotating frame in rad, not wrapped: a ball that runs around the race
+    leaves upwards or downwards.
 
     Parameters
     ----------
@@ -34,19 +35,7 @@ def trajectory(
     balls : bool
         Whether the angles of the balls are drawn in axes of their own below.
     ax : matplotlib.axes.Axes, or a pair of them, optional
-        To draw into; a new figure if left out. A pair is for displacement and angles.
-
-    Returns
-    -------
-    matplotlib.axes.Axes, or a pair of them
-        Time from left to right (s of a study in physical units, else 1/omega_c), displacement upwards (mm, else race
-        radii), angles in the rotating frame in rad, not wrapped: a ball that runs around the race leaves upwards or
-        downwards.
-
-    Raises
-    ------
-    TypeError
-        `run` is not a trajectory, or `ax` neither axes nor a pair of them.
+        A pair is for displacement and angles; so is what comes back if there are both.
     """
     wanted = "a Trajectory, that of equipoise.simulate()"
     parts.need("trajectory", run, wanted, ("t", "radial", "phi", "psi_dot", "study"))
