@@ -63,10 +63,8 @@ std::vector<std::vector<double>> rows_from(const py::array& array, std::size_t w
     throw InputError(argument, "", wrong,
                      "must be an array of shape (n, " + std::to_string(width) + ") of finite numbers: " + meaning);
   };
-  std::string shape = "shape (";
-  for (py::ssize_t k = 0; k < array.ndim(); ++k) shape += (k ? ", " : "") + std::to_string(array.shape(k));
-  shape += array.ndim() == 1 ? ",)" : ")";
-  if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(1)) != width) refuse(shape);
+  if (array.ndim() != 2 || static_cast<std::size_t>(array.shape(1)) != width)
+    refuse("shape " + std::string(py::str(array.attr("shape"))));
   if (const char kind = array.dtype().kind(); kind != 'f' && kind != 'i' && kind != 'u')
     refuse("dtype " + std::string(py::str(array.dtype())));
   const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
@@ -79,6 +77,43 @@ std::vector<std::vector<double>> rows_from(const py::array& array, std::size_t w
       if (!std::isfinite(number)) refuse("row " + std::to_string(i) + " holds " + std::to_string(number));
   }
   return rows;
+}
+
+std::vector<InitialState> starts_from(const Study& study, const py::array& array, const std::string& argument) {
+  const auto balls = static_cast<std::size_t>(study.parameters.balls);
+  const std::string widths = std::to_string(balls) + " (ball angles) or " + std::to_string(4 + 2 * balls) +
+                             " (x, y, x_dot, y_dot, ball angles, ball rates)";
+  const std::size_t width = array.ndim() == 2 ? static_cast<std::size_t>(array.shape(1)) : 0;
+  const bool turned = width == 5 + 2 * balls, whole = turned || width == 4 + 2 * balls;
+  if (array.ndim() == 2 && width != balls && !whole)
+    throw InputError(argument, "", std::to_string(width) + " numbers a row", "must be rows of " + widths);
+  const auto rows = rows_from(array, whole ? width : balls, argument, widths);
+  std::vector<InitialState> starts(rows.size(), study.initial);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    InitialState& start = starts[i];
+    const double* row = rows[i].data();
+    if (whole) {
+      start.x = row[0];
+      start.y = row[1];
+      start.x_dot = row[2];
+      start.y_dot = row[3];
+      row += 4;
+    }
+    for (std::size_t k = 0; k < balls; ++k) {
+      start.phi[k] = row[k];
+      if (whole) start.phi_dot[k] = row[balls + k];
+    }
+    if (turned) start.psi = row[2 * balls];
+  }
+  return starts;
+}
+
+py::dict rotor_of(const InitialState& start) {
+  py::dict rotor;
+  for (const auto& [name, number] :
+       {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot}, {"y_dot", start.y_dot}, {"psi", start.psi}})
+    rotor[name] = number;
+  return rotor;
 }
 
 py::array_t<double> columns_of(const std::vector<std::vector<double>>& columns, std::size_t rows) {

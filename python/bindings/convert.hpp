@@ -1,4 +1,4 @@
-// Values between Python and the library: trees, arrays, dictionaries.
+// Values between Python and the library: trees, arrays, dictionaries, states.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,7 @@
 #include <pybind11/pybind11.h>
 
 #include "equipoise/results/columns/column.hpp"
+#include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/toml/study_value.hpp"
 
 namespace equipoise::python {
@@ -25,6 +26,14 @@ py::object to_python(const StudyValue& value);
 std::vector<std::vector<double>> rows_from(const py::array& array, std::size_t width, const std::string& argument,
                                            const std::string& meaning);
 
+/// Rows of ball angles (n, balls), the rest as the study's [initial] says, or of whole states (n, 4 + 2 balls): x, y,
+/// x_dot, y_dot, ball angles, ball rates in the rotating frame; one number more is the rotor's angle. Throws
+/// InputError, naming `argument`, for other shapes.
+std::vector<InitialState> starts_from(const Study& study, const py::array& array, const std::string& argument);
+
+/// x, y, x_dot, y_dot, psi.
+py::dict rotor_of(const InitialState& start);
+
 /// A NumPy array that owns what the vector held; nothing is copied.
 template <class T>
 py::array_t<T> array_of(std::vector<T> values, std::vector<py::ssize_t> shape = {}) {
@@ -38,10 +47,15 @@ py::array_t<T> array_of(std::vector<T> values, std::vector<py::ssize_t> shape = 
 
 /// A column as xarray and NetCDF describe it.
 inline py::dict attributes_of(const Column& column) {
-  py::dict attributes;
-  attributes["units"] = column.cf_units();
-  attributes["long_name"] = column.long_name();
-  return attributes;
+  return py::dict(py::arg("units") = column.cf_units(), py::arg("long_name") = column.long_name());
+}
+
+/// A table of columns, by name.
+template <class Columns>
+py::dict attributes_of_all(const Columns& columns) {
+  py::dict all;
+  for (const Column& column : columns) all[column.name] = attributes_of(column);
+  return all;
 }
 
 /// Arrays of one entry a time each, as columns: (times, columns).

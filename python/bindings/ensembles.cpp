@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "call.hpp"
 #include "convert.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
@@ -13,16 +12,12 @@
 #include "equipoise/analyses/one_study/sensitivity.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/write_basin.hpp"
-#include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
 #include "equipoise/report/reports/comparison_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
-#include "kept.hpp"
-#include "py_study.hpp"
-#include "starts.hpp"
 
 namespace equipoise::python {
 
@@ -44,9 +39,8 @@ std::optional<bool> gathered(const PyStudy& s, std::optional<bool> asked) {
 Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::optional<bool> transients, bool changes,
                 const std::string& output, bool keep, const std::optional<py::array>& initial,
                 std::optional<std::uint64_t> sensitivity_rows, const Mapper* mapper, const py::dict& settings) {
-  Call call(settings);
-  BasinOptions options;
-  call.set(options);
+  CallWith<BasinOptions> call(settings);
+  BasinOptions& options = call.options;
   options.half_width = half_width;
   options.limit_given = limit_given;
   options.transients = gathered(s, transients);
@@ -65,92 +59,84 @@ Basin run_basin(const PyStudy& s, double half_width, bool limit_given, std::opti
     depends.rows = *sensitivity_rows;
     check_sensitivity(s.study);
   }
-  JudgedBasin result = Call::run([&] {
-    JudgedBasin made;
-    made.basin = basin(s.study, options);
-    if (changes) made.tried = changes_asked_for(made.basin, options);
-    if (sensitivity_rows && !made.basin.partial) made.basin.sensitivity = sensitivity(s.study, depends);
-    return made;
-  });
-  return {std::move(result), call.interrupted(), s.source};
+  return call.keep(
+      [&] {
+        JudgedBasin made{basin(s.study, options), {}, {}, {}};
+        if (changes) made.tried = changes_asked_for(made.basin, options);
+        if (sensitivity_rows && !made.basin.partial) made.basin.sensitivity = sensitivity(s.study, depends);
+        return made;
+      },
+      s.source);
 }
 
 // The page for one machine, and the ensemble that it tells of.
 Basin run_report(const PyStudy& s, bool changes, const py::dict& settings) {
-  Call call(settings);
-  BasinOptions options;
-  call.set(options);
-  JudgedBasin result = Call::run([&] {
-    MachinePage page = machine_page(s.study, given_machine(s.source.toml, s.source.name, s.source.overrides), options);
-    JudgedBasin made;
-    if (changes) made.tried = changes_asked_for(page.basin, options);
-    made.page = machine_html(page, made.tried);
-    made.basin = std::move(page.basin);
-    const auto verdict = verdict_of(made.basin, made.tried);
-    made.sentences = (verdict ? verdict_text(*verdict) : "") + answer_sentence(made.basin) + "\n";
-    return made;
-  });
-  return {std::move(result), call.interrupted(), s.source};
+  CallWith<BasinOptions> call(settings);
+  return call.keep(
+      [&] {
+        MachinePage page =
+            machine_page(s.study, given_machine(s.source.toml, s.source.name, s.source.overrides), call.options);
+        JudgedBasin made;
+        if (changes) made.tried = changes_asked_for(page.basin, call.options);
+        made.page = machine_html(page, made.tried);
+        made.basin = std::move(page.basin);
+        const auto verdict = verdict_of(made.basin, made.tried);
+        made.sentences = (verdict ? verdict_text(*verdict) : "") + answer_sentence(made.basin) + "\n";
+        return made;
+      },
+      s.source);
 }
 
 // One start by itself, as the ensemble decides it.
 py::dict replay(const PyStudy& s, std::uint64_t index, std::optional<bool> transients, const py::dict& settings) {
-  Call call(settings);
-  BasinOptions options;
-  call.set(options);
-  options.transients = gathered(s, transients);
-  const StartReplay replayed = Call::run([&] { return replay_start(s.study, index, options); });
+  CallWith<BasinOptions> call(settings);
+  call.options.transients = gathered(s, transients);
+  const StartReplay replayed = Call::run([&] { return replay_start(s.study, index, call.options); });
   const InitialState& start = replayed.start;
-  const auto balls = static_cast<std::size_t>(s.study.parameters.balls);
-  py::dict result, state, figures;
-  for (const auto& [name, number] :
-       {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot}, {"y_dot", start.y_dot}, {"psi", start.psi}})
-    state[name] = number;
+  const int balls = s.study.parameters.balls;
+  py::dict state = rotor_of(start), figures;
   state["phi"] = array_of(std::vector<double>(start.phi.begin(), start.phi.begin() + balls));
   state["phi_dot"] = array_of(std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + balls));
   if (replayed.transients)
     for (const TransientFigure& f : transient_figures) figures[f.name] = (*replayed.transients).*f.value;
   const Fate& fate = replayed.fate;
-  result["state"] = state;
-  result["drawn"] = array_of(std::vector<double>(replayed.drawn));
-  result["outcome"] = fate.outcome == Outcome::attracted ? replayed.name : std::string(name_of(fate.outcome));
-  result["decided_by"] = decided_by_names[static_cast<std::size_t>(fate.by)];
-  result["decision_time"] = fate.time;
-  result["mean_speed"] = s.study.speed.driven() ? py::object(py::float_(fate.mean_speed)) : py::none();
-  result["transients"] = figures;
-  return result;
+  return py::dict("state"_a = state, "drawn"_a = array_of(std::vector<double>(replayed.drawn)),
+                  "outcome"_a = fate.outcome == Outcome::attracted ? replayed.name : std::string(name_of(fate.outcome)),
+                  "decided_by"_a = decided_by_names[static_cast<std::size_t>(fate.by)], "decision_time"_a = fate.time,
+                  "mean_speed"_a = s.study.speed.driven() ? py::object(py::float_(fate.mean_speed)) : py::none(),
+                  "transients"_a = figures);
 }
 
-template <class T>
-py::object column(const std::vector<T>& values, std::size_t starts) {
-  if (values.empty() || starts == 0) return py::none();
-  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(starts)};
-  if (const std::size_t width = values.size() / starts; width != 1) shape.push_back(static_cast<py::ssize_t>(width));
-  return array_of(std::vector<T>(values), shape);
-}
-
-// Every start, if they were kept.
-py::object arrays_of(const Basin& kept) {
-  if (!kept.result.basin.every_start) return py::none();
-  const StartArrays& a = *kept.result.basin.every_start;
-  const auto starts = static_cast<std::size_t>(a.starts);
-  py::dict arrays;
-  // One ball's angles are a column of one as well.
-  arrays["phi"] = array_of(std::vector<double>(a.phi), {static_cast<py::ssize_t>(starts), a.balls});
-  arrays["psi"] = column(a.psi, starts);
-  arrays["rotor_state"] = column(a.rotor_state, starts);
-  arrays["phi_dot"] = a.phi_dot.empty()
-                          ? py::object(py::none())
-                          : array_of(std::vector<double>(a.phi_dot), {static_cast<py::ssize_t>(starts), a.balls});
-  arrays["drawn"] = column(a.drawn, starts);
-  arrays["weight"] = column(a.weight, starts);
-  arrays["outcome"] = array_of(std::vector<short>(a.outcome));
-  arrays["decision_time"] = array_of(std::vector<double>(a.decision_time));
-  arrays["decided_by"] = array_of(std::vector<signed char>(a.decided_by));
-  arrays["mean_speed"] = column(a.mean_speed, starts);
-  arrays["left_unbalance"] = column(a.left_unbalance, starts);
-  arrays["balls_met"] = column(a.balls_met, starts);
-  py::dict transients;
+// Every start, if they were kept. What does not apply to the study is None.
+py::object arrays_of(const JudgedBasin& judged) {
+  if (!judged.basin.every_start) return py::none();
+  const StartArrays& a = *judged.basin.every_start;
+  py::dict arrays, transients;
+  // Several values a start are columns, one alone as well if `columns` says so.
+  const auto put = [&](const char* name, const auto& values, std::size_t columns = 0) {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(a.starts)};
+    if (columns > 0) shape.push_back(static_cast<py::ssize_t>(columns));
+    arrays[name] = array_of(std::decay_t<decltype(values)>(values), shape);
+  };
+  const auto put_known = [&](const char* name, const auto& values, std::size_t columns = 0) {
+    if (values.empty())
+      arrays[name] = py::none();
+    else
+      put(name, values, columns);
+  };
+  const auto balls = static_cast<std::size_t>(a.balls);
+  put("phi", a.phi, balls);
+  put_known("psi", a.psi);
+  put_known("rotor_state", a.rotor_state, 4);
+  put_known("phi_dot", a.phi_dot, balls);
+  put_known("drawn", a.drawn, judged.basin.study.uncertain.values.size());
+  put_known("weight", a.weight);
+  put("outcome", a.outcome);
+  put("decision_time", a.decision_time);
+  put("decided_by", a.decided_by);
+  put_known("mean_speed", a.mean_speed);
+  put_known("left_unbalance", a.left_unbalance);
+  put_known("balls_met", a.balls_met);
   for (std::size_t k = 0; k < transient_figures.size(); ++k)
     if (!a.transients[k].empty()) transients[transient_figures[k].name] = array_of(std::vector<float>(a.transients[k]));
   arrays["transients"] = transients;
@@ -158,9 +144,9 @@ py::object arrays_of(const Basin& kept) {
 }
 
 // What is kept of every start, by name: along what it stands beside "start", and its attributes.
-py::dict columns_of_starts(const Basin& kept) {
+py::dict columns_of_starts(const JudgedBasin& judged) {
   py::dict columns;
-  for (const io::StartColumn& c : start_columns(kept.result.basin))
+  for (const io::StartColumn& c : start_columns(judged.basin))
     columns[c.name] = py::make_tuple(c.along, attributes_of(c));
   return columns;
 }
@@ -199,14 +185,6 @@ py::list figures_of_transients() {
   return figures;
 }
 
-py::list grounds_of_decision() {
-  py::list names;
-  for (const char* name : decided_by_names) names.append(name);
-  return names;
-}
-
-using Compared = Kept<ComparisonResult>;
-
 // A study, or the file of an ensemble that was finished.
 struct Side {
   std::optional<BasinOutcomes> stored;
@@ -226,21 +204,18 @@ struct Side {
   }
 };
 
-Compared compare_studies(const std::variant<const PyStudy*, std::string>& first_given,
-                         const std::variant<const PyStudy*, std::string>& second_given, std::optional<bool> transients,
-                         const py::dict& settings) {
-  Call call(settings);
-  RunOptions options;
-  call.set(options);
+Kept<ComparisonResult> compare_studies(const std::variant<const PyStudy*, std::string>& first_given,
+                                       const std::variant<const PyStudy*, std::string>& second_given,
+                                       std::optional<bool> transients, const py::dict& settings) {
+  CallWith<> call(settings);
   Side first(first_given), second(second_given);
-  RunOptions of_first = options;
-  if (second.study) of_first.stop_asked = [&] { return call.half_over() || options.stop_asked(); };
-  ComparisonResult result = Call::run([&] {
+  RunOptions of_first = call.options;
+  if (second.study) of_first.stop_asked = [&] { return call.half_over() || call.options.stop_asked(); };
+  return call.keep([&] {
     const bool gather = transients.value_or(first.has_transients() || second.has_transients());
     const BasinOutcomes one = first.outcomes(of_first, gather);
-    return compare(one, second.outcomes(options, gather));
+    return compare(one, second.outcomes(call.options, gather));
   });
-  return {std::move(result), call.interrupted()};
 }
 
 }  // namespace
@@ -251,32 +226,28 @@ void bind_ensembles(py::module_& module) {
       [](const JudgedBasin& r) { return basin_json(r.basin, r.tried); })
       .def("page", [](const Basin& b) { return b.result.page; })
       .def("sentences", [](const Basin& b) { return b.result.sentences; })
-      .def("arrays", &arrays_of)
-      .def("columns", &columns_of_starts)
+      .def("arrays", made<JudgedBasin>(&arrays_of))
+      .def("columns", made<JudgedBasin>(&columns_of_starts))
       .def("save", [](const Basin& b, const std::string& path) { write_basin_file(path, b.result.basin); })
       .def_property_readonly("seconds", [](const Basin& b) { return b.result.basin.seconds; })
       .def_property_readonly("cpu_seconds", [](const Basin& b) { return b.result.basin.cpu_seconds; });
-  module.def("basin", &run_basin, py::arg("study"), py::arg("half_width"), py::arg("limit_given"),
-             py::arg("transients"), py::arg("changes"), py::arg("output"), py::arg("keep"), py::arg("initial"),
-             py::arg("sensitivity_rows"), py::arg("mapper").none(true), py::arg("settings"));
-  module.def("replay", &replay, py::arg("study"), py::arg("index"), py::arg("transients"), py::arg("settings"));
-  module.def("report", &run_report, py::arg("study"), py::arg("changes"), py::arg("settings"));
-  module.def("shown_units", &shown_units, py::arg("study"));
+  module.def("basin", &run_basin);
+  module.def("replay", &replay);
+  module.def("report", &run_report);
+  module.def("shown_units", &shown_units);
   module.def("figures_of_transients", &figures_of_transients);
   module.def("no_attractors", [] {
     py::dict names;
     for (const NoAttractor& n : no_attractors) names[py::int_(n.code)] = n.name;
     return names;
   });
-  module.def("grounds_of_decision", &grounds_of_decision);
-  module.def("flag_word", &io::flag_word, py::arg("name"));
+  module.def("grounds_of_decision",
+             [] { return std::vector<std::string>(decided_by_names.begin(), decided_by_names.end()); });
+  module.def("flag_word", &io::flag_word);
   bind_kept<ComparisonResult>(module, "Comparison", &comparison_text, &comparison_json)
-      .def("verdict", [](const Compared& c) { return verdict(c.result); })
-      .def("study", [](const Compared& c) {
-        return PyStudy({to_toml(c.result.first), c.result.first.name, {}});
-      });
-  module.def("compare", &compare_studies, py::arg("first"), py::arg("second"), py::arg("transients").none(true),
-             py::arg("settings"));
+      .def("verdict", made<ComparisonResult>(&verdict))
+      .def("study", [](const Kept<ComparisonResult>& c) { return PyStudy::of(c.result.first); });
+  module.def("compare", &compare_studies);
 }
 
 }  // namespace equipoise::python

@@ -2,7 +2,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "call.hpp"
 #include "convert.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
 #include "equipoise/extras/proof/certify.hpp"
@@ -12,8 +11,6 @@
 #include "equipoise/extras/proof/certify_report.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 #include "equipoise/results/result_files/branches_file.hpp"
-#include "kept.hpp"
-#include "py_study.hpp"
 
 namespace equipoise::python {
 
@@ -29,13 +26,10 @@ std::vector<std::vector<double>> seeds_from(const Study& study, const std::optio
 Kept<AttractorsResult> find_attractors(const PyStudy& s, std::optional<std::uint64_t> starts,
                                        const std::optional<py::array>& states, const py::dict& settings) {
   const Study study = with_medians(s.study);
-  Call call(settings);
-  AttractorsOptions options;
-  call.set(options);
-  if (starts) options.starts = *starts;
-  options.warm_start_states = seeds_from(study, states);
-  AttractorsResult result = Call::run([&] { return attractors(study, options); });
-  return {std::move(result), call.interrupted()};
+  CallWith<AttractorsOptions> call(settings);
+  if (starts) call.options.starts = *starts;
+  call.options.warm_start_states = seeds_from(study, states);
+  return call.keep([&] { return attractors(study, call.options); });
 }
 
 // A stretch of the motion that the state lies on: centre in the room's axes, balls as seen from the rotor.
@@ -44,60 +38,48 @@ py::dict path_of(const PyStudy& s, const std::vector<double>& state, double dura
   const Study study = with_medians(s.study);
   Motion motion;
   motion.state = Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
-  Call call(settings);
-  RunOptions options;
-  call.set(options);
-  MotionPath path = Call::run([&] { return motion_path(study.system(), motion, duration, count, options); });
-  py::dict result;
-  result["interrupted"] = call.interrupted();
-  const std::size_t rows = path.x.size();
-  result["phi"] = columns_of(path.phi, rows);
-  result["psi"] = array_of(std::move(path.psi));
-  result["X"] = array_of(std::move(path.x));
-  result["Y"] = array_of(std::move(path.y));
-  return result;
+  CallWith<> call(settings);
+  MotionPath path = Call::run([&] { return motion_path(study.system(), motion, duration, count, call.options); });
+  const py::array_t<double> phi = columns_of(path.phi, path.x.size());
+  return py::dict("interrupted"_a = call.interrupted(), "phi"_a = phi, "psi"_a = array_of(std::move(path.psi)),
+                  "X"_a = array_of(std::move(path.x)), "Y"_a = array_of(std::move(path.y)));
 }
 
-using Branches = Kept<BranchesResult>;
-
-Branches follow(const PyStudy& s, const std::string& along, std::uint64_t starts,
-                const std::optional<py::array>& states, const py::dict& settings) {
+Kept<BranchesResult> follow(const PyStudy& s, const std::string& along, std::uint64_t starts,
+                            const std::optional<py::array>& states, const py::dict& settings) {
   const Study study = with_medians(s.study);
   const ParameterLine line(study, along);
-  Call call(settings);
-  ContinuationOptions options;
-  call.set(options);
-  options.starts = starts;
-  options.warm_start_states = seeds_from(study, states);
-  BranchesResult result = Call::run([&] { return follow_attractors(study, line, options); });
-  return {std::move(result), call.interrupted()};
+  CallWith<ContinuationOptions> call(settings);
+  call.options.starts = starts;
+  call.options.warm_start_states = seeds_from(study, states);
+  return call.keep([&] { return follow_attractors(study, line, call.options); });
 }
 
 Kept<CertifyResult> prove(const PyStudy& s, const py::dict& settings) {
   const Study study = with_medians(s.study);
-  Call call(settings);
-  RunOptions options;
-  call.set(options);
-  CertifyResult result = Call::run([&] { return certify(study, options); });
-  return {std::move(result), call.interrupted()};
+  CallWith<> call(settings);
+  return call.keep([&] { return certify(study, call.options); });
+}
+
+Kept<CertificateFile> check(const std::string& text, const std::string& where) {
+  return {Call::run([&] { return checked_certificates(text, where); })};
 }
 
 }  // namespace
 
 void bind_motions(py::module_& module) {
   bind_kept<AttractorsResult>(module, "Attractors", &attractors_text, &attractors_json);
-  module.def("attractors", &find_attractors, py::arg("study"), py::arg("starts"), py::arg("states"),
-             py::arg("settings"));
-  module.def("motion_path", &path_of, py::arg("study"), py::arg("state"), py::arg("duration"), py::arg("count"),
-             py::arg("settings"));
+  module.def("attractors", &find_attractors);
+  module.def("motion_path", &path_of);
   bind_kept<BranchesResult>(module, "Branches", &branches_text, &branches_json)
-      .def("csv", [](const Branches& b) { return branches_csv(b.result); })
-      .def("save", [](const Branches& b, const std::string& path) { write_branches_file(path, b.result); });
-  module.def("follow", &follow, py::arg("study"), py::arg("along"), py::arg("starts"), py::arg("states"),
-             py::arg("settings"));
+      .def("csv", made<BranchesResult>(&branches_csv))
+      .def("save", saved<BranchesResult>(&write_branches_file));
+  module.def("follow", &follow);
   bind_kept<CertifyResult>(module, "Certificates", &certify_text, &certify_json)
       .def("certificates", [](const Kept<CertifyResult>& c) { return certificates_json(c.result); });
-  module.def("certify", &prove, py::arg("study"), py::arg("settings"));
+  module.def("certify", &prove);
+  bind_kept<CertificateFile>(module, "CertificateFile", &check_text, &check_json);
+  module.def("check_certificates", &check);
 }
 
 }  // namespace equipoise::python

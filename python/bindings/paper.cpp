@@ -1,20 +1,17 @@
 // Wright and Peng (2019): its studies, and all of it computed again.
+#include <algorithm>
+
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "call.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
 #include "equipoise/paper.hpp"
 #include "equipoise/report/drawing/document.hpp"
-#include "kept.hpp"
-#include "py_study.hpp"
 
 namespace equipoise::python {
 
 namespace {
-
-using Reproduced = Kept<Reproduction>;
 
 std::vector<std::string> study_names() {
   std::vector<std::string> names;
@@ -33,42 +30,33 @@ PyStudy paper_study(const std::string& name, const std::string& law) {
   throw InputError("name", "", name, "must be one of paper_studies()");
 }
 
-Reproduced run_reproduce(const std::vector<std::string>& what, std::uint64_t starts, const std::string& law,
-                         const std::string& folder, int slice_pixels, const std::string& command,
-                         const py::dict& settings) {
-  Call call(settings);
-  ReproduceOptions options = options_for(what);
-  call.set(options);
-  options.starts = starts;
-  options.folder = folder;
-  options.slice_pixels = slice_pixels;
-  bool known = false;
-  for (std::size_t k = 0; k < law_choice_names.size(); ++k)
-    if (law == law_choice_names[k]) {
-      options.laws = static_cast<LawChoice>(k);
-      known = true;
-    }
-  if (!known) throw InputError("law", "", law, "must be \"published\", \"kinematic\" or \"both\"");
-  Reproduction result = Call::run([&] { return reproduce(options); });
-  result.command = command;
-  return {std::move(result), call.interrupted()};
+Kept<Reproduction> run_reproduce(const std::vector<std::string>& what, std::uint64_t starts, const std::string& law,
+                                 const std::string& folder, int slice_pixels, const std::string& command,
+                                 const py::dict& settings) {
+  CallWith<ReproduceOptions> call(settings, options_for(what));
+  call.options.starts = starts;
+  call.options.folder = folder;
+  call.options.slice_pixels = slice_pixels;
+  const auto chosen = std::find(law_choice_names.begin(), law_choice_names.end(), law);
+  if (chosen == law_choice_names.end())
+    throw InputError("law", "", law, "must be \"published\", \"kinematic\" or \"both\"");
+  call.options.laws = static_cast<LawChoice>(chosen - law_choice_names.begin());
+  Kept<Reproduction> kept = call.keep([&] { return reproduce(call.options); });
+  kept.result.command = command;
+  return kept;
 }
 
 }  // namespace
 
 void bind_paper(py::module_& module) {
   module.def("paper_studies", &study_names);
-  module.def("paper_study", &paper_study, py::arg("name"), py::arg("law"));
+  module.def("paper_study", &paper_study);
   module.def("reproducible", &reproducible);
   bind_kept<Reproduction>(module, "Reproduction", &reproduction_text, &reproduction_json)
-      .def(
-          "page",
-          [](const Reproduced& kept, const std::string& explorer) {
-            return document_html(reproduction_document(kept.result, explorer));
-          },
-          py::arg("explorer"));
-  module.def("reproduce", &run_reproduce, py::arg("what"), py::arg("starts"), py::arg("law"), py::arg("folder"),
-             py::arg("map_pixels"), py::arg("command"), py::arg("settings"));
+      .def("page", [](const Kept<Reproduction>& kept, const std::string& explorer) {
+        return document_html(reproduction_document(kept.result, explorer));
+      });
+  module.def("reproduce", &run_reproduce);
 }
 
 }  // namespace equipoise::python

@@ -2,7 +2,6 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "call.hpp"
 #include "convert.hpp"
 #include "equipoise/analyses/one_study/basin_cost.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
@@ -12,9 +11,9 @@
 #include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/toml/overrides.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
-#include "py_study.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
+#include "equipoise/study/toml/overrides.hpp"
 
 namespace equipoise::python {
 
@@ -26,13 +25,15 @@ PyStudy study_from_tree(const py::dict& dictionary, const std::string& name) {
   return PyStudy({to_toml(tree), name, {}});
 }
 
-py::object scales_of(const Study& study) {
-  if (!study.scales) return py::none();
-  py::dict scales;
-  scales["mass"] = study.scales->mass;
-  scales["length"] = study.scales->length;
-  scales["time"] = study.scales->time();
-  return scales;
+py::object scales_of(const PyStudy& s) {
+  const auto& scales = s.study.scales;
+  if (!scales) return py::none();
+  return py::dict("mass"_a = scales->mass, "length"_a = scales->length, "time"_a = scales->time());
+}
+
+// The tables as they are stated: of a machine with masses and lengths in their units.
+py::object stated(const PyStudy& s) {
+  return to_python(study::parse_study_file(s.source.toml, s.source.name, s.source.overrides).root);
 }
 
 // The values of a table's keys; None where none is set. One a ball as a list, without the room for more of them.
@@ -43,14 +44,14 @@ void add_values(const char* table, const Study& study, py::dict& values) {
   }
 }
 
-py::dict limits_of(const Study& study) {
+py::dict limits_of(const PyStudy& s) {
   py::dict limits;
-  add_values("limits", study, limits);
+  add_values("limits", s.study, limits);
   return limits;
 }
 
-py::dict parameters_of(const Study& uncertain) {
-  const Study study = with_medians(uncertain);
+py::dict parameters_of(const PyStudy& s) {
+  const Study study = with_medians(s.study);
   py::dict parameters, tilt;
   for (const char* table : {"rotor", "balancer"}) add_values(table, study, parameters);
   if (study.parameters.tilts()) {
@@ -63,10 +64,7 @@ py::dict parameters_of(const Study& uncertain) {
 // What starts begin with that name no more than ball angles.
 py::dict initial_of(const PyStudy& s) {
   const InitialState& start = s.study.initial;
-  py::dict initial;
-  for (const auto& [name, number] :
-       {std::pair{"x", start.x}, {"y", start.y}, {"x_dot", start.x_dot}, {"y_dot", start.y_dot}, {"psi", start.psi}})
-    initial[name] = number;
+  py::dict initial = rotor_of(start);
   initial["phi_dot"] = std::vector<double>(start.phi_dot.begin(), start.phi_dot.begin() + s.study.parameters.balls);
   return initial;
 }
@@ -95,30 +93,19 @@ py::list uncertain_of(const PyStudy& s) {
 
 py::dict explained(const PyStudy& s, const std::optional<std::string>& cost_within, const py::dict& settings) {
   Explanation e = explain(with_medians(s.study));
-  Call call(settings);
+  CallWith<> call(settings);
   if (cost_within) {
-    RunOptions options;
-    call.set(options);
     const double patience = cost_within->empty() ? cost_patience : read_time_limit("within", *cost_within);
-    e.cost = Call::run([&] { return measure_cost(s.study, options, patience); });
+    e.cost = Call::run([&] { return measure_cost(s.study, call.options, patience); });
   }
-  py::dict result;
-  result["text"] = explain_text(e);
-  result["json"] = explain_json(e);
-  result["interrupted"] = call.interrupted();
-  return result;
+  return py::dict("text"_a = explain_text(e), "json"_a = explain_json(e), "interrupted"_a = call.interrupted());
 }
 
 py::dict checked(const PyStudy& s) {
   const StudyCheck check = check_study(s.source.toml, s.source.name, s.source.overrides);
-  py::dict result;
-  result["machine"] = check.machine;
-  result["unbalance"] = check.unbalance;
-  result["balls"] = check.balls;
-  result["assumed"] = check.assumed;
-  result["matters_most"] = check.most;
-  result["text"] = lines_filled(check.text(), wide_style);
-  return result;
+  return py::dict("machine"_a = check.machine, "unbalance"_a = check.unbalance, "balls"_a = check.balls,
+                  "assumed"_a = check.assumed, "matters_most"_a = check.most,
+                  "text"_a = lines_filled(check.text(), wide_style));
 }
 
 }  // namespace
@@ -126,14 +113,13 @@ py::dict checked(const PyStudy& s) {
 void bind_studies(py::module_& module) {
   module.attr("overrides_name") = overrides_name;
   module.def("new_machines", &new_machines);
-  module.def(
-      "new_study", [](const std::string& machine) { return new_study(machine, "machine"); }, py::arg("machine"));
+  module.def("new_study", [](const std::string& machine) { return new_study(machine, "machine"); });
+  const auto of_text = [](const std::string& toml, const std::string& name, const std::vector<std::string>& overrides) {
+    return PyStudy({toml, name, overrides});
+  };
   py::class_<PyStudy>(module, "Study")
-      .def(py::init([](const std::string& toml, const std::string& name, const std::vector<std::string>& overrides) {
-             return PyStudy({toml, name, overrides});
-           }),
-           py::arg("toml"), py::arg("name"), py::arg("overrides") = std::vector<std::string>{})
-      .def_static("from_tree", &study_from_tree, py::arg("tree"), py::arg("name"))
+      .def(py::init(of_text), py::arg(), py::arg(), py::arg("overrides") = std::vector<std::string>{})
+      .def_static("from_tree", &study_from_tree)
       .def_static("from_file",
                   [](const std::string& path) {
                     return PyStudy({read_study_text(path), path, {}});
@@ -142,20 +128,17 @@ void bind_studies(py::module_& module) {
       .def("to_toml", [](const PyStudy& s) { return to_toml(s.study); })
       .def("to_physical_toml", [](const PyStudy& s) { return to_physical_toml(s.study); })
       .def("tree", [](const PyStudy& s) { return to_python(to_tree(s.study)); })
-      .def("explain", &explained, py::arg("cost_within"), py::arg("settings"))
+      .def("stated", &stated)
+      .def("explain", &explained)
       .def("check", &checked)
-      .def_property_readonly("physical", [](const PyStudy& s) { return s.study.physical; })
       .def_property_readonly("parameters_text", [](const PyStudy& s) { return parameters_text(s.study, {}); })
-      .def_property_readonly("toml", [](const PyStudy& s) { return s.source.toml; })
       .def_property_readonly("name", [](const PyStudy& s) { return s.source.name; })
-      .def_property_readonly("overrides", [](const PyStudy& s) { return s.source.overrides; })
       .def_property_readonly("balls", [](const PyStudy& s) { return s.study.parameters.balls; })
-      .def_property_readonly("starts", [](const PyStudy& s) { return s.study.sampling.starts; })
       .def_property_readonly("uncertain", &uncertain_of)
       .def_property_readonly("driven", [](const PyStudy& s) { return s.study.speed.driven(); })
-      .def_property_readonly("scales", [](const PyStudy& s) { return scales_of(s.study); })
-      .def_property_readonly("limits", [](const PyStudy& s) { return limits_of(s.study); })
-      .def_property_readonly("parameters", [](const PyStudy& s) { return parameters_of(s.study); })
+      .def_property_readonly("scales", &scales_of)
+      .def_property_readonly("limits", &limits_of)
+      .def_property_readonly("parameters", &parameters_of)
       .def_property_readonly("initial", &initial_of)
       .def_property_readonly("initial_speed", [](const PyStudy& s) { return with_medians(s.study).drive().speed; })
       .def_property_readonly("final_speed", &final_speed_of)

@@ -2,11 +2,9 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "call.hpp"
 #include "convert.hpp"
 #include "equipoise/results/result_files/trajectory_file.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
-#include "py_study.hpp"
 
 namespace equipoise::python {
 
@@ -25,11 +23,8 @@ py::dict simulate_study(const PyStudy& s, const std::optional<std::vector<double
                         std::optional<double> every, const py::dict& settings) {
   const Study study = with_medians(s.study);
   const std::vector<double> at = times ? *times : output_times(study, until, every);
-  Call call(settings);
-  RunOptions options;
-  call.set(options);
-  Trajectory run = Call::run([&] { return simulate(study, at, options); });
-  py::dict result = to_dict(std::move(run));
+  CallWith<> call(settings);
+  py::dict result = to_dict(Call::run([&] { return simulate(study, at, call.options); }));
   result["interrupted"] = call.interrupted();
   return result;
 }
@@ -64,14 +59,9 @@ void save(const py::dict& columns, const PyStudy& s, const std::string& path) {
 }  // namespace
 
 void bind_trajectories(py::module_& module) {
-  module.def("trajectory_columns", [] {
-    py::dict columns;
-    for (const TrajectoryColumn& c : trajectory_columns) columns[c.name] = attributes_of(c);
-    return columns;
-  });
-  module.def("simulate", &simulate_study, py::arg("study"), py::arg("times"), py::arg("until"), py::arg("every"),
-             py::arg("settings"));
-  module.def("save_trajectory", &save, py::arg("columns"), py::arg("study"), py::arg("path"));
+  module.def("trajectory_columns", [] { return attributes_of_all(trajectory_columns); });
+  module.def("simulate", &simulate_study);
+  module.def("save_trajectory", &save);
 }
 
 }  // namespace equipoise::python

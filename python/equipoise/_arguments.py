@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, NoReturn, Optional
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, NoReturn, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from .errors import StudyError
-from .study import Study, is_quantity
+from .study import Study, is_quantity, option_value, plain
 
 Array = npt.NDArray[np.float64]
+Range = Union[str, tuple[Any, Any], None]
+Values = Union[str, Sequence[Any], npt.NDArray[Any]]
 
 MOST_STARTS = 10**12
 LARGEST_SEED = 2**63 - 1
@@ -87,3 +91,28 @@ def numbers(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
         return np.asarray(values)
     except ValueError:
         refuse(name, values, "an array", "has rows of different lengths")
+
+
+def path_text(path: Optional[str | os.PathLike[str]]) -> str:
+    return "" if path is None else os.fspath(path)
+
+
+def range_text(name: str, given: Range) -> str:
+    if given is None or isinstance(given, str):
+        return given or ""
+    ends = plain(given)
+    if not isinstance(ends, list) or len(ends) != 2:
+        refuse(name, given, 'a pair (low, high), or text such as "0:2pi"')
+    return ":".join(option_value(end) for end in ends)
+
+
+def over_texts(over: Mapping[str, Values]) -> list[str]:
+    if not isinstance(over, Mapping):
+        refuse("over", over, 'a dictionary of values by key, such as {"speed.final": [2.0, 2.4]}')
+    texts = []
+    for key, values in over.items():
+        if not isinstance(values, str):
+            entries = plain(values)
+            values = ",".join(option_value(entry) for entry in (entries if isinstance(entries, list) else [entries]))
+        texts.append(f"{key}={values}")
+    return texts

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._arguments import Array, refuse, whole
-from ._ranges import Range, range_text
+from ._arguments import Array, Range, range_text, refuse, whole
 from .results import Result, optional
 from .study import Study
 

@@ -10,10 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, real, refuse
+from ._arguments import Array, Range, Values, over_texts, path_text, range_text, real, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
-from ._ranges import Range, Values, over_texts, path_text, range_text
 from .ensembles import with_starts
 from .results import Result, WithPage, member, optional, write_text
 from .study import Study
@@ -75,22 +74,11 @@ class CapacityResult(Result, WithPage):
 
 
 def capacity(
-    study: Study,
-    of: Optional[str] = None,
-    *,
-    between: Range = None,
-    at_least: float = 0.95,
-    by: str = "balanced",
-    precision: float = 0.005,
-    over: Optional[Mapping[str, Values]] = None,
+    study: Study, of: Optional[str] = None, *, between: Range = None, at_least: float = 0.95, by: str = "balanced",
+    precision: float = 0.005, over: Optional[Mapping[str, Values]] = None,
     zip: bool = False,  # noqa: A002 (the command line's name)
-    starts: int = 10000,
-    seed: Optional[int] = None,
-    output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    starts: int = 10000, seed: Optional[int] = None, output: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> CapacityResult:
     """The largest unbalance, or other parameter, at which starts still balance as often as asked.
 

@@ -12,11 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, checked_study
+from ._arguments import Array, Range, checked_study, path_text
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
 from ._planes import Size, plane_axes
-from ._ranges import Range, path_text
 from .results import Result
 from .study import Study
 
@@ -76,10 +75,6 @@ class SpecialPoint:
     second: float
 
 
-def _numbers(values: list[Optional[float]]) -> Array:
-    return np.array([np.nan if value is None else value for value in values], dtype=float)
-
-
 class Curves(list[Curve]):
     """The curves of a chart.
 
@@ -126,13 +121,12 @@ class ChartResult(Result):
         super().__init__(core, study)
         data = self.data
         self.answer: str = data["answer"]
-        self.curves: list[Curve] = [
-            Curve(
-                c["kind"], c["of"], (c["ends"][0], c["ends"][1]), _numbers(c["x"]), _numbers(c["y"]), _numbers(c["frequency"]),
-                _numbers(c["lyapunov"]), np.array(c["others"], dtype=np.int64), _numbers(c.get("swing", [None] * len(c["x"]))),
-            )
-            for c in data["curves"]
-        ]
+        self.curves: list[Curve] = []
+        for c in data["curves"]:
+            listed = (c["x"], c["y"], c["frequency"], c["lyapunov"], c.get("swing", [None] * len(c["x"])))
+            x, y, frequency, lyapunov, swing = (np.array(values, dtype=float) for values in listed)  # None: nan
+            others = np.array(c["others"], dtype=np.int64)
+            self.curves.append(Curve(c["kind"], c["of"], (c["ends"][0], c["ends"][1]), x, y, frequency, lyapunov, others, swing))
         self.specials: list[SpecialPoint] = [SpecialPoint(**point) for point in data["specials"]]
         self.regions: list[dict[str, Any]] = data["regions"]
         region_of = np.array(data["region_of"], dtype=np.int64)
@@ -157,21 +151,9 @@ class ChartResult(Result):
 
 
 def chart(
-    study: Study,
-    x: str = "speed.final",
-    y: str = "balancer.drag",
-    size: Size = 64,
-    *,
-    x_range: Range,
-    y_range: Range,
-    boxes: int = 200000,
-    undecided: float = 1.0,
-    cycles: bool = False,
-    output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: Size = 64, *, x_range: Range, y_range: Range,
+    boxes: int = 200000, undecided: float = 1.0, cycles: bool = False, output: Optional[str | os.PathLike[str]] = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> ChartResult:
     """Curves in a plane of two parameters on which balance changes, and what is proved beside them.
 

@@ -92,16 +92,9 @@ def _side(given: Side, name: str, starts: Optional[int], seed: Optional[int]) ->
 
 
 def compare(
-    first: Side,
-    second: Side,
-    starts: Optional[int] = None,
-    *,
-    seed: Optional[int] = None,
+    first: Side, second: Side, starts: Optional[int] = None, *, seed: Optional[int] = None,
     transients: Optional[bool] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> Comparison:
     """Two studies on common starts: how much more often does each outcome happen in the second?
 

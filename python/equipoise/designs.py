@@ -7,10 +7,9 @@ import os
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import MOST_STARTS, whole
+from ._arguments import MOST_STARTS, path_text, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
-from ._ranges import path_text
 from .ensembles import with_starts
 from .results import Result, WithPage, member, optional, write_text
 from .study import Study
@@ -84,15 +83,9 @@ class DesignResult(Result, WithPage):
 
 
 def design(
-    study: Study,
-    *,
-    trajectories: Optional[int] = None,
-    seed: Optional[int] = None,
+    study: Study, *, trajectories: Optional[int] = None, seed: Optional[int] = None,
     output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> DesignResult:
     """The best balancer or spin-up within what the study's [design] allows, with margins and evidence.
 

@@ -12,12 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, LARGEST_SEED, MOST_STARTS, checked_study, flag, real, refuse, whole
+from ._arguments import Array, LARGEST_SEED, MOST_STARTS, checked_study, flag, path_text, real, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
-from ._ranges import path_text
 from .errors import UndecidedWarning
-from .results import Result, flags, member, numbered, optional
+from .results import Result, flags, member, optional
 from .state import Frame, State, StateLike, starts_of
 from .study import Study
 
@@ -123,8 +122,6 @@ class BasinResult(Result):
     def __init__(self, core: Any, study: Study) -> None:
         super().__init__(core, study)
         self.arrays: dict[str, Any] = core.arrays() or {}
-        if self.arrays.get("drawn") is not None:  # one value, too, is a column
-            self.arrays["drawn"] = self.arrays["drawn"].reshape(-1, len(study.uncertain))
         self._columns = core.columns()
         self.seconds, self.cpu_seconds = core.seconds, core.cpu_seconds
         if self.undecided > _most_undecided:
@@ -179,7 +176,7 @@ class BasinResult(Result):
     def initial(self) -> State:
         fields = dict(self.study._core.initial)
         if self.arrays.get("rotor_state") is not None:
-            fields.update(zip(("x", "y", "x_dot", "y_dot"), self.arrays["rotor_state"].reshape(-1, 4).T))
+            fields.update(zip(("x", "y", "x_dot", "y_dot"), self.arrays["rotor_state"].T))
         for name in ("phi_dot", "psi"):
             if self.arrays.get(name) is not None:
                 fields[name] = self.arrays[name]
@@ -220,15 +217,15 @@ class BasinResult(Result):
         data: dict[str, Any] = {}
         kept = {**self.arrays, **(self.transients or {})}
         for name, (along, attributes) in self._columns.items():
-            values = kept[name].reshape(self.starts, -1) if along else kept[name]
-            data[name] = (("start", along) if along else ("start",), values, {**attributes})
+            data[name] = (("start", along) if along else ("start",), kept[name], {**attributes})
         attractors = {o["id"]: o["name"] for o in self.data["outcomes"]}
         none = {code: name for code, name in NO_ATTRACTOR.items() if name != "stalled" or self.study.driven}
         data["outcome"][2].update(flags({**attractors, **none}, np.int16))
         data["decided_by"][2].update(flags(dict(enumerate(self.decided_by_names)), np.int8))
+        counted = {"start": (range(self.starts), "index of the start"), "ball": (range(1, self.study.balls + 1), "number of the ball")}
         coordinates: dict[str, Any] = {
-            "start": ("start", *numbered(self.starts, "index of the start")),
-            "ball": ("ball", *numbered(self.study.balls, "number of the ball", 1)),
+            name: (name, np.array(numbers, dtype=np.int32), {"units": "1", "long_name": meaning})
+            for name, (numbers, meaning) in counted.items()
         }
         if "drawn" in data:
             units = self.study.uncertain
@@ -277,24 +274,11 @@ def sensitivity_rows(given: bool | int) -> Optional[int]:
 
 
 def basin(
-    study: Study,
-    starts: Optional[int] = None,
-    *,
-    seed: Optional[int] = None,
-    half_width: Optional[float] = None,
-    method: Optional[str] = None,
-    transients: Optional[bool] = None,
-    changes: bool = False,
-    initial: Optional[StateLike] = None,
-    frame: Optional[Frame] = None,
-    sensitivity: bool | int = False,
-    attractors: Optional[Mapper] = None,
-    output: Optional[str | os.PathLike[str]] = None,
-    keep: bool = True,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    study: Study, starts: Optional[int] = None, *, seed: Optional[int] = None, half_width: Optional[float] = None,
+    method: Optional[str] = None, transients: Optional[bool] = None, changes: bool = False,
+    initial: Optional[StateLike] = None, frame: Optional[Frame] = None, sensitivity: bool | int = False,
+    attractors: Optional[Mapper] = None, output: Optional[str | os.PathLike[str]] = None, keep: bool = True,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> BasinResult:
     """With what probability do the balls end up balancing the rotor?
 
@@ -338,10 +322,6 @@ def basin(
     within : float or str, optional
         Seconds, or "60s", "10min", "1.5h": after this time the call returns what is known by then, and ``partial`` of it
         is True. With `output` the same call goes on from there.
-
-    Returns
-    -------
-    BasinResult
 
     Raises
     ------

@@ -12,11 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import checked_study, refuse
+from ._arguments import Range, checked_study, path_text, refuse
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
 from ._planes import OverPlane, Size, plane_axes
-from ._ranges import Range, path_text
 from .results import WithPage, flags
 from .study import Study
 
@@ -119,14 +118,10 @@ def map(  # noqa: A001 (the command line's name)
     y: str = "initial.phi_2",
     size: Size = 512,
     *,
-    x_range: Range = None,
-    y_range: Range = None,
+    x_range: Range = None, y_range: Range = None,
     tie: str | Sequence[str] = (),
     output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> MapResult:
     """The outcome of one start at every pixel of a plane of two quantities.
 

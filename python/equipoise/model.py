@@ -303,12 +303,7 @@ class Mapper:
         return self.attractors[label] if label > 0 else None
 
     def labels(
-        self,
-        states: StateLike,
-        *,
-        frame: Optional[Frame] = None,
-        threads: int = 0,
-        progress: ProgressArgument = False,
+        self, states: StateLike, *, frame: Optional[Frame] = None, threads: int = 0, progress: ProgressArgument = False,
     ) -> npt.NDArray[np.int16]:
         """Identifiers of the attractors of many states, side by side.
 

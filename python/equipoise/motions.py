@@ -186,16 +186,9 @@ class AttractorsResult(SavedAsData, _Named[Attractor]):
 
 
 def attractors(
-    study: Study,
-    starts: Optional[int] = None,
-    *,
-    seed: Optional[int] = None,
-    states: Optional[StateLike] = None,
-    frame: Optional[Frame] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    study: Study, starts: Optional[int] = None, *, seed: Optional[int] = None,
+    states: Optional[StateLike] = None, frame: Optional[Frame] = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> AttractorsResult:
     """Every steady motion of the study's final speed: found, refined, named.
 
@@ -345,19 +338,9 @@ class BranchesResult(_Named[Branch]):
 
 
 def follow(
-    study: Study,
-    key: str,
-    low: float | str,
-    high: float | str,
-    step: float | str,
-    *,
-    starts: int = 0,
-    states: Optional[StateLike] = None,
-    frame: Optional[Frame] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    study: Study, key: str, low: float | str, high: float | str, step: float | str, *, starts: int = 0,
+    states: Optional[StateLike] = None, frame: Optional[Frame] = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> BranchesResult:
     """Every attractor along a parameter: births, deaths, changes of stability.
 

@@ -46,15 +46,8 @@ class Report(BasinResult):
 
 
 def report(
-    study: Study,
-    starts: Optional[int] = None,
-    *,
-    seed: Optional[int] = None,
-    changes: bool = True,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    study: Study, starts: Optional[int] = None, *, seed: Optional[int] = None, changes: bool = True,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> Report:
     """A page on one machine to take to a meeting: verdict, shares, motions, peaks, runs.
 
@@ -112,13 +105,8 @@ class Replay:
 
 
 def replay(
-    study: Study | BasinResult,
-    index: int,
-    *,
-    seed: Optional[int] = None,
-    transients: Optional[bool] = None,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
+    study: Study | BasinResult, index: int, *, seed: Optional[int] = None, transients: Optional[bool] = None,
+    progress: ProgressArgument = False, cpu: Optional[str] = None,
 ) -> Replay:
     """Follow one start of an ensemble again, by itself.
 

@@ -6,9 +6,8 @@ import os
 from typing import Any, Optional
 
 from . import _core
-from ._arguments import MOST_STARTS, refuse, whole
+from ._arguments import MOST_STARTS, path_text, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
-from ._ranges import path_text
 from .results import SavedAsData, member, write_text
 
 
@@ -44,15 +43,9 @@ class Reproduction(SavedAsData):
 
 
 def reproduce(
-    *what: str,
-    starts: int = 0,
-    law: str = "both",
-    folder: Optional[str | os.PathLike[str]] = None,
+    *what: str, starts: int = 0, law: str = "both", folder: Optional[str | os.PathLike[str]] = None,
     map_pixels: int = 64,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> Reproduction:
     """Compute tables and figures of Wright and Peng (2019) again.
 

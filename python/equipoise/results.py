@@ -44,11 +44,6 @@ def flags(names: Mapping[int, str], dtype: type) -> dict[str, Any]:
     }
 
 
-def numbered(count: int, meaning: str, first: int = 0) -> tuple[Any, dict[str, str]]:
-    """Values and attributes of a coordinate that counts."""
-    return np.arange(first, first + count, dtype=np.int32), {"units": "1", "long_name": meaning}
-
-
 def member(name: str, meaning: str = "") -> Any:
     """A property: what ``data`` has under a name, None if it has nothing."""
     return property(lambda self: self.data.get(name), doc=meaning or None)
@@ -100,10 +95,9 @@ class Answer:
         return other
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Any:
-        other = type(self).__new__(type(self))
-        memo[id(self)] = other
-        for name, value in self.__dict__.items():
-            other.__dict__[name] = value if name == "_core" else copy.deepcopy(value, memo)
+        memo[id(self._core)] = self._core
+        memo[id(self)] = other = self.__copy__()
+        other.__dict__.update(copy.deepcopy(self.__dict__, memo))
         return other
 
     def __getstate__(self) -> dict[str, Any]:

@@ -10,11 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, checked_study
+from ._arguments import Array, Range, checked_study, path_text
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import table
 from ._planes import OverPlane, Size, plane_axes
-from ._ranges import Range, path_text
 from .study import Study
 
 if TYPE_CHECKING:
@@ -90,18 +89,9 @@ class StabilityResult(OverPlane):
 
 
 def stability(
-    study: Study,
-    x: str = "speed.final",
-    y: str = "balancer.drag",
-    size: Size = 512,
-    *,
-    x_range: Range,
-    y_range: Range,
+    study: Study, x: str = "speed.final", y: str = "balancer.drag", size: Size = 512, *, x_range: Range, y_range: Range,
     output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> StabilityResult:
     """Where balance is stable in a plane of two parameters, by eigenvalues alone.
 

@@ -34,6 +34,11 @@ def floats(name: str, values: npt.ArrayLike) -> Array:
     return array.astype(float)
 
 
+def _velocity(frame: Frame, place: int) -> Any:
+    """A property: the velocity in a frame along one of the rotor's axes."""
+    return property(lambda self: self.to(frame)._velocity[place])
+
+
 class State:
     """One state of a machine, or many: every field is an array of the same shape, () for one state.
 
@@ -64,19 +69,10 @@ class State:
     """
 
     def __init__(
-        self,
-        *,
-        phi: npt.ArrayLike,
-        phi_dot: Optional[npt.ArrayLike] = None,
-        x: npt.ArrayLike = 0.0,
-        y: npt.ArrayLike = 0.0,
-        x_dot: Optional[npt.ArrayLike] = None,
-        y_dot: Optional[npt.ArrayLike] = None,
-        u: Optional[npt.ArrayLike] = None,
-        v: Optional[npt.ArrayLike] = None,
-        psi: Optional[npt.ArrayLike] = None,
-        psi_dot: Optional[npt.ArrayLike] = None,
-        speed_error_integral: Optional[npt.ArrayLike] = None,
+        self, *, phi: npt.ArrayLike, phi_dot: Optional[npt.ArrayLike] = None, x: npt.ArrayLike = 0.0,
+        y: npt.ArrayLike = 0.0, x_dot: Optional[npt.ArrayLike] = None, y_dot: Optional[npt.ArrayLike] = None,
+        u: Optional[npt.ArrayLike] = None, v: Optional[npt.ArrayLike] = None, psi: Optional[npt.ArrayLike] = None,
+        psi_dot: Optional[npt.ArrayLike] = None, speed_error_integral: Optional[npt.ArrayLike] = None,
     ) -> None:
         given = {name: value for name, value in dict(x_dot=x_dot, y_dot=y_dot, u=u, v=v).items() if value is not None}
         if tuple(given) not in _VELOCITIES.values():
@@ -134,30 +130,21 @@ class State:
         """() for one state."""
         return self.x.shape
 
-    @property
-    def x_dot(self) -> Array:
-        return self.to("rotating")._velocity[0]
+    x_dot: Array = _velocity("rotating", 0)
+    y_dot: Array = _velocity("rotating", 1)
+    u: Array = _velocity("inertial", 0)
+    v: Array = _velocity("inertial", 1)
 
-    @property
-    def y_dot(self) -> Array:
-        return self.to("rotating")._velocity[1]
-
-    @property
-    def u(self) -> Array:
-        return self.to("inertial")._velocity[0]
-
-    @property
-    def v(self) -> Array:
-        return self.to("inertial")._velocity[1]
-
-    def _with(self, **changes: Any) -> State:
-        first, second = _VELOCITIES[self.frame]
-        fields: dict[str, Any] = {
-            "x": self.x, "y": self.y, first: self._velocity[0], second: self._velocity[1], "phi": self.phi,
+    def _named(self) -> dict[str, Any]:
+        """What such a state is made of, by the names of its arguments."""
+        return {
+            "x": self.x, "y": self.y, **dict(zip(_VELOCITIES[self.frame], self._velocity)), "phi": self.phi,
             "phi_dot": self.phi_dot, "psi": self.psi, "psi_dot": self.psi_dot,
             "speed_error_integral": self.speed_error_integral,
         }
-        return State(**{**fields, **changes})
+
+    def _with(self, **changes: Any) -> State:
+        return State(**{**self._named(), **changes})
 
     def at_speed(self, psi_dot: npt.ArrayLike) -> State:
         """The same, of a rotor that turns at this speed; what was given of velocities stays as it was given."""
@@ -194,16 +181,7 @@ class State:
     def __getitem__(self, key: Any) -> State:
         if not self.shape:
             raise TypeError("one state has no parts")
-        first, second = _VELOCITIES[self.frame]
-
-        def part(values: Optional[Array]) -> Optional[Array]:
-            return None if values is None else values[key]
-
-        return State(
-            phi=self.phi[key], phi_dot=self.phi_dot[key], x=self.x[key], y=self.y[key], psi=part(self.psi),
-            psi_dot=part(self.psi_dot), speed_error_integral=part(self.speed_error_integral),
-            **{first: self._velocity[0][key], second: self._velocity[1][key]},
-        )
+        return self._with(**{name: values[key] for name, values in self._named().items() if values is not None})
 
     def __iter__(self) -> Iterator[State]:
         return (self[i] for i in range(len(self)))
@@ -212,9 +190,8 @@ class State:
         balls = f"{self.balls} ball{'s' * (self.balls != 1)}"
         if self.shape:
             return f"<State of {balls}, {self.frame}: shape {self.shape}>"
-        velocity = dict(zip(_VELOCITIES[self.frame], self._velocity))
-        named = {"x": self.x, "y": self.y, **velocity, "psi": self.psi, "psi_dot": self.psi_dot}
-        shown = [f"{name} {float(value):.6g}" for name, value in named.items() if value is not None]
+        arrays = ("phi", "phi_dot", "speed_error_integral")
+        shown = [f"{name} {float(value):.6g}" for name, value in self._named().items() if name not in arrays and value is not None]
         return f"<State of {balls}, {self.frame}: {', '.join(shown)}, phi {self.phi}, phi_dot {self.phi_dot}>"
 
 

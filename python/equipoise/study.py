@@ -123,11 +123,7 @@ class Study:
     """
 
     def __init__(
-        self,
-        tables: Optional[Mapping[str, Any]] = None,
-        /,
-        *,
-        name: str = "study",
+        self, tables: Optional[Mapping[str, Any]] = None, /, *, name: str = "study",
         **sections: Mapping[str, Any] | Sequence[Mapping[str, Any]],
     ) -> None:
         self._core: _core.Study = _core.Study.from_tree(plain({**_tables(tables, "tables"), **sections}), str(name))
@@ -246,14 +242,15 @@ class Study:
             file.write(self.to_toml())
 
     def __getitem__(self, key: str) -> Any:
-        if not isinstance(key, str):
-            raise KeyError(key)
-        value: Any = self.to_dict()
-        for part in key.split("."):
-            if not isinstance(value, dict) or part not in value:
-                raise KeyError(key)
-            value = value[part]
-        return value
+        """The value of a dotted key, dimensionless, with all defaults; of a key from which others follow ("rotor.mass" of
+        a machine in units) as the study states it. KeyError if there is none."""
+        for tables in (self._core.tree, self._core.stated) if isinstance(key, str) else ():
+            value: Any = tables()
+            for part in key.split("."):
+                value = value.get(part) if isinstance(value, dict) else None
+            if value is not None:
+                return value
+        raise KeyError(key)
 
     def __contains__(self, key: object) -> bool:
         try:

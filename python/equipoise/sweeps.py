@@ -13,10 +13,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Array, flag, refuse, whole
+from ._arguments import Array, Values, flag, over_texts, path_text, refuse, whole
 from ._call import ProgressArgument, WithinArgument, settings, unless_interrupted
 from ._html import percent, table
-from ._ranges import Values, over_texts, path_text
 from .ensembles import half_width_of, with_starts
 from .results import Result, WithPage, member, optional
 from .study import Study
@@ -159,20 +158,12 @@ def _shard(given: Optional[tuple[int, int]]) -> tuple[int, int]:
 
 
 def sweep(
-    study: Study,
-    over: Optional[Mapping[str, Values]] = None,
-    *,
+    study: Study, over: Optional[Mapping[str, Values]] = None, *,
     zip: bool = False,  # noqa: A002 (the command line's name)
-    starts: Optional[int] = None,
-    seed: Optional[int] = None,
-    half_width: Optional[float] = None,
-    transients: Optional[bool] = None,
-    shard: Optional[tuple[int, int]] = None,
+    starts: Optional[int] = None, seed: Optional[int] = None, half_width: Optional[float] = None,
+    transients: Optional[bool] = None, shard: Optional[tuple[int, int]] = None,
     output: Optional[str | os.PathLike[str]] = None,
-    threads: int = 0,
-    progress: ProgressArgument = False,
-    cpu: Optional[str] = None,
-    within: WithinArgument = None,
+    threads: int = 0, progress: ProgressArgument = False, cpu: Optional[str] = None, within: WithinArgument = None,
 ) -> SweepResult:
     """Shares at every combination of one to three parameters' values, on common starts.
 

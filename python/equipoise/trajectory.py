@@ -164,11 +164,7 @@ def _output_times(study: Study, t: Any) -> tuple[Optional[list[float]], Optional
 
 
 def simulate(
-    study: Study,
-    t: Optional[npt.ArrayLike] = None,
-    *,
-    every: Optional[float] = None,
-    progress: Any = False,
+    study: Study, t: Optional[npt.ArrayLike] = None, *, every: Optional[float] = None, progress: Any = False,
     within: WithinArgument = None,
 ) -> Trajectory:
     """Integrate a study from its initial state.
@@ -182,14 +178,8 @@ def simulate(
         branch of the speed begins and the balls are free.
     every : float, optional
         Time between rows, where `t` is no array; default: a hundredth of the whole.
-    progress : bool or callable
-        True: a bar; a callable is told ``(done, total, what)``.
-    within : float or str, optional
-        As for :func:`basin`: then only the rows until the time was over.
-
-    Returns
-    -------
-    Trajectory
+    progress, within
+        As for :func:`basin`; of a run whose time was over the rows until then come back.
 
     Raises
     ------

@@ -51,6 +51,15 @@ def test_a_machine_may_be_stated_as_its_data_sheet_states_it():
         sheet.replace({"place.3.mass": "4 g"})
 
 
+def test_values_that_others_follow_from_are_as_they_are_stated():
+    machine = eq.new("washing-machine")
+    assert machine["rotor.mass"] == "40 kg" and "rotor.mass" in machine and machine["rotor.eccentricity"] > 0.0
+    assert machine.replace({"rotor.mass": "50 kg"})["rotor.mass"] == "50 kg"
+    for wrong in ("rotor.weight", "rotor.mass.unit", 3):
+        with pytest.raises(KeyError):
+            machine[wrong]
+
+
 def test_values_are_replaced_by_dotted_key_without_touching_the_original():
     study = eq.Study(**PLAIN)
     other = study.replace(**{"speed.final": 2.6, "initial.phi": np.array([1.0, 4.0])})

@@ -23,14 +23,8 @@ _TURN_A_FRAME = 2.0 * np.pi / 3.0
 
 
 def animate(
-    motion: Union[Trajectory, Attractor],
-    path: Union[str, os.PathLike[str]],
-    fps: int = 30,
-    seconds: float = 10.0,
-    limit: Optional[float] = None,
-    frame: str = "room",
-    magnify: Optional[float] = None,
-    dpi: int = 120,
+    motion: Union[Trajectory, Attractor], path: Union[str, os.PathLike[str]], fps: int = 30, seconds: float = 10.0,
+    limit: Optional[float] = None, frame: str = "room", magnify: Optional[float] = None, dpi: int = 120,
 ) -> Path:
     """Writes a film of the machine seen along its axis, as `disc` draws it.
 
@@ -93,12 +87,13 @@ def animate(
         title = ax.set_title(" ")
         figure.canvas.draw()
         figure.set_layout_engine("none")  # the stage stands still
-        units = parts.Units(run.study)
+        units = {name: parts.unit_of(run.study, name) for name in ("time", "speed")}
         kept = max(1, round(_WAY * times.size))
         with writer.saving(figure, os.fspath(path), dpi):
             for k in range(times.size):
                 machine.place(states, k, slice(max(0, k - kept), k + 1))
-                title.set_text(_caption(units, states, k))
+                shown = (("time", states.t[k]), ("speed", states.speed[k]))
+                title.set_text(", ".join(f"{name} {value * units[name].factor:.4g} {units[name].name}" for name, value in shown))
                 writer.grab_frame()
     finally:
         plt.close(figure)
@@ -121,11 +116,6 @@ def _writer(path: Path, fps: int) -> Any:
     # Even numbers of pixels, and colours that every player knows.
     more = {"extra_args": ["-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]} if name == "ffmpeg" else {}
     return animation.writers[name](fps=fps, **more)
-
-
-def _caption(units: parts.Units, states: States, k: int) -> str:
-    time, speed = states.t[k] * units.time.factor, states.speed[k] * units.speed.factor
-    return f"time {time:.4g} {units.time.name}, speed {speed:.4g} {units.speed.name}"
 
 
 def _warn_of_strobe(states: States, frame: str) -> None:

@@ -78,7 +78,7 @@ def shares(result: BasinResult, ax: Optional[Axes] = None) -> Axes:
 
 @dataclass(frozen=True)
 class Column:
-    """How a column of transients is drawn: words, unit (an attribute of Units), the key of [limits] that bounds it, and
+    """How a column of transients is drawn: words, unit (a dimension), the key of [limits] that bounds it, and
     the one without which it was not watched."""
 
     words: str
@@ -91,10 +91,7 @@ _COLUMNS: dict[str, Column] = {name: Column(*told) for name, *told in _core.figu
 
 
 def transients(
-    result: BasinResult,
-    column: str = "peak_radial",
-    bins: int = 40,
-    limit: Optional[float] = None,
+    result: BasinResult, column: str = "peak_radial", bins: int = 40, limit: Optional[float] = None,
     ax: Optional[Axes] = None,
 ) -> Axes:
     """How a figure of the way there is distributed over the starts, stacked by outcome, beside the study's limit.
@@ -124,7 +121,7 @@ def transients(
     if bins < 1:
         raise ValueError(f"plot.transients(): bins = {bins}; allowed: 1 or more")
     values, how = _watched(result, column)
-    unit: parts.Unit = getattr(parts.Units(result.study), how.unit)
+    unit = parts.unit_of(result.study, how.unit)
     values = values * unit.factor
     weight = _weights(result)
     finite = np.isfinite(values)

@@ -178,7 +178,7 @@ def _legend(machine: Machine, study: Study, limit: Optional[float]) -> list[Any]
     handles = [line for line in machine.ax.get_lines() if not line.get_label().startswith("_")]
     handles.append(Line2D([], [], color=parts.QUIET, linewidth=0.9, linestyle=(0, (4, 3)), label="heavy side"))
     if limit is not None:
-        unit = parts.Units(study).length
+        unit = parts.unit_of(study, "length")
         shown = f"limit {limit * unit.factor:.4g} {unit.name}" + ("" if machine.limit else ", outside")
         handles.append(Line2D([], [], color=parts.LIMIT, linestyle="--", linewidth=1.5, label=shown))
     return handles
@@ -202,17 +202,12 @@ def check_view(function: str, frame: str, magnify: Optional[float]) -> None:
 
 def own_limit(study: Study, limit: Optional[float]) -> Optional[float]:
     """A limit in the unit of pictures, or the study's own, in race radii."""
-    return study.limits["displacement"] if limit is None else limit / parts.Units(study).length.factor
+    return study.limits["displacement"] if limit is None else limit / parts.unit_of(study, "length").factor
 
 
 def disc(
-    motion: Union[Trajectory, Attractor],
-    at: int = -1,
-    limit: Optional[float] = None,
-    frame: str = "rotor",
-    magnify: Optional[float] = None,
-    legend: bool = True,
-    ax: Optional[Axes] = None,
+    motion: Union[Trajectory, Attractor], at: int = -1, limit: Optional[float] = None, frame: str = "rotor",
+    magnify: Optional[float] = None, legend: bool = True, ax: Optional[Axes] = None,
 ) -> Axes:
     """The machine seen along its axis: race, numbered balls, the way of the rotor's centre, centre of mass, limit.
 

@@ -178,7 +178,7 @@ def branches(result: BranchesResult, y: str = "r_max", events: bool = True, ax: 
     parts.need("branches", result, wanted, ("__iter__", "parameter", "values", "study"))
     parts.one_of("branches", "y", y, [*_HEIGHTS, "range"])
     ax = ax or parts.new_axes((8.6, 4.8))
-    unit = parts.Units(result.study).length
+    unit = parts.unit_of(result.study, "length")
     handles: list[Any] = []
     marks: dict[str, str] = {}
     for branch in result:

@@ -109,21 +109,12 @@ class Unit:
         return f"{words} ({self.name})"
 
 
-class Units:
-    """Units in which a study is drawn: mm, N, mm/s, s, rpm and J of one that knows its machine, else multiples of R,
-    1/omega_c and so on."""
-
-    length: Unit
-    time: Unit
-    speed: Unit
-    velocity: Unit
-    force: Unit
-    energy: Unit
-
-    def __init__(self, study: Study) -> None:
-        for dimension, (name, factor) in _core.shown_units(study._core).items():
-            symbols = name.replace(" omega", r"\,omega").replace("omega", r"\omega")
-            setattr(self, dimension, Unit(name if study.scales else f"${symbols}$", factor))
+def unit_of(study: Study, dimension: str) -> Unit:
+    """In what "length", "time", "speed", "velocity", "force" or "energy" of a study is drawn: mm, s, rpm, mm/s, N or J of one
+    that knows its machine, else multiples of R, 1/omega_c and so on."""
+    name, factor = _core.shown_units(study._core)[dimension]
+    symbols = name.replace(" omega", r"\,omega").replace("omega", r"\omega")
+    return Unit(name if study.scales else f"${symbols}$", factor)
 
 
 def outcome_title(name: str, alias: str = "") -> str:

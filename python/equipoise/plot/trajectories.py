@@ -15,9 +15,7 @@ if TYPE_CHECKING:
 
 
 def trajectory(
-    run: Trajectory,
-    limit: Optional[float] = None,
-    balls: bool = False,
+    run: Trajectory, limit: Optional[float] = None, balls: bool = False,
     ax: Union[None, Axes, tuple[Axes, Axes]] = None,
 ) -> Union[Axes, tuple[Axes, Axes]]:
     """Displacement of the rotor over time; on request the angles of its balls below.
@@ -40,27 +38,29 @@ def trajectory(
     wanted = "a Trajectory, that of equipoise.simulate()"
     parts.need("trajectory", run, wanted, ("t", "radial", "phi", "psi_dot", "study"))
     upper, lower = _one_or_two(ax, balls)
-    units = parts.Units(run.study)
-    t = np.asarray(run.t, dtype=float)
-    radial = units.length.factor * np.asarray(run.radial, dtype=float)
-    upper.plot(t * units.time.factor, radial, color=parts.INK, linewidth=1.0, **parts.line_style(t.size))
-    handles = _mark_speed(upper, run, units)
+    length = parts.unit_of(run.study, "length")
+    time = parts.unit_of(run.study, "time").factor * np.asarray(run.t, dtype=float)
+    radial = length.factor * np.asarray(run.radial, dtype=float)
+    upper.plot(time, radial, color=parts.INK, linewidth=1.0, **parts.line_style(time.size))
+    handles = _mark_speed(upper, run, time)
     if limit is None:
         own = run.study.limits["displacement"]
-        limit = None if own is None else own * units.length.factor
+        limit = None if own is None else own * length.factor
     if limit is not None:
-        label = f"limit {limit:.4g} {units.length.name}"
+        label = f"limit {limit:.4g} {length.name}"
         handles.append(upper.axhline(limit, color=parts.LIMIT, linestyle="--", linewidth=1.6, label=label))
-    upper.set_ylabel(units.length.label("displacement"))
+    upper.set_ylabel(length.label("displacement"))
     upper.set_ylim(bottom=0.0)
-    _finish(upper, t, units, lower is None)
     parts.legend_beside(upper, handles)
-    if lower is None:
-        return upper
-    _ball_angles(lower, run, t * units.time.factor)
-    _mark_speed(lower, run, units)
-    _finish(lower, t, units, True)
-    return upper, lower
+    if lower is not None:
+        _ball_angles(lower, run, time)
+        _mark_speed(lower, run, time)
+    for each in (upper, lower) if lower is not None else (upper,):
+        parts.quiet_frame(each)
+        if time.size > 1 and time[-1] > time[0]:
+            each.set_xlim(time[0], time[-1])
+    each.set_xlabel(parts.unit_of(run.study, "time").label("time"))
+    return upper if lower is None else (upper, lower)
 
 
 def _one_or_two(ax: Any, balls: bool) -> tuple[Any, Any]:
@@ -72,14 +72,6 @@ def _one_or_two(ax: Any, balls: bool) -> tuple[Any, Any]:
     if len(given) > 2 or not given or not all(hasattr(one, "plot") for one in given):
         raise TypeError(f"plot.trajectory(): ax = {ax!r}; allowed: None, axes of matplotlib, or a pair of them")
     return given[0], given[1] if len(given) == 2 else None
-
-
-def _finish(ax: Axes, t: parts.Array, units: parts.Units, labelled: bool) -> None:
-    parts.quiet_frame(ax)
-    if t.size > 1 and t[-1] > t[0]:
-        ax.set_xlim(t[0] * units.time.factor, t[-1] * units.time.factor)
-    if labelled:
-        ax.set_xlabel(units.time.label("time"))
 
 
 def changing_speed(t: parts.Array, speed: parts.Array, driven: bool) -> list[tuple[float, float]]:
@@ -107,37 +99,24 @@ def crossings(t: parts.Array, values: parts.Array, level: float) -> parts.Array:
     return np.asarray(t[k] + (t[k + 1] - t[k]) * above[k] / (above[k] - above[k + 1]))
 
 
-def _mark_speed(ax: Axes, run: Trajectory, units: parts.Units) -> list[Any]:
+def _mark_speed(ax: Axes, run: Trajectory, time: parts.Array) -> list[Any]:
     """Grey ground, critical speeds and release; returns the entries of a legend."""
-    t, speed = np.asarray(run.t, dtype=float), np.abs(np.asarray(run.psi_dot, dtype=float))
+    speed = np.abs(np.asarray(run.psi_dot, dtype=float))
     handles: list[Any] = []
-    for begin, end in changing_speed(t, speed, run.study.driven):
-        ground = ax.axvspan(
-            begin * units.time.factor, end * units.time.factor, color=parts.RULE, alpha=0.45, linewidth=0.0, zorder=0,
-            label="speed changes",
-        )
-        handles[:1] = [ground]
+    for stretch in changing_speed(time, speed, run.study.driven):
+        handles[:1] = [ax.axvspan(*stretch, color=parts.RULE, alpha=0.45, linewidth=0.0, zorder=0, label="speed changes")]
     for critical in sorted({float(np.sqrt(stiffness)) for stiffness in run.study.parameters["stiffness"]}):
-        passed = crossings(t, speed, critical)
-        for time in passed:
-            line = ax.axvline(time * units.time.factor, color=parts.QUIET, linestyle=":", linewidth=1.4)
+        passed = crossings(time, speed, critical)
+        for at in passed:
+            line = ax.axvline(at, color=parts.QUIET, linestyle=":", linewidth=1.4)
         if passed.size:
             line.set_label("critical speed")
             handles.append(line)
-    held = _release(run)
-    if held is not None:
-        handles.append(
-            ax.axvline(held * units.time.factor, color=parts.QUIET, linestyle="-.", linewidth=1.2, label="balls let go")
-        )
+    # Balls are let go when they begin to move. Those at rest at t = 0 are free all the same: they move at the next time.
+    first = int(np.argmax(np.any(np.asarray(run.phi_dot, dtype=float) != 0.0, axis=1))) if time.size else 0
+    if first > 1:
+        handles.append(ax.axvline(time[first - 1], color=parts.QUIET, linestyle="-.", linewidth=1.2, label="balls let go"))
     return handles
-
-
-def _release(run: Trajectory) -> Optional[float]:
-    """When the balls begin to move, to a step of the trajectory; None if they are free from the first, or never."""
-    moving = np.any(np.asarray(run.phi_dot, dtype=float) != 0.0, axis=1)
-    first = int(np.argmax(moving)) if moving.any() else 0
-    # Balls at rest at t = 0 are free all the same: they move at the next time.
-    return float(run.t[first - 1]) if first > 1 else None
 
 
 def _ball_angles(ax: Axes, run: Trajectory, time: parts.Array) -> None:
