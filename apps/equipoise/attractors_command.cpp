@@ -6,12 +6,16 @@
 
 #include <fmt/format.h>
 
-#include "along_command.hpp"
 #include "commands.hpp"
+#include "equipoise/analyses/continuation/continuation.hpp"
 #include "equipoise/analyses/one_study/attractors.hpp"
+#include "equipoise/report/plots/branch_plot.hpp"
 #include "equipoise/report/reports/attractors_report.hpp"
+#include "equipoise/report/reports/branches_report.hpp"
+#include "equipoise/results/result_files/branches_file.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "result_forms.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
@@ -21,11 +25,9 @@ namespace equipoise::app {
 
 namespace {
 
-struct AttractorsArguments : ComputingArguments {
-  std::string study, along, output, plot;
-  std::vector<std::string> overrides, states;
-  std::optional<std::string> starts, seed;
-  bool json = false;
+struct AttractorsArguments : CommonArguments {
+  std::string along, plot;
+  std::vector<std::string> states;
 };
 
 // "x,y,u,v,phi_1,..,phi_n,q_1,..,q_n", the form of --state.
@@ -42,38 +44,44 @@ std::vector<double> parse_state(const std::string& text, int balls) {
   return state;
 }
 
+std::vector<std::vector<double>> states_of(const AttractorsArguments& a, const Study& study) {
+  std::vector<std::vector<double>> states;
+  for (const std::string& text : a.states) states.push_back(parse_state(text, study.parameters.balls));
+  return states;
+}
+
+// --along: attractors are continued along a parameter.
 int follow_along(const AttractorsArguments& a) {
-  std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts, a.seed, overrides);
-  const Study study = at_medians(read_study(a.study, overrides));
-  AlongArguments along;
-  along.along = a.along;
-  along.output = a.output;
-  along.plot = a.plot;
-  along.starts = a.starts ? study.sampling.starts : 0;
-  along.threads = threads_option(a.threads);
-  for (const std::string& text : a.states) along.states.push_back(parse_state(text, study.parameters.balls));
-  along.json = a.json;
-  along.quiet = a.quiet;
-  return run_along(study, along);
+  ContinuationOptions options;
+  begin_computing(a, options);
+  const Study study = at_medians(source_of(a).with());
+  options.starts = a.starts ? study.sampling.starts : 0;
+  options.warm_start_states = states_of(a, study);
+  require_ending("--output", a.output, ".csv", ".nc");
+  require_ending("--plot", a.plot, ".svg");
+  const ParameterLine line(study, a.along, "--along");
+  require_writable("--output", a.output);
+  require_writable("--plot", a.plot);
+  ProgressLine progress(a.quiet, options);
+  const BranchesResult result = follow_attractors(study, line, options);
+  progress.finish();
+  put(a.json ? branches_json(result) : branches_text(result, text_style()));
+  if (a.output.ends_with(".csv")) write_file(a.output, branches_csv(result));
+  if (a.output.ends_with(".nc")) write_branches_file(a.output, result);
+  if (!a.plot.empty()) write_file(a.plot, branch_plot(result, file_title(result.study)));
+  return result.partial ? ended_early(progress.left(), nullptr, "") : done;
 }
 
 int run_attractors(const AttractorsArguments& a) {
-  begin_computing(a);
   if (!a.along.empty()) return follow_along(a);
+  AttractorsOptions options;
+  begin_computing(a, options);
   for (const auto& [option, value] : {std::pair{"--output", &a.output}, std::pair{"--plot", &a.plot}})
     if (!value->empty()) throw InputError(option, "", *value, words::along_only);
-  std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts, a.seed, overrides);
-  const Study study = at_medians(read_study(a.study, overrides));
-  AttractorsOptions options;
+  const Study study = at_medians(source_of(a).with());
   if (a.starts) options.starts = study.sampling.starts;
-  options.threads = threads_option(a.threads);
-  for (const std::string& text : a.states)
-    options.warm_start_states.push_back(parse_state(text, study.parameters.balls));
-  options.stop = &stop_flag();
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  options.warm_start_states = states_of(a, study);
+  ProgressLine progress(a.quiet, options);
   const AttractorsResult result = attractors(study, options);
   progress.finish();
   put(a.json ? attractors_json(result) : attractors_text(result, text_style()));
@@ -84,17 +92,14 @@ int run_attractors(const AttractorsArguments& a) {
 
 Command add_attractors(CLI::App& app) {
   const auto a = std::make_shared<AttractorsArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--starts", a->starts, fmt::format(help::attractors::starts, search_starts))->type_name("N");
-  app.add_option("--seed", a->seed, help::attractors::seed)->type_name("S");
+  add_study(app, *a);
+  add_starts(app, *a, fmt::format(help::attractors::starts, search_starts).c_str(), help::attractors::seed);
   app.add_option("--state", a->states, help::attractors::state)->type_name("X,Y,...")->take_all();
   app.add_option("--along", a->along, help::attractors::along)->type_name("KEY=FROM:TO:STEP");
   app.add_option("-o,--output", a->output, help::attractors::output)->type_name("FILE");
   app.add_option("--plot", a->plot, help::attractors::plot)->type_name("FILE.svg");
-  add_wide(app);
-  add_overrides(app, a->overrides);
-  add_computing(app, *a);
-  app.add_flag("--json", a->json, help::json);
+  add_usual(app, *a);
+  add_json(app, a->json);
   return [a] { return run_attractors(*a); };
 }
 

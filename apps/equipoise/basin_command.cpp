@@ -26,23 +26,11 @@ namespace equipoise::app {
 
 namespace {
 
-struct BasinArguments : ComputingArguments {
-  std::string study;
-  std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed, start_index, half_width, decide, rows;
-  std::string output, report;
-  bool json = false, transients = false, no_transients = false, sensitivity = false, no_changes = false;
+struct BasinArguments : CommonArguments {
+  std::optional<std::string> start_index, half_width, decide, rows;
+  std::string report;
+  bool transients = false, no_transients = false, sensitivity = false, no_changes = false;
 };
-
-std::vector<std::string> overrides_from(const BasinArguments& a) {
-  std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts, a.seed, overrides);
-  if (a.decide) {
-    option_choice<ClassificationMode>("--decide", *a.decide, classification_mode_names);
-    overrides.push_back("numerics.decide=" + *a.decide);
-  }
-  return overrides;
-}
 
 std::string transients_text(const Study& study, const TransientRow& row) {
   std::string text;
@@ -94,16 +82,18 @@ int print_replay(const Study& study, const BasinOptions& options, const std::str
 }
 
 int run_basin(const BasinArguments& a) {
-  begin_computing(a);
+  BasinOptions options;
+  begin_computing(a, options);
   require_ending("--report", a.report, ".html");
   require_writable("--report", a.report);
   if (a.start_index && !a.report.empty())
     throw InputError("--report", "", display_text(a.report), words::page_of_an_ensemble);
-  const std::vector<std::string> overrides = overrides_from(a);
-  const std::string text = read_study_text(a.study), name = display_text(a.study);
-  const Study study = parse_study(text, name, overrides);
-  BasinOptions options;
-  options.threads = threads_option(a.threads);
+  StudySource source = source_of(a);
+  if (a.decide) {
+    option_choice<ClassificationMode>("--decide", *a.decide, classification_mode_names);
+    source.overrides.push_back("numerics.decide=" + *a.decide);
+  }
+  const Study study = source.with();
   if (a.half_width)
     options.half_width = option_number<double>("--half-width", *a.half_width, 1e-6, 0.5, words::half_width_range);
   if (a.half_width) require_writable("-o", a.output);  // a pilot may run before the file is opened
@@ -113,10 +103,8 @@ int run_basin(const BasinArguments& a) {
   else if (a.transients || study.physical)
     options.transients = true;
   options.output = a.output;
-  options.stop = &stop_flag();
   if (!a.start_index && gathers_transients(study, options)) say_to_leave_out(study, a.quiet);
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  ProgressLine progress(a.quiet, options);
   if (a.start_index) return print_replay(study, options, *a.start_index, progress);
   SensitivityOptions depends;
   if (a.sensitivity) {
@@ -130,7 +118,7 @@ int run_basin(const BasinArguments& a) {
     result = basin(study, options);
     if (!a.no_changes) tried = changes_asked_for(result, options);
   } else {
-    WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.report);
+    WrittenPage page = write_machine_page(source, study, options, !a.no_changes, a.report);
     result = std::move(page.content.basin);
     tried = std::move(page.tried);
   }
@@ -145,9 +133,8 @@ int run_basin(const BasinArguments& a) {
 
 Command add_basin(CLI::App& app) {
   const auto a = std::make_shared<BasinArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
-  app.add_option("--starts", a->starts, help::basin::starts)->type_name("N");
-  app.add_option("--seed", a->seed, help::seed)->type_name("S");
+  add_study(app, *a);
+  add_starts(app, *a, help::basin::starts);
   app.add_option("--half-width", a->half_width, help::basin::half_width)->type_name("H");
   app.add_option_function<std::vector<std::string>>(
          "--sensitivity",
@@ -169,7 +156,7 @@ Command add_basin(CLI::App& app) {
   add_details(app);
   add_overrides(app, a->overrides);
   add_computing(app, *a);
-  app.add_flag("--json", a->json, help::json);
+  add_json(app, a->json);
   return [a] { return run_basin(*a); };
 }
 

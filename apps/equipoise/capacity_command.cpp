@@ -27,10 +27,10 @@ namespace equipoise::app {
 
 namespace {
 
-struct CapacityArguments : ResultForms, ComputingArguments {
-  std::string study, of, between, by = "balanced";
-  std::vector<std::string> over, overrides;
-  std::optional<std::string> at_least, precision, starts, seed;
+struct CapacityArguments : ResultForms {
+  std::string of, between, by = "balanced";
+  std::vector<std::string> over;
+  std::optional<std::string> at_least, precision;
   bool zip = false;
 };
 
@@ -39,10 +39,7 @@ std::vector<SweepAxis> capacity_axes(const CapacityArguments& a) {
 }
 
 StudySource capacity_source(const CapacityArguments& a) {
-  StudySource source{read_study_text(a.study), a.study, a.overrides};
-  // Many ensembles are run: enough starts to determine a share of 95 % to half a percent.
-  constexpr const char* usual_starts = "10000";
-  override_starts(a.starts ? a.starts : std::optional<std::string>(usual_starts), a.seed, source.overrides);
+  const StudySource source = source_of(a);
   return a.of.empty() ? with_unbalance(source, capacity_axes(a)) : source;
 }
 
@@ -72,8 +69,10 @@ CapacityOptions capacity_options(const CapacityArguments& a, const SweepPlan& pl
   return options;
 }
 
-int run_capacity(const CapacityArguments& a) {
+int run_capacity(CapacityArguments& a) {
   begin_computing(a);
+  // Many ensembles are run: enough starts to determine a share of 95 % to half a percent.
+  if (!a.starts) a.starts = "10000";
   Team team;
   StudySource source;
   CapacityOptions options;
@@ -86,8 +85,7 @@ int run_capacity(const CapacityArguments& a) {
   });
   if (!plan) return bad_input;
   if (!team.leads()) return team.follow(capacity_survey(*plan, options), options.threads, options.stop);
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  ProgressLine progress(a.quiet, options);
   const CapacityResult result = team.lead(options, [&] { return capacity(*plan, options); });
   progress.finish();
   put_forms(a, {[&] { return capacity_text(result, text_style()); }, [&] { return capacity_json(result); },
@@ -105,7 +103,7 @@ int run_capacity(const CapacityArguments& a) {
 
 Command add_capacity(CLI::App& app) {
   const auto a = std::make_shared<CapacityArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  add_study(app, *a);
   app.add_option("--of", a->of, help::capacity::of)->type_name("KEY");
   app.add_option("--between", a->between, help::capacity::between)->type_name("LOW:HIGH");
   app.add_option("--by", a->by, help::capacity::by)->type_name("WHAT");
@@ -113,13 +111,10 @@ Command add_capacity(CLI::App& app) {
   app.add_option("--precision", a->precision, help::capacity::precision)->type_name("P");
   app.add_option("--over", a->over, help::capacity::over)->type_name("KEY=VALUES")->take_all();
   app.add_flag("--zip", a->zip, help::zip);
-  app.add_option("--starts", a->starts, help::capacity::starts)->type_name("N");
-  app.add_option("--seed", a->seed, help::capacity::seed)->type_name("S");
+  add_starts(app, *a, help::capacity::starts, help::capacity::seed);
   app.add_option("-o,--output", a->output, help::capacity::output)->type_name("FILE");
   add_forms(app, *a, {help::capacity::csv, help::plot});
-  add_wide(app);
-  add_overrides(app, a->overrides);
-  add_computing(app, *a);
+  add_usual(app, *a);
   return [a] { return run_capacity(*a); };
 }
 

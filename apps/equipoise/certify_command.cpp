@@ -23,11 +23,8 @@ namespace equipoise::app {
 
 namespace {
 
-struct CertifyArguments {
-  std::string study, output, check;
-  std::vector<std::string> overrides;
-  std::optional<std::string> within;
-  bool json = false, quiet = false;
+struct CertifyArguments : CommonArguments {
+  std::string check;
 };
 
 // Certificates take some kilobytes.
@@ -61,12 +58,10 @@ int run_certify(const CertifyArguments& a) {
     begin_time(a.within);
     return check_file(a.check, a.json);
   }
-  begin_time(a.within);
-  require_writable("--output", a.output);
   RunOptions options;
-  options.stop = &stop_flag();
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  begin_computing(a, options);
+  require_writable("--output", a.output);
+  ProgressLine progress(a.quiet, options);
   const CertifyResult result = certify(at_medians(read_study(a.study, a.overrides)), options);
   progress.finish();
   put(a.json ? certify_json(result) : certify_text(result, text_style()));
@@ -82,7 +77,7 @@ Command add_certify(CLI::App& app) {
   app.add_option("--check", a->check, help::certify::check)->type_name("FILE.json");
   add_overrides(app, a->overrides);
   app.add_option("-o,--output", a->output, help::certify::output)->type_name("FILE.json");
-  app.add_flag("--json", a->json, help::json);
+  add_json(app, a->json);
   add_wide(app);
   add_within(app, a->within);
   app.add_flag("--quiet", a->quiet, help::quiet);

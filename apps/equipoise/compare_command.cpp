@@ -19,11 +19,10 @@ namespace equipoise::app {
 
 namespace {
 
-struct CompareArguments : ComputingArguments {
+struct CompareArguments : CommonArguments {
   std::string first, second;
-  std::vector<std::string> overrides, second_overrides;
-  std::optional<std::string> starts, seed;
-  bool json = false, transients = false;
+  std::vector<std::string> second_overrides;
+  bool transients = false;
 };
 
 // Read and checked before any work starts.
@@ -41,22 +40,18 @@ Side side(const std::string& given, const CompareArguments& a, bool second) {
     result.stored = read_basin_outcomes(given);
     return result;
   }
-  std::vector<std::string> overrides = a.overrides;
-  if (second) overrides.insert(overrides.end(), a.second_overrides.begin(), a.second_overrides.end());
-  override_starts(a.starts, a.seed, overrides);
-  result.study = read_study(given, overrides);
+  CommonArguments with = a;
+  if (second) with.overrides.insert(with.overrides.end(), a.second_overrides.begin(), a.second_overrides.end());
+  result.study = read_study(given, overrides_of(with));
   check_comparable(*result.study);
   return result;
 }
 
 int run_compare(const CompareArguments& a) {
-  begin_computing(a);
   RunOptions options;
-  options.threads = threads_option(a.threads);
+  begin_computing(a, options);
   Side first = side(a.first, a, false), second = side(a.second, a, true);
-  options.stop = &stop_flag();
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  ProgressLine progress(a.quiet, options);
   RunOptions of_first = options;
   if (!second.stored) of_first.stop_asked = half_of_the_time();
   const auto begin = std::chrono::steady_clock::now();
@@ -82,14 +77,11 @@ Command add_compare(CLI::App& app) {
   const auto a = std::make_shared<CompareArguments>();
   app.add_option("first", a->first, help::compare::first)->required()->type_name("FIRST");
   app.add_option("second", a->second, help::compare::second)->required()->type_name("SECOND");
-  app.add_option("--starts", a->starts, help::compare::starts)->type_name("N");
-  app.add_option("--seed", a->seed, help::compare::seed)->type_name("S");
+  add_starts(app, *a, help::compare::starts, help::compare::seed);
   app.add_option("--set-second", a->second_overrides, help::compare::set_second)->type_name("KEY=VALUE")->take_all();
   app.add_flag("--transients", a->transients, help::compare::transients);
-  add_wide(app);
-  add_overrides(app, a->overrides);
-  add_computing(app, *a);
-  app.add_flag("--json", a->json, help::json);
+  add_usual(app, *a);
+  add_json(app, a->json);
   return [a] { return run_compare(*a); };
 }
 

@@ -25,15 +25,13 @@ namespace equipoise::app {
 
 namespace {
 
-struct DesignArguments : ResultForms, ComputingArguments {
-  std::string study, best;
-  std::vector<std::string> overrides;
-  std::optional<std::string> seed, trajectories;
+struct DesignArguments : ResultForms {
+  std::string best;
+  std::optional<std::string> trajectories;
 };
 
 StudySource design_source(const DesignArguments& a) {
-  StudySource source{read_study_text(a.study), a.study, a.overrides};
-  override_starts(std::nullopt, a.seed, source.overrides);
+  StudySource source = source_of(a);
   if (a.trajectories) {
     const auto n = option_number<std::uint64_t>("--trajectories", *a.trajectories, 1000, 1'000'000'000'000,
                                                 words::trajectory_range);
@@ -61,8 +59,7 @@ int run_design(const DesignArguments& a) {
   if (!problem) return bad_input;
   if (!team.leads()) return team.follow(design_survey(*problem, options), options.threads, options.stop);
   options.search_time_over = half_of_the_time();
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  ProgressLine progress(a.quiet, options);
   const DesignResult result = team.lead(options, [&] { return design(*problem, options); });
   progress.finish();
   put_forms(a,
@@ -83,15 +80,13 @@ int run_design(const DesignArguments& a) {
 
 Command add_design(CLI::App& app) {
   const auto a = std::make_shared<DesignArguments>();
-  app.add_option("study", a->study, help::design::study)->required()->type_name("STUDY");
+  add_study(app, *a, help::design::study);
   app.add_option("--best", a->best, help::design::best)->type_name("FILE.toml");
   app.add_option("--trajectories", a->trajectories, help::design::trajectories)->type_name("N");
   app.add_option("--seed", a->seed, help::design::seed)->type_name("S");
   app.add_option("-o,--output", a->output, help::design::output)->type_name("FILE");
   add_forms(app, *a, {help::design::csv, help::plot});
-  add_wide(app);
-  add_overrides(app, a->overrides);
-  add_computing(app, *a);
+  add_usual(app, *a);
   return [a] { return run_design(*a); };
 }
 

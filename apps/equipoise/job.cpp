@@ -1,5 +1,5 @@
 // Reads how mpirun or srun started this process.
-#include "job.hpp"
+#include "team.hpp"
 
 #include <chrono>
 #include <cstdlib>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "team.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {

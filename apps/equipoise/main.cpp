@@ -19,7 +19,6 @@
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/study/toml/overrides.hpp"
-#include "job.hpp"
 #include "streams.hpp"
 #include "team.hpp"
 #include "usage.hpp"

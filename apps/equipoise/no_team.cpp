@@ -3,7 +3,6 @@
 #include <string>
 
 #include "commands.hpp"
-#include "job.hpp"
 #include "team.hpp"
 #include "words.hpp"
 

@@ -14,6 +14,7 @@
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 #include "equipoise/study/echo/given_value.hpp"
 #include "equipoise/core/running/parallel.hpp"
+#include "commands.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
@@ -45,17 +46,22 @@ int threads_option(const std::optional<std::string>& text) {
   return threads;
 }
 
-void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
-                     std::vector<std::string>& overrides) {
+std::vector<std::string> overrides_of(const CommonArguments& a) {
   constexpr std::uint64_t most = 1'000'000'000'000, largest = std::numeric_limits<std::int64_t>::max();
-  if (starts) {
-    const auto n = option_number<std::uint64_t>("--starts", *starts, 1, most, words::start_range);
+  std::vector<std::string> overrides = a.overrides;
+  if (a.starts) {
+    const auto n = option_number<std::uint64_t>("--starts", *a.starts, 1, most, words::start_range);
     overrides.push_back(fmt::format("sampling.starts={}", n));
   }
-  if (seed) {
-    const auto s = option_number<std::uint64_t>("--seed", *seed, 0, largest, words::seed_range);
+  if (a.seed) {
+    const auto s = option_number<std::uint64_t>("--seed", *a.seed, 0, largest, words::seed_range);
     overrides.push_back(fmt::format("sampling.seed={}", s));
   }
+  return overrides;
+}
+
+StudySource source_of(const CommonArguments& a) {
+  return {read_study_text(a.study), display_text(a.study), overrides_of(a)};
 }
 
 Study at_medians(Study study) {
@@ -81,6 +87,15 @@ void require_ending(const char* option, const std::string& path, const char* fir
 }
 
 void write_file(const std::string& path, const std::string& text) { io::write_whole(path, text); }
+
+void add_study(CLI::App& app, CommonArguments& a, const char* words) {
+  app.add_option("study", a.study, words)->required()->type_name("STUDY");
+}
+
+void add_starts(CLI::App& app, CommonArguments& a, const char* starts, const char* seed) {
+  app.add_option("--starts", a.starts, starts)->type_name("N");
+  app.add_option("--seed", a.seed, seed)->type_name("S");
+}
 
 void add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   app.add_option("--set", overrides, help::set)->type_name("KEY=VALUE")->take_all();
@@ -114,16 +129,30 @@ TextStyle text_style() {
   return style;
 }
 
-void add_computing(CLI::App& app, ComputingArguments& a) {
+void add_usual(CLI::App& app, CommonArguments& a) {
+  add_wide(app);
+  add_overrides(app, a.overrides);
+  add_computing(app, a);
+}
+
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, help::json); }
+
+void add_computing(CLI::App& app, CommonArguments& a) {
   app.add_option("--threads", a.threads, help::threads)->type_name("T");
   app.add_option("--cpu", a.cpu, help::cpu)->type_name("NAME");
   add_within(app, a.within);
   app.add_flag("--quiet", a.quiet, help::quiet);
 }
 
-void begin_computing(const ComputingArguments& a) {
+void begin_computing(const CommonArguments& a) {
   begin_time(a.within);
   if (!a.cpu.empty()) require_cpu_target(a.cpu, "--cpu", "");
+}
+
+void begin_computing(const CommonArguments& a, RunOptions& options) {
+  begin_computing(a);
+  options.threads = threads_option(a.threads);
+  options.stop = &stop_flag();
 }
 
 }  // namespace equipoise::app

@@ -15,9 +15,12 @@
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
 #include "equipoise/core/base/read_number.hpp"
+#include "equipoise/core/running/run_options.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/study/contents/study.hpp"
+#include "help.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {
@@ -57,9 +60,35 @@ Enumeration option_choice(const char* option, const std::string& text, const Nam
 /// --threads T; 0 if absent, for all cores. More threads than cores are made if asked for.
 int threads_option(const std::optional<std::string>& text);
 
-/// --starts N and --seed S as overrides of the study.
-void override_starts(const std::optional<std::string>& starts, const std::optional<std::string>& seed,
-                     std::vector<std::string>& overrides);
+/// What most commands take. One that lacks an option leaves its member as it is.
+struct CommonArguments {
+  std::string study, output, cpu;
+  std::vector<std::string> overrides;
+  std::optional<std::string> starts, seed, threads, within;
+  bool json = false, quiet = false;
+};
+/// STUDY.
+void add_study(CLI::App& app, CommonArguments& a, const char* words = help::study);
+/// --starts and --seed.
+void add_starts(CLI::App& app, CommonArguments& a, const char* starts = help::starts, const char* seed = help::seed);
+/// --set KEY=VALUE, repeated.
+void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
+/// --threads, --cpu, --within and --quiet, which all commands have that compute.
+void add_computing(CLI::App& app, CommonArguments& a);
+/// --wide, --set and those of add_computing().
+void add_usual(CLI::App& app, CommonArguments& a);
+/// --json.
+void add_json(CLI::App& app, bool& json);
+
+/// The command's time begins, on the instruction set that was asked for.
+void begin_computing(const CommonArguments& a);
+/// And the options of its work know their threads and what stops them.
+void begin_computing(const CommonArguments& a, RunOptions& options);
+
+/// --starts and --seed behind the other overrides.
+std::vector<std::string> overrides_of(const CommonArguments& a);
+/// The study as written, and what is set on top of it.
+StudySource source_of(const CommonArguments& a);
 
 /// The study with its uncertain values at their medians, for commands that draw none; says so in one line.
 Study at_medians(Study study);
@@ -74,9 +103,6 @@ void require_ending(const char* option, const std::string& path, const char* fir
 /// Throws RunError, naming the file, if `text` cannot be written whole; the old content then stays.
 void write_file(const std::string& path, const std::string& text);
 
-/// --set KEY=VALUE, repeated.
-void add_overrides(CLI::App& app, std::vector<std::string>& overrides);
-
 /// Where a study says what to sweep over, for messages.
 std::string own_sweep(const std::string& study);
 
@@ -89,15 +115,5 @@ void add_wide(CLI::App& app);
 void add_details(CLI::App& app);
 /// The style that was asked for, in colours on a terminal unless NO_COLOR is set (https://no-color.org).
 TextStyle text_style();
-
-/// --threads, --cpu, --within and --quiet, which all commands have that compute.
-struct ComputingArguments {
-  std::optional<std::string> threads, within;
-  std::string cpu;
-  bool quiet = false;
-};
-void add_computing(CLI::App& app, ComputingArguments& a);
-/// The command's time begins, on the instruction set that was asked for.
-void begin_computing(const ComputingArguments& a);
 
 }  // namespace equipoise::app

@@ -28,7 +28,7 @@ std::chrono::duration<double> lines_apart() {
       text && *text ? option_number(variable, text, 0.1, 86400.0, words::lines_apart_range) : usual);
 }
 
-ProgressLine::ProgressLine(bool quiet)
+ProgressLine::ProgressLine(bool quiet, RunOptions& options)
     : style_(quiet                 ? Style::none
              : error_is_terminal() ? Style::bar
                                    : Style::lines),
@@ -36,11 +36,6 @@ ProgressLine::ProgressLine(bool quiet)
       last_(begin_) {
   constexpr std::chrono::milliseconds redrawn{100};
   apart_ = style_ == Style::lines ? lines_apart() : redrawn;
-}
-
-ProgressLine::~ProgressLine() { finish(); }
-
-void ProgressLine::listen(RunOptions& options) {
   options.notice = [this](const std::string& sentence) {
     finish();
     say(sentence);
@@ -48,6 +43,8 @@ void ProgressLine::listen(RunOptions& options) {
   if (style_ == Style::none && !time_is_limited()) return;
   options.progress = [this](const Progress& progress) { update(progress); };
 }
+
+ProgressLine::~ProgressLine() { finish(); }
 
 void ProgressLine::update(const Progress& progress) {
   const auto now = Clock::now();

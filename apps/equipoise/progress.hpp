@@ -27,12 +27,11 @@ std::chrono::duration<double> lines_apart();
 class ProgressLine {
  public:
   enum class Style { none, bar, lines };
-  /// A bar if standard error is a terminal, else lines; none if `quiet`.
-  explicit ProgressLine(bool quiet);
+  /// A bar if standard error is a terminal, else lines; none if `quiet`. Receives progress and notices of calls of the
+  /// library on this thread with these options, which must not outlive this object.
+  ProgressLine(bool quiet, RunOptions& options);
   ~ProgressLine();
 
-  /// Receives progress and notices of calls of the library on this thread, which must not outlive this object.
-  void listen(RunOptions& options);
   /// Clears the bar, so that further output starts on a clean line.
   void finish();
   /// From the last report; empty without any.

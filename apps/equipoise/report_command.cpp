@@ -38,28 +38,20 @@ void say_to_leave_out(const Study& study, bool quiet) {
 
 namespace {
 
-struct ReportArguments : ComputingArguments {
-  std::string study, output;
-  std::vector<std::string> overrides;
-  std::optional<std::string> starts, seed;
+struct ReportArguments : CommonArguments {
   bool no_changes = false;
 };
 
 int run_report(const ReportArguments& a) {
-  begin_computing(a);
+  BasinOptions options;
+  begin_computing(a, options);
   require_ending("--output", a.output, ".html");
   require_writable("--output", a.output);
-  std::vector<std::string> overrides = a.overrides;
-  override_starts(a.starts, a.seed, overrides);
-  BasinOptions options;
-  options.threads = threads_option(a.threads);
-  options.stop = &stop_flag();
-  const std::string text = read_study_text(a.study), name = display_text(a.study);
-  const Study study = parse_study(text, name, overrides);
+  const StudySource source = source_of(a);
+  const Study study = source.with();
   say_to_leave_out(study, a.quiet);
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
-  const WrittenPage page = write_machine_page({text, name, overrides}, study, options, !a.no_changes, a.output);
+  ProgressLine progress(a.quiet, options);
+  const WrittenPage page = write_machine_page(source, study, options, !a.no_changes, a.output);
   const BasinResult& result = page.content.basin;
   progress.finish();
   const auto verdict = verdict_of(result, page.tried);
@@ -71,10 +63,9 @@ int run_report(const ReportArguments& a) {
 
 Command add_report(CLI::App& app) {
   const auto a = std::make_shared<ReportArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  add_study(app, *a);
   app.add_option("-o,--output", a->output, help::report_page::output)->required()->type_name("FILE.html");
-  app.add_option("--starts", a->starts, help::starts)->type_name("N");
-  app.add_option("--seed", a->seed, help::seed)->type_name("S");
+  add_starts(app, *a);
   add_no_changes(app, a->no_changes);
   add_overrides(app, a->overrides);
   add_computing(app, *a);

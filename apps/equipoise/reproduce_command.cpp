@@ -13,9 +13,11 @@
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"
+#include "equipoise/extras/reproduction/reproduction_document.hpp"
+#include "equipoise/report/drawing/plot_file.hpp"
+#include "equipoise/results/result_files/slice_file.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "reproduce_files.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 #include "help.hpp"
@@ -27,11 +29,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ReproduceArguments : ComputingArguments {
+struct ReproduceArguments : CommonArguments {
   std::vector<std::string> what;
-  std::optional<std::string> starts, pixels;
-  std::string law = "both", output, report, explorer;
-  bool json = false;
+  std::optional<std::string> pixels;
+  std::string law = "both", report, explorer;
 };
 
 // Each WHAT may be several, separated by commas.
@@ -49,12 +50,10 @@ std::vector<std::string> split(const std::vector<std::string>& what) {
 ReproduceOptions options_from(const ReproduceArguments& a) {
   ReproduceOptions options = options_for(a.what);
   if (a.pixels) options.slice_pixels = option_number<int>("--pixels", *a.pixels, 2, 4096, words::pixel_range);
-  options.threads = threads_option(a.threads);
   if (a.starts)
     options.starts = option_number<std::uint64_t>("--starts", *a.starts, 1, 1'000'000'000, words::paper_start_range);
   options.laws = option_choice<LawChoice>("--law", a.law, law_choice_names);
   if (!a.output.empty()) options.folder = a.output + "/ensembles";
-  options.stop = &stop_flag();
   return options;
 }
 
@@ -74,14 +73,60 @@ void check_paths(const ReproduceArguments& a) {
   require_writable("--report", a.report);
 }
 
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError("--output", "", folder, words::not_a_folder);
+}
+
+// Every drawing of the document, named and titled by the heading that it stands under.
+std::vector<Picture> draw_pictures(const Document& document, const std::string& folder) {
+  std::vector<Picture> pictures;
+  Heading heading;
+  for (const Block& block : document.blocks) {
+    if (const auto* next = std::get_if<Heading>(&block)) heading = *next;
+    const auto* row = std::get_if<DrawingRow>(&block);
+    if (!row) continue;
+    pictures.push_back({heading.anchor, heading.text, fmt::format("{}/{}.svg", folder, heading.anchor)});
+    write_file(pictures.back().path, plot_file(heading.text, {}, *row));
+  }
+  return pictures;
+}
+
+void write_data(const Reproduction& r, const std::string& folder) {
+  for (const PaperFigure& f : r.figures) write_file(folder + "/" + f.id + ".csv", figure_csv(f));
+  if (!r.open) return;
+  write_map_file(folder + "/future-eccentricity-angle.nc", r.open->eccentricity_and_angle);
+  write_map_file(folder + "/future-eccentricity-mass.nc", r.open->eccentricity_and_mass);
+}
+
+// The folder for picture files in the folder of results, which is made; empty if `output` is.
+std::string picture_folder(const std::string& output) {
+  if (output.empty()) return "";
+  make_folder(output + "/pictures");
+  return output + "/pictures";
+}
+
+// Draws every table, figure and slice of `r` (SVG) into `folder`, lists them in r.pictures, and puts the figures'
+// curves (CSV) and the slices (NetCDF) there; writes the report (HTML). Each may be empty. Throws RunError if a file
+// cannot be written.
+void write_reproduction(Reproduction& r, const std::string& report, const std::string& explorer,
+                        const std::string& folder) {
+  const Document document = reproduction_document(r, explorer);
+  if (!folder.empty()) {
+    r.pictures = draw_pictures(document, folder);
+    write_data(r, folder);
+  }
+  if (!report.empty()) write_file(report, document_html(document));
+}
+
 int run_reproduce(ReproduceArguments& a) {
-  begin_computing(a);
   a.what = split(a.what);
   ReproduceOptions options = options_from(a);
+  begin_computing(a, options);
   check_paths(a);
   const std::string folder = picture_folder(a.output);
-  ProgressLine progress(a.quiet);
-  progress.listen(options);
+  ProgressLine progress(a.quiet, options);
   Reproduction r = reproduce(options);
   progress.finish();
   r.command = command_line(a);
@@ -107,7 +152,7 @@ Command add_reproduce(CLI::App& app) {
   app.add_option("--pixels", a->pixels, help::reproduce::pixels)->type_name("P");
   add_wide(app);
   add_computing(app, *a);
-  app.add_flag("--json", a->json, help::json);
+  add_json(app, a->json);
   return [a] { return run_reproduce(*a); };
 }
 

@@ -15,7 +15,7 @@ void add_forms(CLI::App& app, ResultForms& forms, const FormWords& words) {
   if (words.csv) app.add_option("--csv", forms.csv, words.csv)->type_name("FILE");
   app.add_option("--plot", forms.plot, words.plot)->type_name("FILE.svg");
   app.add_option("--report", forms.report, help::report)->type_name("FILE.html");
-  app.add_flag("--json", forms.json, help::json);
+  add_json(app, forms.json);
 }
 
 std::string file_title(const Study& study) {

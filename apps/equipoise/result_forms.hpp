@@ -6,14 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "equipoise/study/contents/study.hpp"
+#include "options.hpp"
 
 namespace equipoise::app {
 
-/// The files asked for; empty: none.
-struct ResultForms {
-  std::string output, csv, plot, report;
-  bool json = false;
+/// The files asked for besides the output; empty: none.
+struct ResultForms : CommonArguments {
+  std::string csv, plot, report;
 };
 
 /// What a command's help says about these options; null: the command lacks the option.

@@ -22,10 +22,9 @@ namespace equipoise::app {
 
 namespace {
 
-struct SimulateArguments {
-  std::string study, output;
-  std::vector<std::string> overrides, at;
-  std::optional<std::string> every, until, tolerance, within;
+struct SimulateArguments : CommonArguments {
+  std::vector<std::string> at;
+  std::optional<std::string> every, until, tolerance;
 };
 
 double time_option(const char* option, const std::string& text, const Study& study) {
@@ -65,16 +64,6 @@ std::vector<double> output_times(const SimulateArguments& a, const Study& study)
   }
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-void check_output(const std::string& path) {
-  if (!path.empty() && !ends_with(path, ".csv") && !ends_with(path, ".nc"))
-    throw InputError("--output", "", path, words::ends_in_csv_or_nc);
-  require_writable("--output", path);
-}
-
 // By the time reached: at constant speed all of it costs the same.
 WorkLeft rows_left(const Trajectory& trajectory, const std::vector<double>& times,
                    std::chrono::steady_clock::time_point begin) {
@@ -93,7 +82,9 @@ int run_simulate(const SimulateArguments& a) {
                                                                                    1e-2, words::tolerance_range)));
   const Study study = at_medians(read_study(a.study, overrides));
   const std::vector<double> times = output_times(a, study);
-  check_output(a.output);
+  if (!a.output.empty() && !a.output.ends_with(".csv") && !a.output.ends_with(".nc"))
+    throw InputError("--output", "", a.output, words::ends_in_csv_or_nc);
+  require_writable("--output", a.output);
 
   const auto begin = std::chrono::steady_clock::now();
   RunOptions options;
@@ -101,7 +92,7 @@ int run_simulate(const SimulateArguments& a) {
   const Trajectory trajectory = simulate(study, times, options);
   if (a.output.empty()) {
     write_csv(std::cout, trajectory);
-  } else if (ends_with(a.output, ".csv")) {
+  } else if (a.output.ends_with(".csv")) {
     write_csv_file(a.output, trajectory);
   } else {
     write_netcdf(a.output, trajectory, to_toml(study));
@@ -128,7 +119,7 @@ int run_simulate(const SimulateArguments& a) {
 
 Command add_simulate(CLI::App& app) {
   const auto a = std::make_shared<SimulateArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  add_study(app, *a);
   app.add_option("--at", a->at, help::simulate::at)->take_all()->type_name("T,T,...");
   app.add_option("--every", a->every, help::simulate::every)->type_name("DT");
   app.add_option("--until", a->until, help::simulate::until)->type_name("T");

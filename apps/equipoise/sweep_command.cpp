@@ -34,10 +34,10 @@ namespace equipoise::app {
 
 namespace {
 
-struct SweepArguments : ResultForms, ComputingArguments {
-  std::string study, shard;
-  std::vector<std::string> over, overrides;
-  std::optional<std::string> starts, seed, half_width;
+struct SweepArguments : ResultForms {
+  std::string shard;
+  std::vector<std::string> over;
+  std::optional<std::string> half_width;
   bool zip = false, transients = false;
 };
 
@@ -65,12 +65,6 @@ void read_shard(const std::string& text, SweepOptions& options) {
   options.shard = number - 1;
 }
 
-StudySource source_of(const SweepArguments& a) {
-  StudySource source{read_study_text(a.study), a.study, a.overrides};
-  override_starts(a.starts, a.seed, source.overrides);
-  return source;
-}
-
 SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   CellRequest request;
   request.limit_given = a.starts.has_value();
@@ -85,14 +79,7 @@ SweepPlan plan_of(const SweepArguments& a, const StudySource& source) {
   return SweepPlan(source, axes, request, where);
 }
 
-void check_outputs(const SweepArguments& a, const SweepOptions& options) {
-  check_forms(a);
-  if (options.shards > 1 && a.output.empty()) throw InputError("--shard", "", a.shard, words::shard_needs_output);
-}
-
-SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options,
-                    ProgressLine& progress) {
-  progress.listen(options);
+SweepResult compute(Team& team, const SweepPlan& plan, const SweepArguments& a, SweepOptions& options) {
   using Clock = std::chrono::steady_clock;
   Clock::time_point told;  // not yet
   if (!a.quiet && !error_is_terminal())
@@ -122,7 +109,9 @@ int run_sweep(const SweepArguments& a) {
     read_shard(a.shard, options);
     source = source_of(a);
     SweepPlan made = plan_of(a, source);
-    if (team.leads()) check_outputs(a, options);
+    if (team.leads()) check_forms(a);
+    if (team.leads() && options.shards > 1 && a.output.empty())
+      throw InputError("--shard", "", a.shard, words::shard_needs_output);
     return made;
   });
   if (!plan) return bad_input;
@@ -130,8 +119,8 @@ int run_sweep(const SweepArguments& a) {
   if (const std::size_t blocks = plan->blocks(); options.shard >= blocks)
     put_error(fmt::format(words::empty_shard, a.shard, plan->cells(), blocks, plural(blocks), SweepPlan::block_length,
                           blocks == 1 ? words::first_shard_has : fmt::format(words::first_shards_have, blocks)));
-  ProgressLine progress(a.quiet);
-  const SweepResult result = compute(team, *plan, a, options, progress);
+  ProgressLine progress(a.quiet, options);
+  const SweepResult result = compute(team, *plan, a, options);
   progress.finish();
   put_sweep(a, result, [&] { return given_machine(source.toml, source.name, source.overrides); });
   if (result.complete() || !stop_flag()) return done;
@@ -153,19 +142,16 @@ int run_merge(const MergeArguments& a) {
 
 Command add_sweep(CLI::App& app) {
   const auto a = std::make_shared<SweepArguments>();
-  app.add_option("study", a->study, help::study)->required()->type_name("STUDY");
+  add_study(app, *a);
   app.add_option("--over", a->over, help::sweep::over)->type_name("KEY=VALUES")->take_all();
   app.add_flag("--zip", a->zip, help::zip);
-  app.add_option("--starts", a->starts, help::sweep::starts)->type_name("N");
-  app.add_option("--seed", a->seed, help::sweep::seed)->type_name("S");
+  add_starts(app, *a, help::sweep::starts, help::sweep::seed);
   app.add_option("--half-width", a->half_width, help::sweep::half_width)->type_name("H");
   app.add_flag("--transients", a->transients, help::sweep::transients);
   app.add_option("-o,--output", a->output, help::sweep::output)->type_name("FILE");
   app.add_option("--shard", a->shard, help::sweep::shard)->type_name("I/N");
   add_forms(app, *a, sweep_words);
-  add_wide(app);
-  add_overrides(app, a->overrides);
-  add_computing(app, *a);
+  add_usual(app, *a);
   return [a] { return run_sweep(*a); };
 }
 

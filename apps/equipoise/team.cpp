@@ -17,7 +17,6 @@
 #include "commands.hpp"
 #include "equipoise/core/base/bytes.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "job.hpp"
 #include "post.hpp"
 #include "time_limit.hpp"
 #include "words.hpp"

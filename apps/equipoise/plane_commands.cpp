@@ -1,0 +1,215 @@
+// The commands about a plane of two quantities: map, stability, chart.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "equipoise/analyses/basin_slices/basin_slice.hpp"
+#include "equipoise/analyses/basin_slices/slice_axis.hpp"
+#include "equipoise/classification/start_runs/checks.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/curves/bifurcation_chart.hpp"
+#include "equipoise/extras/stability/over_plane.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/map_html.hpp"
+#include "equipoise/report/plots/map_drawing.hpp"
+#include "equipoise/report/reports/map_report.hpp"
+#include "help.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "result_forms.hpp"
+#include "streams.hpp"
+#include "time_limit.hpp"
+#include "words.hpp"
+
+namespace equipoise::app {
+
+namespace {
+
+/// Axes as typed: KEY=LOW:HIGH, or KEY with LOW:HIGH in its range.
+struct PlaneArguments : ResultForms {
+  std::string x, y, x_range, y_range, size;
+};
+
+SliceAxis axis_of(const Study& study, const std::string& text, const std::string& range, int pixels,
+                  const std::string& option) {
+  const std::string range_option = option + "-range";
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos && range.empty() && !SliceAxis{text, 0.0, 1.0, pixels}.angle())
+    throw InputError(
+        option, text, "",
+        fmt::format(words::axis_without_range, option, text, text.starts_with("speed") ? "1.5:6" : "0.01:0.5"));
+  if (equals == std::string::npos) return slice_axis(study, text, range, pixels, range_option);
+  if (!range.empty())
+    throw InputError(range_option, "", display_text(range), fmt::format(words::range_given_twice, option));
+  if (equals == 0 || equals + 1 == text.size()) throw InputError(option, "", display_text(text), words::axis_form);
+  return slice_axis(study, text.substr(0, equals), text.substr(equals + 1), pixels, option);
+}
+
+/// Where a command keeps its work, and what errors call its result.
+struct PlaneKind {
+  const char* made;
+  Keeper keeper;
+};
+
+/// Reads the study, computes and puts out. `settings(study)`: what the command has besides axes; `compute(study,
+/// settings)` gives the result, which knows its study and whether it is complete; `forms(result, source)` makes its
+/// FormMakers, which may refer to both.
+template <class Settings, class Compute, class Forms>
+int run_plane(const PlaneArguments& a, const PlaneKind& kind, const Settings& settings, const Compute& compute,
+              const Forms& forms) {
+  begin_computing(a);
+  const StudySource source = source_of(a);
+  const Study study = at_medians(source.with());
+  auto how = settings(study);
+  const SliceSize size = map_size(a.size, "--size");
+  how.x = axis_of(study, a.x, a.x_range, size.width, "--x");
+  how.y = axis_of(study, a.y, a.y_range, size.height, "--y");
+  check_forms(a);
+  how.output = a.output;
+  how.threads = threads_option(a.threads);
+  how.stop = &stop_flag();
+  ProgressLine progress(a.quiet, how);
+  const auto result = [&] {
+    try {
+      return compute(study, how);
+    } catch (const InputError& e) {
+      throw under_names(e, how.x, how.y, {"--x", "--y", "--size", kind.made});
+    }
+  }();
+  progress.finish();
+  put_forms(a, forms(result, source));
+  return result.complete ? done : ended_early(progress.left(), kind.keeper, kind.keeper ? a.output : "");
+}
+
+/// STUDY and the axes; `x`, `y`, `size` are what a command's help says of them.
+void add_axes(CLI::App& app, PlaneArguments& a, const char* x, const char* y, const char* size) {
+  add_study(app, a);
+  app.add_option("--x", a.x, x)->type_name("KEY[=LOW:HIGH]");
+  app.add_option("--y", a.y, y)->type_name("KEY[=LOW:HIGH]");
+  app.add_option("--x-range", a.x_range, help::x_range)->type_name("LOW:HIGH");
+  app.add_option("--y-range", a.y_range, help::y_range)->type_name("LOW:HIGH");
+  app.add_option("--size", a.size, size)->type_name("WIDTHxHEIGHT");
+}
+
+/// -o, --csv, --plot, --json and what every computing command has, for planes of two parameters.
+void add_plane_forms(CLI::App& app, PlaneArguments& a, const char* output, const char* csv, const char* plot) {
+  app.add_option("-o,--output", a.output, output)->type_name("FILE");
+  app.add_option("--csv", a.csv, csv)->type_name("FILE");
+  app.add_option("--plot", a.plot, plot)->type_name("FILE.svg");
+  add_json(app, a.json);
+  add_usual(app, a);
+}
+
+template <class Arguments>
+std::shared_ptr<Arguments> arguments_over(const char* x, const char* y, const char* size) {
+  const auto a = std::make_shared<Arguments>();
+  a->x = x;
+  a->y = y;
+  a->size = size;
+  return a;
+}
+
+int run_stability(const PlaneArguments& a) {
+  return run_plane(
+      a, {"stability", nullptr}, [](const Study&) { return StabilitySettings(); },
+      [](const Study& study, const StabilitySettings& how) { return stability(study, how); },
+      [](const StabilityPlane& plane, const StudySource&) {
+        return FormMakers{[&] { return stability_text(plane, text_style()); },
+                          [&] { return stability_json(plane); },
+                          [&] { return stability_csv(plane); },
+                          [&] { return stability_plot(plane, file_title(plane.study)); },
+                          {}};
+      });
+}
+
+struct ChartArguments : PlaneArguments {
+  std::optional<std::string> boxes;
+  double undecided = 1.0;
+  bool cycles = false;
+};
+
+ChartSettings chart_settings(const ChartArguments& a) {
+  ChartSettings settings;
+  if (!(a.undecided > 0.0 && a.undecided < 100.0))
+    throw InputError("--undecided", "", fmt::format("{}", a.undecided), words::undecided_range);
+  settings.undecided = 0.01 * a.undecided;
+  constexpr std::uint64_t most_boxes = 1'000'000'000;
+  if (a.boxes) settings.boxes = option_number<std::uint64_t>("--boxes", *a.boxes, 0, most_boxes, words::box_range);
+  settings.cycles = a.cycles;
+  return settings;
+}
+
+int run_chart(const ChartArguments& a) {
+  return run_plane(
+      a, {"stability", nullptr}, [&](const Study&) { return chart_settings(a); },
+      [](const Study& study, const ChartSettings& how) { return bifurcation_chart(study, how); },
+      [](const BifurcationChart& chart, const StudySource&) {
+        return FormMakers{[&] { return chart_text(chart, text_style()); },
+                          [&] { return chart_json(chart); },
+                          [&] { return chart_csv(chart); },
+                          [&] { return chart_plot(chart, file_title(chart.study)); },
+                          {}};
+      });
+}
+
+struct MapArguments : PlaneArguments {
+  std::vector<std::string> ties;
+};
+
+BasinSliceSettings map_settings(const MapArguments& a, const Study& study) {
+  check_has_balls(study);
+  BasinSliceSettings settings;
+  for (const std::string& tie : a.ties) settings.links.push_back(angle_link(tie, "--tie"));
+  return settings;
+}
+
+int run_map(const MapArguments& a) {
+  return run_plane(
+      a, {"map", kept_by_output}, [&](const Study& study) { return map_settings(a, study); },
+      [](const Study& study, const BasinSliceSettings& how) { return basin_slice(study, how); },
+      [&](const BasinSlice& map, const StudySource& source) {
+        if (map.read_whole) say(words::map_read, a.output);
+        return FormMakers{[&] { return map_text(map, text_style()); },
+                          [&] { return map_json(map); },
+                          {},
+                          [&] { return map_plot(map, file_title(map.study)); },
+                          [&] { return map_html(map, given_machine(source.toml, source.name, source.overrides)); }};
+      });
+}
+
+}  // namespace
+
+Command add_stability(CLI::App& app) {
+  const auto a = arguments_over<PlaneArguments>("speed.final", "balancer.drag", "512x512");
+  add_axes(app, *a, help::parameter_x, help::parameter_y, help::stability::size);
+  add_plane_forms(app, *a, help::stability::output, help::stability::csv, help::stability::plot);
+  return [a] { return run_stability(*a); };
+}
+
+Command add_chart(CLI::App& app) {
+  const auto a = arguments_over<ChartArguments>("speed.final", "balancer.drag", "64x64");
+  add_axes(app, *a, help::parameter_x, help::parameter_y, help::chart::size);
+  app.add_option("--boxes", a->boxes, help::chart::boxes)->type_name("N");
+  app.add_option("--undecided", a->undecided, help::chart::undecided)->type_name("PERCENT");
+  app.add_flag("--cycles", a->cycles, help::chart::cycles);
+  add_plane_forms(app, *a, help::chart::output, help::chart::csv, help::chart::plot);
+  return [a] { return run_chart(*a); };
+}
+
+Command add_map(CLI::App& app) {
+  const auto a = arguments_over<MapArguments>("initial.phi_1", "initial.phi_2", "512x512");
+  add_axes(app, *a, help::map::x, help::map::y, help::map::size);
+  app.add_option("--tie", a->ties, help::map::tie)->type_name("PHI_I=PHI_J+ANGLE")->take_all();
+  app.add_option("-o,--output", a->output, help::map::output)->type_name("FILE");
+  add_forms(app, *a, {nullptr, help::map::plot});
+  add_usual(app, *a);
+  return [a] { return run_map(*a); };
+}
+
+}  // namespace equipoise::app
