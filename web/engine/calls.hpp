@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bulk.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -16,6 +17,9 @@ namespace equipoise::web {
 inline constexpr const char* study_name = "study";
 
 Study study_of(const Json& toml);
+
+/// What is wrong with an input, as Problem of protocol.ts.
+Json problem_json(const InputError& e);
 
 /// Tells the worker.
 void tell(const Progress& progress);

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "calls.hpp"
-#include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
 
 // The worker's listener, if it has set one. What clang-format takes for C++ must be both.
@@ -58,20 +57,23 @@ Json answer(const std::string& request, Bulk& bulk) {
     const Json asked = Json::parse(request);
     return {{"result", calls().at(asked.at("call").get<std::string>())(asked.at("args"), bulk)}};
   } catch (const InputError& e) {
-    return {{"error",
-             {{"message", e.what()},
-              {"key", e.key()},
-              {"value", e.value()},
-              {"problem", e.wrong().empty() ? e.problem() : e.wrong()},
-              {"allowed", e.allowed()},
-              {"line", e.place().line},
-              {"kind", "input"}}}};
+    return {{"error", problem_json(e)}};
   } catch (const std::exception& e) {
     return {{"error", problem("run", e.what())}};
   }
 }
 
 }  // namespace
+
+Json problem_json(const InputError& e) {
+  return {{"message", e.what()},
+          {"key", e.key()},
+          {"value", e.value()},
+          {"problem", e.wrong().empty() ? e.problem() : e.wrong()},
+          {"allowed", e.allowed()},
+          {"line", e.place().line},
+          {"kind", "input"}};
+}
 
 Study study_of(const Json& toml) { return parse_study(toml.get<std::string>(), study_name); }
 

@@ -10,7 +10,6 @@
 #include "calls.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/embedded.hpp"
-#include "equipoise/core/base/error.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
@@ -106,8 +105,7 @@ Json undecidable(const Study& study) {
   try {
     check_runnable(study, false);
   } catch (const InputError& e) {
-    return {{"message", e.what()},    {"key", e.key()}, {"value", e.value()}, {"problem", e.problem()},
-            {"allowed", e.allowed()}, {"line", 0},      {"kind", "input"}};
+    return problem_json(e);
   }
   return nullptr;
 }
