@@ -16,6 +16,11 @@ from .state import Frame, State, StateLike, checked_frame, floats, no_frame, of_
 from .study import Study
 
 
+def _of_equations(name: str) -> Any:
+    """A property: what the module's equations have under a name."""
+    return property(lambda self: getattr(self._equations, name))
+
+
 class Model:
     """The equations of motion of a study as a first-order system, vectorised over arrays of states.
 
@@ -56,15 +61,16 @@ class Model:
     <State of 2 balls, inertial: shape (213,)>
     """
 
+    dimension: int = _of_equations("dimension")
+    breakpoints: list[float] = _of_equations("breakpoints")
+    pieces: list[tuple[float, float, bool]] = _of_equations("pieces")
+    release_time: float = _of_equations("release_time")
+
     def __init__(self, study: Study, *, frame: Optional[Frame] = None) -> None:
         self._equations = _core.Equations(checked_study(study)._core)
         self.study = study
         self.frame = None if frame is None else checked_frame(frame)
         self._released_at: Optional[float] = None
-
-    @property
-    def dimension(self) -> int:
-        return self._equations.dimension
 
     @property
     def names(self) -> list[str]:
@@ -73,18 +79,6 @@ class Model:
     @property
     def units(self) -> list[str]:
         return [c[1] for c in self._equations.components]
-
-    @property
-    def breakpoints(self) -> list[float]:
-        return list(self._equations.breakpoints)
-
-    @property
-    def pieces(self) -> list[tuple[float, float, bool]]:
-        return list(self._equations.pieces)
-
-    @property
-    def release_time(self) -> float:
-        return self._equations.release_time
 
     @property
     def initial_state(self) -> State:

@@ -75,14 +75,10 @@ def magnification(study: Study, states: States, limit: Optional[float]) -> float
 
     Nothing smaller than the eccentricity is made large: a rotor that is balanced is seen to be.
     """
-    reach = max(float(np.max(np.abs(states.centre), initial=0.0)), eccentricity(study))
+    reach = max(float(np.max(np.abs(states.centre), initial=0.0)), float(study.parameters["eccentricity"]))
     if limit is not None and limit < 3.0 * reach:
         reach = max(reach, limit)
     return max(1.0, round_down(_REACH / reach)) if reach > 0.0 else 1.0
-
-
-def eccentricity(study: Study) -> float:
-    return float(study.parameters["eccentricity"])
 
 
 def ball_sizes(study: Study) -> parts.Array:
@@ -100,7 +96,7 @@ class Machine:
     def __init__(self, ax: Axes, study: Study, magnify: float, limit: Optional[float], colour: str) -> None:
         from matplotlib.patches import Circle
 
-        self.ax, self.magnify, self.eccentricity = ax, magnify, eccentricity(study)
+        self.ax, self.magnify, self.eccentricity = ax, magnify, float(study.parameters["eccentricity"])
         self.race_offset = complex(*study.parameters["race_offset"])
         self.race = ax.add_patch(Circle((0, 0), 1.0, fill=False, edgecolor=parts.RULE, linewidth=5.0, zorder=1))
         (self.heavy_side,) = ax.plot([], [], color=parts.QUIET, linewidth=0.9, linestyle=(0, (4, 3)), zorder=2)
@@ -124,7 +120,6 @@ class Machine:
             ring = Circle((0, 0), limit * magnify, fill=False, edgecolor=parts.LIMIT, linestyle="--", linewidth=1.5)
             self.limit = ax.add_patch(ring)
 
-
     def set_stage(self, centres: parts.Array) -> None:
         """Room for the race around each of these places of the rotor's centre, no frame around it."""
         reach = self.magnify * (float(np.max(np.abs(centres))) + abs(self.race_offset))
@@ -143,11 +138,12 @@ class Machine:
         race = centre + self.magnify * self.race_offset * turn
         mass = centre + self.magnify * self.eccentricity * turn
         self.race.center = (race.real, race.imag)
-        self.heavy_side.set_data(*_xy(np.array([centre, race + turn])))
+        self.heavy_side.set_data([centre.real, (race + turn).real], [centre.imag, (race + turn).imag])
         self.centre.set_data([centre.real], [centre.imag])
         for artist in (self.mass, self.mass_ground):
             artist.set_data([mass.real], [mass.imag])
-        self.way.set_data(*_xy(states.centre[way] * self.magnify))
+        seen = states.centre[way] * self.magnify
+        self.way.set_data(seen.real, seen.imag)
         on_race = np.exp(1j * (states.heavy[k] + states.phi[k]))
         for ball, number, at in zip(self.balls, self.numbers, on_race):
             place = race + at
@@ -159,10 +155,6 @@ class Machine:
         if self.limit is not None:
             rest = states.rest[k] * self.magnify
             self.limit.center = (rest.real, rest.imag)
-
-
-def _xy(places: parts.Array) -> tuple[parts.Array, parts.Array]:
-    return places.real, places.imag
 
 
 def _quartered() -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
 
@@ -91,11 +91,6 @@ def legend_beside(ax: Axes, handles: Sequence[Any]) -> None:
     """A legend to the right of the frame, where it hides nothing."""
     if handles:
         ax.legend(handles=list(handles), loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False)
-
-
-def line_style(points: int) -> Mapping[str, Any]:
-    """How lines of so many points are drawn."""
-    return {"rasterized": points > LINE_POINTS_AS_PICTURE}
 
 
 @dataclass(frozen=True)

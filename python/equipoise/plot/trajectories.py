@@ -41,7 +41,7 @@ def trajectory(
     length = parts.unit_of(run.study, "length")
     time = parts.unit_of(run.study, "time").factor * np.asarray(run.t, dtype=float)
     radial = length.factor * np.asarray(run.radial, dtype=float)
-    upper.plot(time, radial, color=parts.INK, linewidth=1.0, **parts.line_style(time.size))
+    upper.plot(time, radial, color=parts.INK, linewidth=1.0, rasterized=time.size > parts.LINE_POINTS_AS_PICTURE)
     handles = _mark_speed(upper, run, time)
     if limit is None:
         own = run.study.limits["displacement"]
@@ -120,22 +120,19 @@ def _mark_speed(ax: Axes, run: Trajectory, time: parts.Array) -> list[Any]:
 
 
 def _ball_angles(ax: Axes, run: Trajectory, time: parts.Array) -> None:
+    from matplotlib import cm
+
     phi = np.asarray(run.phi, dtype=float)
-    style = {"linewidth": 1.2, **parts.line_style(time.size)}
-    for ball, colour in enumerate(ball_colours(phi.shape[1])):
-        dashes = _DASHES[ball % len(_DASHES)]
-        ax.plot(time, phi[:, ball], color=colour, linestyle=dashes, label=f"ball {ball + 1}", **style)
+    balls = phi.shape[1]
+    for ball in range(balls):  # from dark to light in any kind of colour vision and in print
+        ax.plot(
+            time, phi[:, ball], color=cm.cividis(0.75 * ball / max(balls - 1, 1)), linestyle=_DASHES[ball % len(_DASHES)],
+            linewidth=1.2, label=f"ball {ball + 1}", rasterized=time.size > parts.LINE_POINTS_AS_PICTURE,
+        )
     if phi.size:
         parts.pi_ticks(ax.yaxis, float(phi.min()), float(phi.max()))
     ax.set_ylabel(r"ball angle $\varphi$ (rad)")
     parts.legend_beside(ax, ax.get_lines())
-
-
-def ball_colours(balls: int) -> list[Any]:
-    """One a ball, from dark to light in any kind of colour vision and in print."""
-    from matplotlib import cm
-
-    return [cm.cividis(0.75 * k / max(balls - 1, 1)) for k in range(balls)]
 
 
 _DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 1.5, 1.5, 1.5)))
