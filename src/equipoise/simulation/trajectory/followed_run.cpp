@@ -4,7 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/simulation/trajectory/machine_run.hpp"
 #include "equipoise/simulation/trajectory/record.hpp"
 
@@ -57,12 +56,7 @@ IntegrationStatus FollowedRun::advance(double until) {
 }
 
 void FollowedRun::record(Trajectory& out) const {
-  const model::Parameters& p = state_->study.parameters;
-  const model::StateLayout layout = model::machine_layout(p);
-  const double* at = state_->machine([](const auto& machine) { return machine.state(); });
-  const double* tilt = p.tilts() ? at + layout.tilt : nullptr;
-  equipoise::record(out, p, at[layout.psi], at[layout.speed], time(), at, tilt);
-  if (tilt) record_bearings(out, p, shaft_bearings(state_->study), at[layout.psi], at, tilt);
+  equipoise::record(out, state_->study, time(), state_->machine([](const auto& machine) { return machine.state(); }));
 }
 
 bool FollowedRun::clamped() const {

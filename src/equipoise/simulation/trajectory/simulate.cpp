@@ -14,7 +14,6 @@
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/ball_count.hpp"
 #include "equipoise/machine/model/flow-inl.hpp"
-#include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/core/running/reporting.hpp"
@@ -108,16 +107,9 @@ void simulate_machine(const Task& task, Trajectory& out) {
   using Run = kernels::MachineRunOf<tilt>;
   using Machine = typename Run::Machine;
   const std::vector<double>& times = task.times;
-  const model::Parameters& p = task.study.parameters;
-  const model::StateLayout layout = model::machine_layout(p);
   Run run(task.study);
   Machine& machine = run.machine();
-  const ShaftBearings bearings = shaft_bearings(task.study);
   std::size_t next = 0;
-  const auto take = [&](double t, const double* at) {
-    record(out, p, at[layout.psi], at[layout.speed], t, at, tilt ? at + layout.tilt : nullptr);
-    if (tilt) record_bearings(out, p, bearings, at[layout.psi], at, at + layout.tilt);
-  };
   if (times.empty()) return;
   out.status = machine.advance(
       times.back(),
@@ -125,7 +117,7 @@ void simulate_machine(const Task& task, Trajectory& out) {
         for (; next < times.size() && times[next] < to; ++next) {
           double at[Machine::dimension];
           state_at(times[next], at);
-          take(times[next], at);
+          record(out, task.study, times[next], at);
         }
         task.rows.report(out.t.size());
         return false;
@@ -134,7 +126,7 @@ void simulate_machine(const Task& task, Trajectory& out) {
   out.stopped = task.stopped();
   if (out.status != IntegrationStatus::done || out.stopped) return;
   machine.enter();
-  take(times.back(), machine.state());
+  record(out, task.study, times.back(), machine.state());
 }
 
 Trajectory followed(const Task& task) {
