@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/classification/proved_regions/level_proof.hpp"
 #include "equipoise/classification/proved_regions/level_rates.hpp"
 #include "equipoise/core/math/positive_definite.hpp"

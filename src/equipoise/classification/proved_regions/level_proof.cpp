@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/classification/proved_regions/level_rates.hpp"
 #include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/base/angles.hpp"
@@ -96,31 +97,14 @@ bool LevelProof<kind>::enclose_balance(const Certificate& c) {
   return fault_.empty();
 }
 
-// The frame makes the form the unit one up to 1e-10, so both are regular and the form is positive definite; ball angles
-// depend on tau alone and turn less than half around the race.
+// Ball angles depend on tau alone and turn less than half around the race.
 template <ProofKind kind>
 bool LevelProof<kind>::check_frame(const Certificate& c) {
   constexpr double frame_error = 1e-10;
-  Rows<double, size> form, transposed;
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) {
-      form[i][j] = c.form(i, j);
-      transposed[i][j] = frame_[j][i];
-    }
-  gradient_ = product<size, size, size>(transposed, form);
-  for (auto& row : gradient_)
-    for (Interval& entry : row) entry = entry / Interval(c.level);
-  const auto unit = product<size, size, size>(gradient_, frame_);
-  for (int i = 0; i < size; ++i) {
-    Interval sum(0.0);
-    for (int j = 0; j < size; ++j) {
-      sum = sum + Interval((unit[i][j] - Interval(i == j ? 1.0 : 0.0)).magnitude());
-      if (form[i][j] != form[j][i]) fault_ = words::proof::form_not_symmetric;
-    }
-    if (!(sum.high < frame_error)) fault_ = words::proof::frame_is_not_of_the_form;
+  if (const char* fault = enclose_frame<size>(c, frame_error, gradient_, disc_)) {
+    fault_ = fault;
+    return false;
   }
-  disc_ = ((Interval(1.0) + Interval(level_slack)) / (Interval(1.0) - Interval(frame_error))).high;
-
   for (int i = 0; i < n; ++i) {
     const int row = model::index::phi(i);
     Interval reach(0.0);
@@ -142,10 +126,7 @@ bool LevelProof<kind>::check_centre(const Certificate& c) {
   for (int v = 0; v < etas; ++v)
     if (kind.body) away[row_of(v)] = Interval((rest_[v] - Interval(centre[row_of(v)])).magnitude());
   for (int i = 0; i < n; ++i) away[model::index::phi(i)] = Interval((balance_[i] - Interval(c.phi[i])).magnitude());
-  Interval moved(0.0);
-  for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) moved = moved + away[i] * away[j] * Interval(std::fabs(c.form(i, j)));
-  if (!(moved.high < shift * shift * c.level)) fault_ = words::proof::angles_not_close;
+  if (!is_centred<size>(c, away, shift)) fault_ = words::proof::angles_not_close;
   return fault_.empty();
 }
 

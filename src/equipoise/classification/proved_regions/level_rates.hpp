@@ -24,15 +24,6 @@ Gradient<Interval, k> number(const Interval& a, const Gradient<Interval, k>&) {
   return r;
 }
 
-template <int rows, int inner, int columns, class A, class B>
-auto product(const A& a, const B& b) {
-  std::array<std::array<Interval, columns>, rows> result{};
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j)
-      for (int k = 0; k < inner; ++k) result[i][j] = result[i][j] + Interval(a[i][k]) * Interval(b[k][j]);
-  return result;
-}
-
 // The torque of a motor below its limit, which check_limit() proves it to be, and the rate of its control's integral.
 template <class T, int n, int more>
 HWY_NAMESPACE::MotorState<Expansion<T, n, more>> motor_state(const model::DriveSegment& motor,

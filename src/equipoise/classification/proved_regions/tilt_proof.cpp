@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "equipoise/classification/proved_regions/level_frame.hpp"
 #include "equipoise/core/math/gradient.hpp"
 #include "equipoise/core/math/interval.hpp"
 #include "equipoise/core/math/krawczyk.hpp"
@@ -93,7 +94,7 @@ class TiltProof {
     if (const char* fault = enclose_balance()) return {false, fault};
     if (const char* fault = enclose_reach()) return {false, fault};
     if (c_.motor && !below_limit()) return {false, words_of::motor_reaches_limit};
-    const Matrix moved = product(product(gradient_, slope()), frame_);
+    const Matrix moved = product<size, size, size>(product<size, size, size>(gradient_, slope()), frame_);
     Matrix fall{};
     for (int i = 0; i < size; ++i)
       for (int j = 0; j <= i; ++j) fall[i][j] = -(moved[i][j] + moved[j][i]);
@@ -103,14 +104,6 @@ class TiltProof {
 
  private:
   static bool fits(const Eigen::MatrixXd& m) { return m.rows() == size && m.cols() == size && m.allFinite(); }
-
-  static Matrix product(const Matrix& a, const Matrix& b) {
-    Matrix result{};
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        for (int k = 0; k < size; ++k) result[i][j] = result[i][j] + a[i][k] * b[k][j];
-    return result;
-  }
 
   // Rest but for angles and speed. Programs use these numbers in doubles. That moves sqrt V by `shift` at most,
   // relative to its largest value, and V by twice as much: less than the slack.
@@ -128,34 +121,14 @@ class TiltProof {
     const Eigen::VectorXd centre = model::balanced_state(system_, c_.speed, c_.phi.data());
     Row away{};
     for (int i = 0; i < size; ++i) away[i] = Interval((rest_[i] - Interval(centre[i])).magnitude());
-    Interval moved(0.0);
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j) moved = moved + away[i] * away[j] * Interval(std::fabs(c_.form(i, j)));
-    return moved.high < shift * shift * c_.level ? nullptr : words_of::angles_not_close;
+    return is_centred<size>(c_, away, shift) ? nullptr : words_of::angles_not_close;
   }
 
-  // The frame D makes the form the unit one up to frame_error, so that both are regular, the form is positive definite
-  // and |D^-1 d|^2 at most 1 and a little on V <= level.
   const char* enclose_reach() {
     constexpr double frame_error = 1e-8;
-    Matrix form{}, transposed{};
+    if (const char* fault = enclose_frame<size>(c_, frame_error, gradient_, disc_)) return fault;
     for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j) {
-        form[i][j] = c_.form(i, j);
-        frame_[i][j] = c_.frame(i, j);
-        transposed[i][j] = c_.frame(j, i);
-        if (c_.form(i, j) != c_.form(j, i)) return words_of::form_not_symmetric;
-      }
-    gradient_ = product(transposed, form);
-    for (Row& row : gradient_)
-      for (Interval& entry : row) entry = entry / Interval(c_.level);
-    const Matrix unit = product(gradient_, frame_);
-    for (int i = 0; i < size; ++i) {
-      Interval sum(0.0);
-      for (int j = 0; j < size; ++j) sum = sum + Interval((unit[i][j] - Interval(i == j ? 1.0 : 0.0)).magnitude());
-      if (!(sum.high < frame_error)) return words_of::frame_is_not_of_the_form;
-    }
-    disc_ = ((Interval(1.0) + Interval(level_slack)) / (Interval(1.0) - Interval(frame_error))).high;
+      for (int j = 0; j < size; ++j) frame_[i][j] = c_.frame(i, j);
     for (int i = 0; i < size; ++i) reach_[i] = length_of(frame_[i]);
     for (int i = 0; i < balls; ++i)
       if (!(reach_[model::index::phi(i)] < 3.1)) return words_of::reaches_around;

@@ -1,0 +1,57 @@
+// The frame of a level set, checked with intervals.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "equipoise/classification/proved_regions/certificate.hpp"
+#include "equipoise/classification/words/proof.hpp"
+#include "equipoise/core/math/interval.hpp"
+
+namespace equipoise {
+
+template <int rows, int inner, int columns, class A, class B>
+auto product(const A& a, const B& b) {
+  std::array<std::array<Interval, columns>, rows> result{};
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      for (int k = 0; k < inner; ++k) result[i][j] = result[i][j] + Interval(a[i][k]) * Interval(b[k][j]);
+  return result;
+}
+
+/// Says what is wrong, or null if the frame D makes the form P the unit one up to `error`. Both are then regular, and
+/// the form is positive definite. `gradient`: D^T P / level. `disc`: a bound on |D^-1 d|^2 on V <= level.
+template <int size>
+const char* enclose_frame(const Certificate& c, double error, std::array<std::array<Interval, size>, size>& gradient,
+                          double& disc) {
+  std::array<std::array<double, size>, size> form{}, frame{}, transposed{};
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) {
+      form[i][j] = c.form(i, j);
+      frame[i][j] = transposed[j][i] = c.frame(i, j);
+      if (c.form(i, j) != c.form(j, i)) return words::proof::form_not_symmetric;
+    }
+  gradient = product<size, size, size>(transposed, form);
+  for (auto& row : gradient)
+    for (Interval& entry : row) entry = entry / Interval(c.level);
+  const auto unit = product<size, size, size>(gradient, frame);
+  for (int i = 0; i < size; ++i) {
+    Interval sum(0.0);
+    for (int j = 0; j < size; ++j) sum = sum + Interval((unit[i][j] - Interval(i == j ? 1.0 : 0.0)).magnitude());
+    if (!(sum.high < error)) return words::proof::frame_is_not_of_the_form;
+  }
+  disc = ((Interval(1.0) + Interval(level_slack)) / (Interval(1.0) - Interval(error))).high;
+  return nullptr;
+}
+
+/// Says whether doubles for the exact balanced state move sqrt V by less than `shift` of its largest value. `away`:
+/// bounds on their errors.
+template <int size>
+bool is_centred(const Certificate& c, const std::array<Interval, size>& away, double shift) {
+  Interval moved(0.0);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) moved = moved + away[i] * away[j] * Interval(std::fabs(c.form(i, j)));
+  return moved.high < shift * shift * c.level;
+}
+
+}  // namespace equipoise
