@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -108,10 +109,14 @@ struct Machine {
   double horizon;
 };
 
+// Starts that run side by side: their drives have the same pieces.
 struct Fleet {
   SpunUp& starts;
   TransientTable* transients;
-  std::vector<char> clamped;
+  const std::vector<std::size_t>& members;
+  const Machine& one;         // the first member's
+  bool own;                   // each has its own
+  std::vector<char> clamped;  // of all starts
   std::size_t size;
 
   double* state(std::size_t i) const { return &starts.states[i * size]; }
@@ -122,7 +127,7 @@ struct Fleet {
   template <class Wanted>
   std::vector<std::size_t> which(Wanted&& wanted) const {
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < clamped.size(); ++i)
+    for (const std::size_t i : members)
       if (!starts.is_over(i) && wanted(i)) result.push_back(i);
     return result;
   }
@@ -140,15 +145,15 @@ class MotorSource final : public SpinUp {
   }
 
   bool follow(std::span<const InitialState> given, SpunUp& starts, TransientTable* transients) const override {
-    starts.phi.clear();
-    starts.states.clear();
-    for (const InitialState& start : given) add(machines_.front(), start, starts);
-    return !is_set(stop_) && advance(starts, transients);
+    std::vector<std::size_t> all(given.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    begin(
+        given.size(), [&](std::size_t i) { return given[i]; }, starts, transients);
+    return !is_set(stop_) && advance(all, starts, transients);
   }
 
-  BatchTask last_task() const override { return task(machines_.front().systems.size() - 1); }
+  BatchTask last_task() const override { return task(machines_.front(), machines_.front().systems.size() - 1); }
 
-  // Machines whose drives have the same pieces run side by side.
   static bool follow_own_rotors(std::span<const OwnRotorStart> starts, const StopFlag* stop, SpunUp& spun,
                                 TransientTable* transients) {
     using Shape = std::tuple<std::size_t, bool, bool, bool>;
@@ -158,48 +163,22 @@ class MotorSource final : public SpinUp {
       const Machine& m = machines.emplace_back(starts[i].study);
       groups[{m.systems.size(), m.clamped_at_first, m.drive.release_speed.has_value(), m.release_rule.rising}]
           .push_back(i);
+      spun.rotors[i] = m.rotor(m.systems.size() - 1);
     }
-    const std::size_t size = machines.front().systems.front().dimension();
-    for (const auto& [shape, places] : groups) {
-      std::vector<Machine> group;
-      for (const std::size_t i : places) group.push_back(machines[i]);
-      const MotorSource source(std::move(group), stop);
-      SpunUp some;
-      for (std::size_t j = 0; j < places.size(); ++j) source.add(source.of(j), starts[places[j]].start, some);
-      TransientTable table;
-      if (transients) {
-        table.settings = transients->settings;
-        for (const std::size_t i : places) table.own.push_back(transients->own[i]);
-      }
-      if (is_set(stop) || !source.advance(some, transients ? &table : nullptr)) return false;
-      spun.released.resize(starts.size());
-      spun.over.resize(starts.size());
-      spun.nearest.resize(starts.size());
-      for (std::size_t j = 0; j < places.size(); ++j) {
-        const std::size_t i = places[j];
-        std::copy_n(&some.states[j * size], size, &spun.states[i * size]);
-        spun.begins[i] = some.begins[j];
-        spun.released[i] = some.released[j];
-        spun.fates[i] = some.fates[j];
-        spun.over[i] = some.over[j];
-        spun.nearest[i] = some.nearest[j];
-        spun.rotors[i] = source.of(j).rotor(source.of(j).systems.size() - 1);
-      }
-      if (transients) transients->put_back(places, table);
-    }
-    return true;
+    const MotorSource source(std::move(machines), stop);
+    source.begin(
+        starts.size(), [&](std::size_t i) { return starts[i].start; }, spun, transients);
+    return std::all_of(groups.begin(), groups.end(), [&](const auto& group) {
+      return !is_set(stop) && source.advance(group.second, spun, transients);
+    });
   }
 
  private:
   MotorSource(std::vector<Machine> machines, const StopFlag* stop)
-      : machines_(std::move(machines)),
-        sampler_(sampler_of(machines_.front().study)),
-        stop_(stop),
-        tolerance_(machines_.front().study.numerics.tolerance.value_or(default_basin_tolerance)) {}
+      : machines_(std::move(machines)), sampler_(sampler_of(machines_.front().study)), stop_(stop) {}
 
   // All starts share one machine, or each has its own.
   const Machine& of(std::size_t i) const { return machines_[machines_.size() == 1 ? 0 : i]; }
-  bool are_own() const { return machines_.size() > 1; }
 
   void add(const Machine& machine, const InitialState& start, SpunUp& starts) const {
     const model::System& system = machine.systems.front();
@@ -212,9 +191,11 @@ class MotorSource final : public SpinUp {
     if (system.layout().error >= 0) state[system.layout().error] = 0.0;
   }
 
-  bool advance(SpunUp& starts, TransientTable* transients) const {
-    const Machine& one = machines_.front();
-    const std::size_t size = one.systems.front().dimension(), count = starts.states.size() / size;
+  template <class StartOf>
+  void begin(std::size_t count, const StartOf& start_at, SpunUp& starts, TransientTable* transients) const {
+    starts.phi.clear();
+    starts.states.clear();
+    for (std::size_t i = 0; i < count; ++i) add(of(i), start_at(i), starts);
     starts.begins.assign(count, 0.0);
     starts.released.assign(count, 0.0);
     starts.fates.assign(count, Fate{});
@@ -222,36 +203,42 @@ class MotorSource final : public SpinUp {
     starts.nearest.resize(count);
     for (std::size_t i = 0; i < count; ++i) starts.nearest[i] = of(i).drive.speed;
     if (transients) transients->rows.assign(count, TransientSums{});
-    Fleet fleet{starts, transients, std::vector<char>(count, one.clamped_at_first), size};
+  }
+
+  bool advance(const std::vector<std::size_t>& members, SpunUp& starts, TransientTable* transients) const {
+    if (members.empty()) return true;
+    const Machine& one = of(members.front());
+    const bool own = machines_.size() > 1 && members.size() > 1;
+    const auto size = static_cast<std::size_t>(one.systems.front().dimension());
+    Fleet fleet{starts, transients, members, one, own, std::vector<char>(starts.size(), one.clamped_at_first), size};
     for (std::size_t k = 0; k < one.drive.pieces.size(); ++k) {
       if (one.clamped_at_first && !follow_clamped(k, fleet)) return false;
       const bool last = k + 1 == one.drive.pieces.size();
       if (!last && !run_free(k, fleet)) return false;
       if (!last && transients)
-        for (TransientSums& row : transients->rows) row.work.end_piece();
+        for (const std::size_t i : members) transients->rows[i].work.end_piece();
     }
     return true;
   }
 
-  BatchTask task(std::size_t k) const {
-    const Machine& one = machines_.front();
-    BatchTask task = batch_task(one.systems[k]);
-    task.segment.begin = one.drive.pieces[k].begin;
-    task.end = one.drive.pieces[k].end;
-    task.tolerance = tolerance_;
+  BatchTask task(const Machine& machine, std::size_t k) const {
+    BatchTask task = batch_task(machine.systems[k]);
+    task.segment.begin = machine.drive.pieces[k].begin;
+    task.end = machine.drive.pieces[k].end;
+    task.tolerance = machine.study.numerics.tolerance.value_or(default_basin_tolerance);
     task.stop = stop_;
     return task;
   }
 
   // While the release time or a change of torque is still to come, a steady rotor is no end.
-  ReleaseRule rule_over(std::size_t k, const std::vector<std::size_t>& places) const {
-    const Machine& one = machines_.front();
+  ReleaseRule rule_over(std::size_t k, const std::vector<std::size_t>& places, const Fleet& fleet) const {
+    const Machine& one = fleet.one;
     ReleaseRule rule = one.release_rule;
     for (const std::size_t i : places)
-      if (are_own()) rule.own_speeds.push_back(of(i).release_rule.release_speed);
+      if (fleet.own) rule.own_speeds.push_back(of(i).release_rule.release_speed);
     if (!one.drive.release_speed || k + 1 < one.systems.size())
       rule.windows.first_long_window = std::numeric_limits<double>::infinity();
-    else if (!are_own())  // the trapping region knows only one release speed
+    else if (!fleet.own)  // the trapping region knows only one release speed
       rule.windows.section_regions = regions_by(
           [system = one.systems[k], speed = rule.release_speed](const double* held, double, const OwnRotor*) -> Caught {
             return {model::trapped_in_well(system, held, speed) ? clamped_for_good : 0};
@@ -268,7 +255,7 @@ class MotorSource final : public SpinUp {
   template <class Run>
   bool side_by_side(std::size_t k, bool held, const std::vector<std::size_t>& places, std::vector<double>& states,
                     const Fleet& fleet, Run&& run) const {
-    BatchTask task = this->task(k);
+    BatchTask task = this->task(fleet.one, k);
     if (held) task.end = until(places.front(), k);
     std::vector<double> begins;
     std::vector<OwnRotor> rotors;
@@ -276,8 +263,8 @@ class MotorSource final : public SpinUp {
     if (fleet.transients) table = fleet.transients->part(places);
     for (const std::size_t i : places) {
       begins.push_back(fleet.starts.begins[i]);
-      if (are_own()) rotors.push_back(of(i).rotor(k));
-      if (are_own() && held) rotors.back().end = until(i, k);
+      if (fleet.own) rotors.push_back(of(i).rotor(k));
+      if (fleet.own && held) rotors.back().end = until(i, k);
     }
     const std::vector<const OwnRotor*> own = pointers_to(rotors);
     if (fleet.transients) task.transients = &table;
@@ -290,13 +277,13 @@ class MotorSource final : public SpinUp {
 
   // Follows clamped balls over piece k of the drive, until their release.
   bool follow_clamped(std::size_t k, Fleet& fleet) const {
-    const std::size_t size = model::held_layout(machines_.front().systems[k]).size;
+    const std::size_t size = model::held_layout(fleet.one.systems[k]).size;
     SpunUp& starts = fleet.starts;
     for (;;) {
       const auto places =
           fleet.which([&](std::size_t i) { return fleet.clamped[i] && starts.begins[i] < until(i, k); });
       if (places.empty()) break;
-      const ReleaseRule rule = rule_over(k, places);
+      const ReleaseRule rule = rule_over(k, places, fleet);
       std::vector<double> states(places.size() * size);
       for (std::size_t j = 0; j < places.size(); ++j)
         model::hold_balls(of(places[j]).systems[k], fleet.state(places[j]), &states[j * size]);
@@ -371,7 +358,6 @@ class MotorSource final : public SpinUp {
   std::vector<Machine> machines_;
   Sampler sampler_;
   const StopFlag* stop_;
-  double tolerance_;
 };
 
 }  // namespace
