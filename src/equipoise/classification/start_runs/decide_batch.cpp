@@ -28,14 +28,6 @@ float unbalance_of(const model::System& system, const double* state) {
 
 }  // namespace
 
-StartRunner::Batch StartRunner::new_batch(bool watched) const {
-  Batch batch;
-  batch.runner = this;
-  batch.watched = watched;
-  batch.table = {transients_, {}, ends_};
-  return batch;
-}
-
 // Applies the rule to all starts that are not over; the others keep their fates.
 bool StartRunner::decide(Batch& batch) const {
   batch.fates = batch.starts.fates;
@@ -139,13 +131,18 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
       fate.mean_speed = static_cast<float>(mean_speed(batch, i, fate));
       end = batch.table.end_of(fate.attractor).figures;
     }
-    if (attracted && fate.attractor > 0) note_unbalance(batch, i, fate);
+    // Balls held by dry friction leave a different unbalance after each start.
+    const Attractor* listed = attracted && fate.attractor > 0 ? catalogue_.find(fate.attractor) : nullptr;
+    if (listed && listed->motion.set_valued) fate.unbalance = unbalance_of(system, batch.state(i));
     // Whatever its motion is called, the motor did not bring the rotor up to speed.
     if (attracted && !system.prescribed() && std::fabs(fate.mean_speed) < batch.study(i).stall_speed())
       fate.outcome = Outcome::stalled;
     if (!batch.watched) continue;
     const bool lost = fate.outcome == Outcome::diverged || fate.outcome == Outcome::failed;
-    decided.transients[i] = transient_row(settings_of(batch, i), batch.table.rows[i], lost, end);
+    TransientSettings settings = batch.table.settings_of(i);
+    // A motor releases the balls of each start at a different time.
+    if (!batch.starts.released.empty()) settings.release = batch.starts.released[i];
+    decided.transients[i] = transient_row(settings, batch.table.rows[i], lost, end);
   }
   return true;
 }
@@ -162,12 +159,6 @@ UnlistedStart StartRunner::in_chaos(const Batch& batch, std::size_t i, double no
   return {i, when_recognised(batch, i, now), measured_motion(), {long_lived_chaos, "", 0}};
 }
 
-// Balls held by dry friction leave a different unbalance after each start.
-void StartRunner::note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const {
-  const Attractor* a = catalogue_.find(fate.attractor);
-  if (a && a->motion.set_valued) fate.unbalance = unbalance_of(batch.system(i), batch.state(i));
-}
-
 // The mean speed of a driven rotor is its attractor's, for a trapping region may catch it before it has turned for
 // long. A coasting rotor keeps the speed that it has in balance; any other end is at rest.
 double StartRunner::mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const {
@@ -178,13 +169,6 @@ double StartRunner::mean_speed(const Batch& batch, std::size_t i, const Fate& fa
   const bool seen = fate.by == DecidedBy::windows || fate.by == DecidedBy::horizon;
   const Attractor* a = family_ && seen && !std::isnan(fate.mean_speed) ? nullptr : catalogue_.find(fate.attractor);
   return a && a->motion.kind != MotionKind::measured ? a->motion.speed : fate.mean_speed;
-}
-
-// A motor releases the balls of each start at a different time.
-TransientSettings StartRunner::settings_of(const Batch& batch, std::size_t i) const {
-  TransientSettings settings = batch.table.settings_of(i);
-  if (!batch.starts.released.empty()) settings.release = batch.starts.released[i];
-  return settings;
 }
 
 // `patience` applies to a start with a rotor of its own.

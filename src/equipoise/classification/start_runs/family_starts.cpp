@@ -61,7 +61,7 @@ bool StartRunner::run_drawn(std::span<const DrawnStart> drawn, Decided& decided,
 // Decides starts with the family's rotors; results are in the units of the study's medians.
 bool StartRunner::run_family(std::vector<FamilyStart> given, Decided& decided, bool watched) const {
   if (system_.coasts()) return run_coasting(given, decided, watched);
-  Batch batch = new_batch(watched);
+  Batch batch(*this, watched);
   if (!begin_family(std::move(given), batch) || !finish(batch, decided)) return false;
   for (std::size_t i = 0; i < decided.fates.size(); ++i)
     if (const auto& scales = batch.own[i].own.study.scales)
@@ -91,7 +91,7 @@ bool StartRunner::follows_open(const Batch& batch, std::size_t i) const {
 // Takes starts one by one, so that each motion is followed only once.
 bool StartRunner::meet(std::vector<FamilyStart> given, std::span<const std::size_t> rotor,
                        std::span<MetMotions> met) const {
-  Batch batch = new_batch(false);
+  Batch batch(*this, false);
   batch.records.emplace(given.size());
   if (!begin_family(std::move(given), batch) || !decide(batch)) return false;
   std::vector<int> late(met.size()), settled(met.size());  // starts of the rotor that the horizon left open

@@ -99,7 +99,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, Decided& decided) 
     for (std::size_t i = 0; i < count; ++i) drawn.push_back({first + i, fractions_of(first + i)});
     return run_drawn(drawn, decided);
   }
-  Batch batch = new_batch(gathers_);
+  Batch batch(*this, gathers_);
   if (!source_->make(study_.sampling.seed, first, count, batch.starts, batch.watched_table())) return false;
   if (!finish(batch, decided)) return false;
   decided.phi = batch.starts.phi;
@@ -108,7 +108,7 @@ bool StartRunner::run(std::uint64_t first, std::size_t count, Decided& decided) 
 
 bool StartRunner::run_from(std::span<const InitialState> given, Decided& decided) const {
   if (family_) throw std::logic_error(words::runs::known_by_numbers);
-  Batch batch = new_batch(gathers_);
+  Batch batch(*this, gathers_);
   return source_->follow(parted(study_.parameters, given), batch.starts, batch.watched_table()) &&
          finish(batch, decided);
 }
@@ -121,7 +121,7 @@ std::vector<UndecidedEnd> StartRunner::look_at(const std::vector<InitialState>& 
   std::vector<UndecidedEnd> ends;
   if (family_) return ends;  // a start alone does not say which rotor it drew
   for (const InitialState& given : undecided) {
-    Batch batch = new_batch(false);
+    Batch batch(*this, false);
     if (!source_->follow(parted(study_.parameters, {&given, 1}), batch.starts)) break;
     if (batch.starts.is_over(0)) {
       ends.push_back(

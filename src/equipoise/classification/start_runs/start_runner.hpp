@@ -127,11 +127,13 @@ class StartRunner {
   static FamilyMesh mesh_of(const Study& study, const StudyFamily& family, const AttractorSearchSettings& settings);
   // Starts being decided, and what is known of each.
   struct Batch {
-    const StartRunner* runner = nullptr;
+    Batch(const StartRunner& of, bool watching) : runner(of), watched(watching), table{of.transients_, {}, of.ends_} {}
+
+    const StartRunner& runner;
     SpunUp starts;
     std::vector<FamilyStart> own;   // each start's study if they differ, else empty
     std::vector<std::size_t> cell;  // their cells of the mesh
-    bool watched = false;           // transients are gathered, in `table`
+    bool watched;                   // transients are gathered, in `table`
     TransientTable table;
     std::vector<Fate> fates;
     std::optional<std::vector<PilotRecord>> records;  // of all starts, if requested
@@ -139,18 +141,17 @@ class StartRunner {
     std::vector<KnownFeatures> looks;
     std::vector<std::optional<Motion>> came_to;
 
-    const Study& study(std::size_t i) const { return own.empty() ? runner->study_ : own[i].own.study; }
-    const model::System& system(std::size_t i) const { return own.empty() ? runner->system_ : starts.rotors[i].system; }
+    const Study& study(std::size_t i) const { return own.empty() ? runner.study_ : own[i].own.study; }
+    const model::System& system(std::size_t i) const { return own.empty() ? runner.system_ : starts.rotors[i].system; }
     double end(std::size_t i) const {
-      return own.empty() ? runner->source_->settled() + *runner->study_.numerics.horizon : starts.rotors[i].end;
+      return own.empty() ? runner.source_->settled() + *runner.study_.numerics.horizon : starts.rotors[i].end;
     }
     TransientTable* watched_table() { return watched ? &table : nullptr; }
     const double* state(std::size_t i) const {
-      return &starts.states[i * static_cast<std::size_t>(runner->system_.dimension())];
+      return &starts.states[i * static_cast<std::size_t>(runner.system_.dimension())];
     }
   };
 
-  Batch new_batch(bool watched) const;
   bool follows_open(const Batch& batch, std::size_t i) const;
   bool meet(const Batch& batch, std::size_t i, MetMotions& met) const;
   bool begin_family(std::vector<FamilyStart> given, Batch& batch) const;
@@ -165,9 +166,7 @@ class StartRunner {
   double mean_speed(const Batch& batch, std::size_t i, const Fate& fate) const;
   bool note_last_speeds(Batch& batch) const;
   bool note_radii(Batch& batch) const;
-  void note_unbalance(const Batch& batch, std::size_t i, Fate& fate) const;
   Restlessness restlessness(double before, const Fate& fate, double begin) const;
-  TransientSettings settings_of(const Batch& batch, std::size_t i) const;
   std::vector<double> when_recognised(const Batch& batch, std::size_t i, double now) const;
   KnownEnd end_of(int attractor) const;
 
