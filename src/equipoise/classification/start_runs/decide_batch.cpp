@@ -93,14 +93,13 @@ bool StartRunner::finish(Batch& batch, Decided& decided) const {
   for (std::size_t i = 0; i < count; ++i) {
     Fate& fate = decided.fates[i];
     const model::System& system = batch.system(i);
+    const bool left = fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && fate.time >= batch.end(i);
     // No list need hold for a rotor of the start's own, so it is followed beyond the horizon if that pays.
-    const bool open = family_ && fate.outcome == Outcome::undecided && !batch.starts.is_over(i) &&
-                      fate.time >= batch.end(i) && follows_open(batch, i);
+    const bool open = left && family_ && follows_open(batch, i);
     if (open) fate.outcome = Outcome::attracted;
     const bool attracted = fate.outcome == Outcome::attracted;
     std::optional<MotionFigures> end;
-    if (fate.outcome == Outcome::undecided && !batch.starts.is_over(i) && fate.time >= batch.end(i) &&
-        is_in_chaos(system, when_recognised(batch, i, fate.time), fate.time)) {
+    if (left && !open && is_in_chaos(system, when_recognised(batch, i, fate.time), fate.time)) {
       decided.unlisted.push_back(in_chaos(batch, i, fate.time));
       fate.outcome = Outcome::attracted;
       fate.by = DecidedBy::horizon;
