@@ -75,10 +75,10 @@ class HeldFollower {
     std::fill_n(&full_[model::index::q(0, p_.balls)], p_.balls, 0.0);
     if constexpr (tilt) {
       hold_all();
-      std::copy_n(full_.begin(), model::dimension(p_.balls), y_.begin());
+      initial_state(start, p_.balls, drive_.speed, y_.data(), layout().tilt);
+      std::fill_n(&y_[model::index::q(0, p_.balls)], p_.balls, 0.0);
       y_[layout().psi] = drive_.pieces.front().prescribed ? drive_.pieces.front().psi : start.psi;
       y_[layout().speed] = drive_.speed;
-      initial_tilt(start, drive_.speed, &y_[layout().tilt]);
     } else {
       std::array<double, max_dimension> state = full_;
       if (first.layout().psi >= 0) state[first.layout().psi] = start.psi;
