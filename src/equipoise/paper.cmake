@@ -1,6 +1,6 @@
 # Wright and Peng (2019): what they printed, and everything of it computed again; and what both libraries carry inside.
 add_library(equipoise_paper STATIC
-  extras/literature/published_tables.cpp extras/literature/reproduction.cpp
+  extras/literature/judgement.cpp extras/literature/published_tables.cpp
   extras/reproduction/open_questions.cpp extras/reproduction/paper_figures.cpp extras/reproduction/reproduce.cpp
     extras/reproduction/reproduction.cpp extras/reproduction/reproduction_document.cpp
     extras/reproduction/table_7.cpp

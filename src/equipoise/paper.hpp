@@ -4,5 +4,4 @@
 
 #include "equipoise/equipoise.hpp"
 #include "equipoise/extras/literature/published_tables.hpp"
-#include "equipoise/extras/literature/reproduction.hpp"
 #include "equipoise/extras/reproduction/reproduction.hpp"

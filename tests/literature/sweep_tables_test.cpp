@@ -11,7 +11,7 @@
 
 #include "equipoise/analyses/sweeps/sweep.hpp"
 #include "equipoise/analyses/sweeps/sweep_axis.hpp"
-#include "equipoise/extras/literature/reproduction.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {

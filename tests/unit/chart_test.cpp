@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/core/math/curve_follower.hpp"

@@ -12,8 +12,7 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/extras/charts/chart_report.hpp"
-#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/machine/balance/balanced_state.hpp"
 #include "equipoise/machine/balance/inscribed_polygon.hpp"

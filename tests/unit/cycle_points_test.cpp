@@ -8,7 +8,7 @@
 #include "equipoise/attractors/periodic_orbits/orbit.hpp"
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/cycle_curve.hpp"
 #include "equipoise/machine/mechanics/linearisation.hpp"
 #include "../support/charted_plane.hpp"

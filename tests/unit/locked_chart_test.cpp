@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "equipoise/extras/literature/reproduction.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 
 namespace equipoise {
 namespace published_tables_test {

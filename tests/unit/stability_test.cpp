@@ -16,7 +16,7 @@
 #include "equipoise/attractors/periodic_orbits/variational.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/math/dense.hpp"
-#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"

@@ -1,5 +1,5 @@
 // Sentences, two tables and notes; numbers of curves, points and boxes.
-#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"
 #include "equipoise/report/text/motion_words.hpp"

@@ -1,5 +1,5 @@
 // Pictures: an image, lines on it, the legend.
-#include "equipoise/extras/charts/chart_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/extras/charts/stability_report.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/drawing/plot_file.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"

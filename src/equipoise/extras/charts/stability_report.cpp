@@ -1,5 +1,5 @@
 // Sentences, a small table and notes; rows of numbers.
-#include "equipoise/extras/charts/stability_report.hpp"
+#include "equipoise/extras/charts/plane_reports.hpp"
 
 #include <algorithm>
 #include <array>

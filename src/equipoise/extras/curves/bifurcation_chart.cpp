@@ -7,7 +7,6 @@
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/reporting.hpp"
 #include "equipoise/extras/curves/curve_starts.hpp"
-#include "equipoise/extras/planes/plane_files.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
 

@@ -179,4 +179,9 @@ struct BifurcationChart {
   }
 };
 
+/// As check_stability_file() and write_stability_file(): points of all curves one after the other, with the number of
+/// their curve; special points; regions; boxes.
+void check_chart_file(const std::string& path, const BifurcationChart& chart);
+void write_chart_file(const std::string& path, const BifurcationChart& chart);
+
 }  // namespace equipoise

@@ -1,5 +1,5 @@
 // Dimensions, variables and attributes; identities.
-#include "equipoise/extras/planes/plane_files.hpp"
+#include "equipoise/extras/planes/bifurcation_chart.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/core/running/run_options.hpp"
 #include "equipoise/core/statistics/share.hpp"
-#include "equipoise/extras/literature/reproduction.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/basin_result.hpp"

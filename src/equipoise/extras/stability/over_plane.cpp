@@ -13,7 +13,6 @@
 #include "equipoise/core/running/cpu_time.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
-#include "equipoise/extras/planes/plane_files.hpp"
 #include "equipoise/extras/stability/balance_at.hpp"
 #include "equipoise/extras/stability/plane_studies.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"

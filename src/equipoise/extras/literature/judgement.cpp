@@ -1,5 +1,5 @@
 // Judges cells by both samples' errors, and conclusions by differences on common starts.
-#include "equipoise/extras/literature/reproduction.hpp"
+#include "equipoise/extras/literature/published_tables.hpp"
 
 #include <algorithm>
 #include <map>
