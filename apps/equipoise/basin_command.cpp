@@ -1,4 +1,4 @@
-// equipoise basin: the share of starts that comes to each attractor.
+// equipoise basin: the share of starts that comes to each attractor; equipoise report: the page for one machine.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -9,22 +9,52 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "equipoise/core/base/display_text.hpp"
-#include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/analyses/one_study/sensitivity.hpp"
+#include "equipoise/analyses/sweeps/sweep_plan.hpp"
+#include "equipoise/core/base/display_text.hpp"
+#include "equipoise/report/answers/answer.hpp"
+#include "equipoise/report/decision/below_resonance.hpp"
+#include "equipoise/report/decision/try_changes.hpp"
+#include "equipoise/report/decision/verdict.hpp"
+#include "equipoise/report/html/given_machine.hpp"
+#include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/shown/machine_page.hpp"
+#include "equipoise/report/words/text.hpp"
+#include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "report_command.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
-#include "help.hpp"
 #include "words.hpp"
 
 namespace equipoise::app {
 
 namespace {
+
+// Says before anything is computed that no balancer can help, if so.
+void say_to_leave_out(const Study& study, bool quiet) {
+  const std::string why = quiet ? "" : below_resonance_words(study);
+  if (!why.empty()) say(equipoise::words::text::leave_out, why);
+}
+
+// What a page shows.
+struct WrittenPage {
+  MachinePage content;
+  std::vector<TriedChange> tried;
+};
+
+// Runs the ensemble, tries changes if `changes` and its verdict asks for them, and writes the page (.html). `study`
+// must result from `source`.
+WrittenPage write_machine_page(const StudySource& source, const Study& study, const BasinOptions& options, bool changes,
+                               const std::string& path) {
+  WrittenPage page{
+      machine_page(study, given_machine(source.toml, source.name, source.overrides, options.stop), options), {}};
+  if (changes) page.tried = changes_asked_for(page.content.basin, options);
+  write_file(path, machine_html(page.content, page.tried));
+  return page;
+}
 
 struct BasinArguments : CommonArguments {
   std::optional<std::string> start_index, half_width, decide, rows;
@@ -129,6 +159,27 @@ int run_basin(const BasinArguments& a) {
   return partial && stop_flag() ? ended_early(progress.left(), kept_by_output, a.output) : done;
 }
 
+struct ReportArguments : CommonArguments {
+  bool no_changes = false;
+};
+
+int run_report(const ReportArguments& a) {
+  BasinOptions options;
+  begin_computing(a, options);
+  require_ending("--output", a.output, ".html");
+  require_writable("--output", a.output);
+  const StudySource source = source_of(a);
+  const Study study = source.with();
+  say_to_leave_out(study, a.quiet);
+  ProgressLine progress(a.quiet, options);
+  const WrittenPage page = write_machine_page(source, study, options, !a.no_changes, a.output);
+  const BasinResult& result = page.content.basin;
+  progress.finish();
+  const auto verdict = verdict_of(result, page.tried);
+  put((verdict ? verdict_text(*verdict, text_style()) : "") + answer_sentence(result) + "\n");
+  return result.partial && stop_flag() ? ended_early(progress.left(), nullptr, "") : done;
+}
+
 }  // namespace
 
 Command add_basin(CLI::App& app) {
@@ -158,6 +209,17 @@ Command add_basin(CLI::App& app) {
   add_computing(app, *a);
   add_json(app, a->json);
   return [a] { return run_basin(*a); };
+}
+
+Command add_report(CLI::App& app) {
+  const auto a = std::make_shared<ReportArguments>();
+  add_study(app, *a);
+  app.add_option("-o,--output", a->output, help::report_page::output)->required()->type_name("FILE.html");
+  add_starts(app, *a);
+  add_no_changes(app, a->no_changes);
+  add_overrides(app, a->overrides);
+  add_computing(app, *a);
+  return [a] { return run_report(*a); };
 }
 
 }  // namespace equipoise::app

@@ -112,24 +112,24 @@ py::object arrays_of(const JudgedBasin& judged) {
   if (!judged.basin.every_start) return py::none();
   const StartArrays& a = *judged.basin.every_start;
   py::dict arrays, transients;
-  // Several values a start are columns, one alone as well if `columns` says so.
-  const auto put = [&](const char* name, const auto& values, std::size_t columns = 0) {
+  // `columns`: values a start, along a dimension of their own even if there is one or none.
+  using Columns = std::optional<py::ssize_t>;
+  const auto put = [&](const char* name, const auto& values, Columns columns = {}) {
     std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(a.starts)};
-    if (columns > 0) shape.push_back(static_cast<py::ssize_t>(columns));
+    if (columns) shape.push_back(*columns);
     arrays[name] = array_of(std::decay_t<decltype(values)>(values), shape);
   };
-  const auto put_known = [&](const char* name, const auto& values, std::size_t columns = 0) {
+  const auto put_known = [&](const char* name, const auto& values, Columns columns = {}) {
     if (values.empty())
       arrays[name] = py::none();
     else
       put(name, values, columns);
   };
-  const auto balls = static_cast<std::size_t>(a.balls);
-  put("phi", a.phi, balls);
+  put("phi", a.phi, a.balls);
   put_known("psi", a.psi);
   put_known("rotor_state", a.rotor_state, 4);
-  put_known("phi_dot", a.phi_dot, balls);
-  put_known("drawn", a.drawn, judged.basin.study.uncertain.values.size());
+  put_known("phi_dot", a.phi_dot, a.balls);
+  put_known("drawn", a.drawn, static_cast<py::ssize_t>(a.drawn.size() / std::max<std::uint64_t>(a.starts, 1)));
   put_known("weight", a.weight);
   put("outcome", a.outcome);
   put("decision_time", a.decision_time);

@@ -17,6 +17,7 @@
 #include "equipoise/analyses/mapper/ensemble.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/report/decision/balancer_blocks.hpp"
 #include "equipoise/report/decision/usual_changes.hpp"
 #include "equipoise/report/decision/verdict_json.hpp"
@@ -27,6 +28,7 @@
 namespace equipoise::web {
 
 namespace {
+
 
 Fate fate_of(int code, double speed) {
   Fate fate;

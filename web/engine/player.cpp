@@ -9,6 +9,7 @@
 
 #include "calls.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/results/commands/trajectory.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
