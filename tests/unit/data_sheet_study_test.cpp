@@ -175,6 +175,9 @@ TEST(DataSheet, MayBeUncertain) {
     const Study uncertain = parse_sheet(text, {c.key + "=" + c.distribution});
     ASSERT_EQ(uncertain.uncertain.values.size(), 1u) << c.key;
     expect_same(drawn_study(uncertain, std::vector{c.value}), parse_sheet(text, {c.drawn}));
+    Study without_text = uncertain;
+    without_text.uncertain.physical.reset();
+    expect_same(drawn_study(without_text, std::vector{c.value}), parse_sheet(text, {c.drawn}));
     EXPECT_NO_THROW(check(uncertain)) << c.key;
     // As a result keeps it.
     EXPECT_EQ(first_difference(uncertain, parse_sheet(to_toml(uncertain))), "") << to_toml(uncertain);

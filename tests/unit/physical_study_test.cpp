@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,6 @@
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/study/contents/physical.hpp"
 #include "equipoise/study/echo/physical_echo.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "../support/studies.hpp"
@@ -30,27 +28,6 @@ std::string with(const std::string& from, const std::string& to) { return equipo
 
 Study parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return parse_study(text, "m.toml", overrides);
-}
-
-// The dimensionless file, for keys that are not part of a Study here.
-study::StudyFile converted(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  study::StudyFile file = study::parse_study_file(text, "m.toml", overrides);
-  Study kept;
-  study::make_dimensionless(file, kept);
-  return file;
-}
-
-// A number by its dotted key, or an array's first entry.
-double at(const study::StudyFile& file, const std::string& path) {
-  const StudyValue* value = &file.root;
-  for (std::size_t begin = 0; value && begin <= path.size();) {
-    const std::size_t dot = std::min(path.find('.', begin), path.size());
-    value = value->find(path.substr(begin, dot - begin));
-    begin = dot + 1;
-  }
-  if (value && value->array()) value = &value->array()->front();
-  if (!value || !value->is_number()) throw std::logic_error(path + " is not a number");
-  return value->number();
 }
 
 TEST(PhysicalStudy, BecomesTheDimensionlessOneOfTheTextbook) {
@@ -162,25 +139,36 @@ settled = "0.1 mm")"),
 }
 
 TEST(PhysicalStudy, ConvertsMotorContactAndOffset) {
-  const auto d = converted(machine, {"rotor.inertia=0.0108 kg m2", "rotor.gravity=9.81 m/s2",
-                                     "balancer.race_offset=['30 um', '0 um']", "balancer.ball_diameter=8 mm",
-                                     "balancer.contact=true", "balancer.rolling=0.001", "speed.stalled_below=1500 rpm",
-                                     "speed.torque={gain='0.1 N m s', integral='0.2 N m', limit='5 N m', "
-                                     "target={profile='ramp', final='3000 rpm', duration='5 s'}}"});
+  const Study s =
+      parse(machine, {"rotor.inertia=0.0108 kg m2", "rotor.gravity=9.81 m/s2", "balancer.race_offset=['30 um', '0 um']",
+                      "balancer.ball_diameter=8 mm", "balancer.contact=true", "balancer.rolling=0.001",
+                      "speed={stalled_below='1500 rpm', torque={gain='0.1 N m s', integral='0.2 N m', "
+                      "limit='5 N m', target={profile='ramp', final='3000 rpm', duration='5 s'}}}"});
   const double torque = 12.0 * 0.03 * 0.03 * omega_c * omega_c;
-  EXPECT_DOUBLE_EQ(at(d, "rotor.inertia"), 1.0);
-  EXPECT_DOUBLE_EQ(at(d, "rotor.gravity"), 9.81 / (0.03 * omega_c * omega_c));
-  EXPECT_DOUBLE_EQ(at(d, "balancer.race_offset"), 0.001);
-  EXPECT_DOUBLE_EQ(at(d, "balancer.contact_angle"), 2.0 * std::asin(4.0 / 30.0));
-  EXPECT_EQ(at(d, "balancer.rolling"), 0.001);
-  EXPECT_DOUBLE_EQ(at(d, "speed.stalled_below"), 50.0 * pi / omega_c);
-  EXPECT_DOUBLE_EQ(at(d, "speed.torque.gain"), 0.1 * omega_c / torque);
+  EXPECT_DOUBLE_EQ(s.parameters.inertia, 1.0);
+  EXPECT_DOUBLE_EQ(s.parameters.gravity, 9.81 / (0.03 * omega_c * omega_c));
+  EXPECT_DOUBLE_EQ(s.parameters.race_offset[0], 0.001);
+  EXPECT_DOUBLE_EQ(s.parameters.contact_angle, 2.0 * std::asin(4.0 / 30.0));
+  EXPECT_EQ(s.parameters.rolling[0], 0.001);
+  EXPECT_DOUBLE_EQ(*s.speed.stalled_below, 50.0 * pi / omega_c);
+  EXPECT_DOUBLE_EQ(s.speed.torque.gain, 0.1 * omega_c / torque);
   // A constant error of one critical speed raises the torque by 0.2 * omega_c per second.
-  EXPECT_DOUBLE_EQ(at(d, "speed.torque.integral"), 0.2 * omega_c / torque / omega_c);
-  EXPECT_DOUBLE_EQ(at(d, "speed.torque.limit"), 5.0 / torque);
-  EXPECT_DOUBLE_EQ(at(d, "speed.torque.target.duration"), 5.0 * omega_c);
-  EXPECT_FALSE(d.root.find("balancer")->find("ball_diameter"));
-  EXPECT_FALSE(d.root.find("balancer")->find("contact"));
+  EXPECT_DOUBLE_EQ(s.speed.torque.integral, 0.2 * omega_c / torque / omega_c);
+  EXPECT_DOUBLE_EQ(*s.speed.torque.limit, 5.0 / torque);
+  EXPECT_DOUBLE_EQ(s.speed.torque.target.duration, 5.0 * omega_c);
+}
+
+// What a machine states stands in SI units, and what was stated is known.
+TEST(PhysicalStudy, KeepsItsMachineInSi) {
+  const Study s = parse(machine, {"balancer.ball_diameter=8 mm"});
+  ASSERT_TRUE(s.in_si);
+  EXPECT_FALSE(s.in_si->scales);
+  EXPECT_EQ(s.in_si->sheet.mass, 12.0);
+  EXPECT_EQ(s.in_si->sheet.stiffness, (std::array{48000.0, 48000.0}));
+  EXPECT_DOUBLE_EQ(s.in_si->speed.final, 100.0 * pi);
+  EXPECT_TRUE(s.states("balancer.ball_diameter"));
+  EXPECT_FALSE(s.states("balancer.rolls"));
+  EXPECT_FALSE(s.states("release.time"));  // assumed
 }
 
 TEST(PhysicalStudy, BallsOfOneKnownSizeTouchUnlessToldOtherwise) {

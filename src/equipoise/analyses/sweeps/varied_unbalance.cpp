@@ -9,7 +9,7 @@
 #include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/reading/quantity_reader.hpp"
+#include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
@@ -46,9 +46,7 @@ double own_unbalance(StudyValue tree, const std::string& name) {
 }
 
 // Of a rotor that tilts: masses at places become unbalances of planes, so that each is one number.
-StudySource with_all_unbalances(const StudySource& source, const std::vector<SweepAxis>& axes,
-                                const study::StudyFile& file) {
-  StudyValue tree = file.root;
+StudySource with_all_unbalances(const StudySource& source, const std::vector<SweepAxis>& axes, StudyValue tree) {
   StudyValue& rotor = *study::find_table(tree, "rotor");
   StudyValue& tilt = *rotor.find("tilt");
   const StudyValue *stated = tilt.find("unbalance"), *places = tree.find("place");
@@ -64,13 +62,10 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
   const model::Parameters& p = study.parameters;
   if (!(p.eccentricity > 0.0) && p.tilt.couple() != 0.0) refuse(words::sweeps::couple_alone);
   StudyValue::Array planes = stated && stated->array() ? *stated->array() : StudyValue::Array{};
-  for (std::size_t i = 1; places && places->array() && i <= places->array()->size(); ++i) {
-    study::QuantityReader place(file, fmt::format("place.{}", i));
-    const double size = place.quantity("mass") * place.quantity("radius");
-    planes.push_back({{"at", study::quantity_text(place.quantity("at"), study::Dimension::length)},
-                      {"size", study::quantity_text(size, study::Dimension::unbalance)},
-                      {"angle", study::quantity_text(place.quantity("angle"), study::Dimension::angle)}});
-  }
+  for (const DataSheet::Place& place : study.in_si->sheet.places)
+    planes.push_back({{"at", study::quantity_text(place.at, study::Dimension::length)},
+                      {"size", study::quantity_text(place.mass * place.radius, study::Dimension::unbalance)},
+                      {"angle", study::quantity_text(place.angle, study::Dimension::angle)}});
   const double own = own_unbalance(tree, source.name);
   for (const char* key : {"eccentricity", "balance_grade"}) rotor.erase(key);
   rotor.set("unbalance", study::quantity_text(own, study::Dimension::unbalance));
@@ -83,12 +78,11 @@ StudySource with_all_unbalances(const StudySource& source, const std::vector<Swe
 }  // namespace
 
 StudySource with_unbalance(const StudySource& source, const std::vector<SweepAxis>& axes) {
-  const study::StudyFile file = study::parse_study_file(source.toml, source.name, source.overrides);
-  StudyValue tree = file.root;
+  StudyValue tree = study::parse_study_file(source.toml, source.name, source.overrides).root;
   StudyValue* rotor = study::find_table(tree, "rotor");
   const Study study = source.with();
   if (!study.physical || !rotor) return source;
-  if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, file);
+  if (study::find_table(*rotor, "tilt")) return with_all_unbalances(source, axes, tree);
   if (rotor->find("unbalance")) return source;
   if (varies(study, axes, about_unbalance)) return source;
   for (const char* key : {"eccentricity", "balance_grade"}) rotor->erase(key);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/words/machine.hpp"
 #include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
@@ -18,39 +19,37 @@ concept Enumeration = std::is_enum_v<T>;
 struct KeyReading {
   TableReader& reader;
   const Key& key;
+  Wanted wanted;
   int balls;
 
   void operator()(std::monostate) const {}
-  void operator()(double* v) const { *v = reader.number(key.name, key.range); }
-  void operator()(std::optional<double>* v) const { *v = reader.optional_number(key.name, key.range); }
-  void operator()(std::vector<double>* v) const { *v = reader.numbers(key.name, key.range); }
+  void operator()(double* v) const { *v = reader.number(key.name, wanted); }
+  void operator()(std::optional<double>* v) const { *v = reader.optional_number(key.name, wanted); }
+  void operator()(std::vector<double>* v) const { *v = reader.numbers(key.name, wanted); }
+  void operator()(std::string* v) const { *v = reader.text(key.name).value_or(""); }
   void operator()(std::vector<std::string>* v) const { *v = reader.texts(key.name); }
   void operator()(bool* v) const { *v = reader.flag(key.name, *v); }
   void operator()(std::array<double, 2>* v) const {
-    put(key.has(Key::pair) ? two("[x, y]") : reader.one_or_each(key.name, key.range, 2, "direction (x, y)"), *v);
+    put(key.has(Key::pair) && !reader.physical() ? two(reader, key.name, "[x, y]")
+                                                 : reader.one_or_each(key.name, wanted, 2, "direction (x, y)"),
+        *v);
   }
   // [k12, k22], or { x = [..], y = [..] }.
   void operator()(std::array<std::array<double, 2>, 2>* v) const {
     if (const std::optional<TableReader> each = reader.inner(key.name)) {
       TableReader directions = *each;
-      for (const std::size_t d : {0, 1}) {
-        const char* name = d == 0 ? "x" : "y";
-        const std::vector<double> entries = directions.numbers(name, key.range);
-        if (entries.size() != 2)
-          directions.fail(name, fmt::format(words::study::two_numbers, entries.size(), words::study::of_tilt));
-        put(entries, (*v)[d]);
-      }
+      for (const std::size_t d : {0, 1}) put(supports(directions, d == 0 ? "x" : "y"), (*v)[d]);
       directions.finish();
       return;
     }
-    put(two(words::study::of_tilt), (*v)[0]);
+    put(supports(reader, key.name), (*v)[0]);
     (*v)[1] = (*v)[0];
   }
   void operator()(std::array<double, model::max_balls>* v) const {
-    put(reader.one_or_each(key.name, key.range, balls, "ball"), *v);
+    put(reader.one_or_each(key.name, wanted, balls, "ball"), *v);
   }
   void operator()(std::optional<SamplingBox::Side>* v) const {
-    const std::vector<double> bounds = two("[low, high]");
+    const std::vector<double> bounds = two(reader, key.name, "[low, high]");
     if (!(bounds[0] <= bounds[1])) reader.fail(key.name, words::study::bounds_out_of_order);
     *v = {bounds[0], bounds[1]};
   }
@@ -69,9 +68,29 @@ struct KeyReading {
     *v = reader.choice<T>(key.name, names_of(T{}));
   }
 
-  std::vector<double> two(const char* form) const {
-    std::vector<double> entries = reader.numbers(key.name, key.range);
-    if (entries.size() != 2) reader.fail(key.name, fmt::format(words::study::two_numbers, entries.size(), form));
+  std::vector<double> two(TableReader& table, const char* name, const char* form) const {
+    std::vector<double> entries = table.numbers(name, wanted);
+    if (entries.size() != 2) table.fail(name, fmt::format(words::study::two_numbers, entries.size(), form));
+    return entries;
+  }
+  // [k12, k22] or [c12, c22].
+  std::vector<double> supports(TableReader& table, const char* name) const {
+    if (!reader.physical()) return two(table, name, words::study::of_tilt);
+    const bool springs = key.name == std::string_view("stiffness");
+    const std::array<Dimension, 2> dimensions{springs ? Dimension::force : Dimension::tilt_damping,
+                                              springs ? Dimension::torque : Dimension::gain};
+    const auto examples = [&](const char* text) {
+      return fmt::format(fmt::runtime(text), study::words(dimensions[0]).example, study::words(dimensions[1]).example);
+    };
+    const bool both = &table == &reader;
+    const StudyValue::Array* array =
+        table.require(name, both ? examples(words::machine::across_and_tilt) : words::study::of_tilt).array();
+    if (!array || array->size() != 2) table.fail(name, examples(words::machine::must_be_across_and_tilt));
+    std::vector<double> entries;
+    for (const Dimension dimension : dimensions)
+      entries.push_back(measure_value((*array)[entries.size()], {any_number, {dimension}}, [&](const std::string& p) {
+                          table.fail(name, fmt::format("entry {} {}", entries.size() + 1, p));
+                        }).value);
     return entries;
   }
   template <std::size_t n>
@@ -124,14 +143,7 @@ struct KeyEcho {
   }
 };
 
-// Balls that touch have room in the race.
-Range range_in(const Study& study, const Key& key) {
-  Range range = key.range;
-  if (key.name == std::string_view("contact_angle")) range.high /= study.parameters.balls;
-  return range;
-}
-
-// Whether a study with such a rotor, balls and drive may state the key of a table from which starts draw.
+// Whether a dimensionless study with such a rotor, balls and drive may state the key of a table from which starts draw.
 bool may_state(const Study& study, const KeyTable& table, const Key& key) {
   const SpeedSetting& speed = study.speed;
   const std::string_view name = key.name;
@@ -145,15 +157,31 @@ bool may_state(const Study& study, const KeyTable& table, const Key& key) {
 
 }  // namespace
 
-void read_key(TableReader& reader, const Key& key, Study& study) {
+// Balls that touch have room in the race.
+Range range_in(const Study& study, const Key& key) {
+  Range range = key.range;
+  if (key.name == std::string_view("contact_angle")) range.high /= study.parameters.balls;
+  return range;
+}
+
+Wanted wanted_of(const Key& key, bool physical) {
+  if (!physical || !key.dimension) return key.range;
+  std::vector<Dimension> dimensions{*key.dimension};
+  if (key.other) dimensions.push_back(key.other->dimension);
+  return {quantity_range(key), dimensions};
+}
+
+void read_key(TableReader& reader, const Key& key, Study& study, bool required) {
+  if (!reader.has(key.name) && !key.has(Key::required) && !required) return;
   Key here = key;
   here.range = range_in(study, key);
-  if (reader.has(key.name) || key.has(Key::required))
-    std::visit(KeyReading{reader, here, study.parameters.balls}, key.member(study));
+  std::visit(KeyReading{reader, key, wanted_of(here, reader.physical()), study.parameters.balls},
+             key.member(study, reader.entry()));
+  if (key.other) study.sheet.*key.other->given = reader.measured() == key.other->dimension;
 }
 
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study) {
-  for (const Key& key : key_table(table).of(variants, false)) read_key(reader, key, study);
+  for (const Key& key : key_table(table).of(variants, reader.physical())) read_key(reader, key, study);
 }
 
 std::optional<StudyValue> value_of(const Key& key, const Study& study) {
@@ -162,16 +190,22 @@ std::optional<StudyValue> value_of(const Key& key, const Study& study) {
 }
 
 Numbers numbers_of(Study& study, std::string_view dotted) {
+  const bool in_si = study.physical && !study.scales;
   SpeedSetting& speed = study.speed;
-  if (dotted == "speed.final" && speed.profile == Profile::constant) return {{&speed.speed}};
-  if (dotted == "speed.final" && speed.profile == Profile::points) return {{&speed.speeds.back()}};
-  if (dotted == "speed.final") return {{&speed.final}};
+  if (dotted == "speed.final" && !in_si) {
+    if (speed.profile == Profile::constant) return {{&speed.speed}};
+    if (speed.profile == Profile::points) return {{&speed.speeds.back()}};
+    return {{&speed.final}};
+  }
   const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
-  const KeyTable* table = find_keys(dotted.substr(0, dot));
-  const Key* key = table && dot < dotted.size() ? table->find(dotted.substr(dot + 1), false) : nullptr;
-  if (!key || key->has(Key::pair) || !may_state(study, *table, *key)) return {};
+  const std::string_view path = dotted.substr(0, dot);
+  const KeyTable* table = find_keys(path);
+  const Key* key = table && dot < dotted.size() ? table->find(dotted.substr(dot + 1), in_si) : nullptr;
+  if (!key || key->has(Key::pair) || !(in_si ? study.states(dotted) : may_state(study, *table, *key))) return {};
   const auto balls = static_cast<std::size_t>(study.parameters.balls);
-  Numbers numbers{{}, range_in(study, *key)};
+  Key here = *key;
+  here.range = range_in(study, *key);
+  Numbers numbers{{}, wanted_of(here, in_si)};
   std::visit(
       [&](auto member) {
         using M = decltype(member);
@@ -184,7 +218,7 @@ Numbers numbers_of(Study& study, std::string_view dotted) {
         else if constexpr (std::is_same_v<M, std::array<double, model::max_balls>*>)
           for (std::size_t i = 0; i < balls; ++i) numbers.places.push_back(&(*member)[i]);
       },
-      key->member(study));
+      key->member(study, entry_of(path)));
   return numbers;
 }
 

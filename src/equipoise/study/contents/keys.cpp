@@ -22,6 +22,7 @@ using B = SamplingBox;
 using N = Numerics;
 using X = model::Tilt;
 using L = Limits;
+using M = DataSheet;
 constexpr auto par = &Study::parameters;
 constexpr auto speed = &Study::speed;
 constexpr auto torque = &SpeedSetting::torque;
@@ -36,14 +37,24 @@ constexpr auto lim = &Study::limits;
 constexpr auto norms = &Study::standards;
 
 template <auto... path>
-Member at(Study& study) {
+Member at(Study& study, std::size_t) {
   return &(study.*....*path);
 }
 template <auto scale>
-Member scale_at(Study& study) {
+Member scale_at(Study& study, std::size_t) {
   return &((*study.scales).*scale);
 }
-Member nowhere(Study&) { return {}; }
+// What the data sheet of a machine states, and an entry of its arrays.
+template <auto member>
+Member in_sheet(Study& study, std::size_t) {
+  return &(study.sheet.*member);
+}
+template <auto entries, auto member>
+Member in_each(Study& study, std::size_t entry) {
+  auto& all = study.sheet.*entries;
+  return entry < all.size() ? Member(&(all[entry].*member)) : Member();
+}
+Member nowhere(Study&, std::size_t) { return {}; }
 
 constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
 constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
@@ -107,85 +118,101 @@ std::vector<Key> all_keys() {
        "likewise, in M omega_c; by default likewise", nullptr, has_bearing_supports},
       {"rotor.tilt.bearings", nowhere, any, bare, physical,
        "a table for each bearing; these are the supports, without `stiffness` and `damping` here and in `[rotor]`"},
-      {"rotor.tilt.stiffness", nowhere, any, bare, physical,
+      {"rotor.tilt.stiffness", at<par, tilt, &X::stiffness>, any, bare, physical,
        "or this, `[\"0 N\", \"900 N m\"]`: `[k12, k22]`, or `{ x = [..], y = [..] }`, beside `rotor.stiffness`"},
-      {"rotor.tilt.damping", nowhere, any, bare, physical,
+      {"rotor.tilt.damping", at<par, tilt, &X::damping>, any, bare, physical,
        "likewise `[\"0 N s\", \"18 N m s\"]`: `[c12, c22]`, beside `rotor.damping`"},
       {"rotor.tilt.unbalance", nowhere, any, bare, physical,
        "a table for each plane that has one; two planes hold all that a rigid rotor has [ISO 21940-11]; adds to its "
        "own"},
-      {"rotor.mass", nowhere, positive, D::mass, required | physical,
+      {"rotor.mass", in_sheet<&M::mass>, positive, D::mass, required | physical,
        "M: all that vibrates, every `[[place]]` included, without the balls"},
-      {"rotor.stiffness", nowhere, positive, D::stiffness, physical, "of the supports; k is the mean"},
-      {"rotor.natural_frequency", nowhere, positive, D::speed, physical,
+      {"rotor.stiffness", in_sheet<&M::stiffness>, positive, D::stiffness, physical, "of the supports; k is the mean"},
+      {"rotor.natural_frequency", in_sheet<&M::stiffness>, positive, D::speed, physical,
        "or this: of the rotor without balls on its supports; k = M omega^2"},
-      {"rotor.static_sag", nowhere, positive, D::length, physical,
+      {"rotor.static_sag", in_sheet<&M::stiffness>, positive, D::length, physical,
        "or this: of the rotor without balls under its weight; k = M g/sag, g of `gravity` or 9.80665 m/s2"},
-      {"rotor.damping", nowhere, not_negative, D::damping, physical, "of the supports"},
-      {"rotor.damping_ratio", nowhere, ratio, bare, physical,
+      {"rotor.damping", in_sheet<&M::damping>, not_negative, D::damping, physical, "of the supports"},
+      {"rotor.damping_ratio", in_sheet<&M::damping>, ratio, bare, physical,
        "or this: c/(2 sqrt(k M)) with each direction's own stiffness; half of zeta; `\"5 %\"` is 0.05"},
-      {"rotor.logarithmic_decrement", nowhere, ratio, bare, physical,
+      {"rotor.logarithmic_decrement", in_sheet<&M::damping>, ratio, bare, physical,
        "or this, d of the free vibration: the ratio is d/sqrt(4 pi^2 + d^2)"},
-      {"rotor.quality_factor", nowhere, quality, bare, physical, "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
-      {"rotor.loss_factor", nowhere, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"},
-      {"rotor.eccentricity", nowhere, not_negative, D::length, physical, "of the rotor's centre of mass"},
-      {"rotor.unbalance", nowhere, not_negative, D::unbalance, physical, "or this: M times the eccentricity"},
+      {"rotor.quality_factor", in_sheet<&M::damping>, quality, bare, physical,
+       "or this, Q = sqrt(k M)/c: the ratio is 1/(2 Q)"},
+      {"rotor.loss_factor", in_sheet<&M::damping>, ratio, bare, physical, "or this, eta = 1/Q: the ratio is eta/2"},
+      {"rotor.eccentricity", in_sheet<&M::unbalance>, not_negative, D::length, physical,
+       "of the rotor's centre of mass"},
+      {"rotor.unbalance", in_sheet<&M::unbalance>, not_negative, D::unbalance, physical,
+       "or this: M times the eccentricity"},
       {"rotor.balance_grade", nowhere, any, bare, physical,
        "or this, a table: `{ grade = \"G 6.3\", at = \"3000 rpm\" }`; the eccentricity is grade/speed [ISO 21940-11]"},
-      {"rotor.gravity", nowhere, not_negative, D::acceleration, physical, "across the shaft"},
-      {"rotor.inertia", nowhere, positive, D::inertia, physical, "J, as in a dimensionless study"},
-      {"rotor.radius_of_gyration", nowhere, positive, D::length, physical, "or this, r: J = M r^2"},
-      {"rotor.gd2", nowhere, positive, D::inertia, physical,
-       "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`"},
-      {"rotor.balance_grade.grade", nowhere, any, bare, required | physical,
+      {"rotor.gravity", at<par, &P::gravity>, not_negative, D::acceleration, physical, "across the shaft"},
+      {"rotor.inertia", in_sheet<&M::inertia>, positive, D::inertia, physical, "J, as in a dimensionless study"},
+      {"rotor.radius_of_gyration", in_sheet<&M::inertia>, positive, D::length, physical, "or this, r: J = M r^2"},
+      {"rotor.gd2", in_sheet<&M::inertia>, positive, D::inertia, physical,
+       "or this, GD^2 = 4 J; as a weight times a diameter squared too, `\"0.3 kgf m2\"`", nullptr, nullptr,
+       Key::Other{D::weight_inertia, &M::gd2_of_weight}},
+      {"rotor.balance_grade.grade", in_sheet<&M::grade>, positive, D::velocity, required | physical,
        "`\"G 6.3\"`, or the velocity that it means, `\"6.3 mm/s\"`"},
-      {"rotor.balance_grade.at", nowhere, positive, D::speed, required | physical, "the speed that it holds at"},
-      {"rotor.tilt.bearings.at", nowhere, any, D::length, required | physical,
+      {"rotor.balance_grade.at", in_sheet<&M::grade_at>, positive, D::speed, required | physical,
+       "the speed that it holds at"},
+      {"rotor.tilt.bearings.at", in_each<&M::bearings, &model::Bearing::at>, any, D::length, required | physical,
        "its place along the shaft from the rotor's centre of mass"},
-      {"rotor.tilt.bearings.stiffness", nowhere, not_negative, D::stiffness, required | physical,
-       "or `[x, y]`; greater than 0 at two places at least"},
-      {"rotor.tilt.bearings.damping", nowhere, not_negative, D::damping, required | physical, "or `[x, y]`"},
-      {"rotor.tilt.unbalance.at", nowhere, any, D::length, required | physical,
+      {"rotor.tilt.bearings.stiffness", in_each<&M::bearings, &model::Bearing::stiffness>, not_negative, D::stiffness,
+       required | physical, "or `[x, y]`; greater than 0 at two places at least"},
+      {"rotor.tilt.bearings.damping", in_each<&M::bearings, &model::Bearing::damping>, not_negative, D::damping,
+       required | physical, "or `[x, y]`"},
+      {"rotor.tilt.unbalance.at", in_each<&M::unbalances, &M::Plane::at>, any, D::length, required | physical,
        "the plane's place along the shaft from the rotor's centre of mass"},
-      {"rotor.tilt.unbalance.size", nowhere, not_negative, D::unbalance, required | physical, "mass times radius"},
-      {"rotor.tilt.unbalance.angle", nowhere, any, D::angle, required | physical, "from the rotor's angle 0"},
-      {"place.mass", nowhere, positive, D::mass, required | physical, "at this place; part of `rotor.mass`"},
-      {"place.radius", nowhere, positive, D::length, required | physical, "from the shaft"},
-      {"place.angle", nowhere, any, D::angle, required | physical, "from the rotor's own unbalance"},
-      {"place.at", nowhere, any, D::length, physical,
+      {"rotor.tilt.unbalance.size", in_each<&M::unbalances, &M::Plane::size>, not_negative, D::unbalance,
+       required | physical, "mass times radius"},
+      {"rotor.tilt.unbalance.angle", in_each<&M::unbalances, &M::Plane::angle>, any, D::angle, required | physical,
+       "from the rotor's angle 0"},
+      {"place.mass", in_each<&M::places, &M::Place::mass>, positive, D::mass, required | physical,
+       "at this place; part of `rotor.mass`"},
+      {"place.radius", in_each<&M::places, &M::Place::radius>, positive, D::length, required | physical,
+       "from the shaft"},
+      {"place.angle", in_each<&M::places, &M::Place::angle>, any, D::angle, required | physical,
+       "from the rotor's own unbalance"},
+      {"place.at", in_each<&M::places, &M::Place::at>, any, D::length, physical,
        "along the shaft from the rotor's centre of mass; required with `rotor.tilt`"},
-      {"place.name", nowhere, any, bare, physical, "a text, for the reader"},
+      {"place.name", in_each<&M::places, &M::Place::name>, any, bare, physical, "a text, for the reader"},
       {"balancer.balls",
        at<par, &P::balls>,
        {0.0, model::max_balls},
        bare,
        required,
        "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
-      {"balancer.race_radius", nowhere, positive, D::length, physical, "R: of the circle of ball centres"},
-      {"balancer.race_diameter", nowhere, positive, D::length, physical, "or this: 2 R"},
-      {"balancer.ball_diameter", nowhere, positive, D::length, physical, "balls whose size is given roll, and touch"},
+      {"balancer.race_radius", in_sheet<&M::race>, positive, D::length, physical, "R: of the circle of ball centres"},
+      {"balancer.race_diameter", in_sheet<&M::race>, positive, D::length, physical, "or this: 2 R"},
+      {"balancer.ball_diameter", in_sheet<&M::diameter>, positive, D::length, physical,
+       "balls whose size is given roll, and touch"},
       {"balancer.mass", at<par, &P::mass>, positive, D::mass, required | plain, "mu = m/M"},
-      {"balancer.mass", nowhere, positive, D::mass, physical, "of a ball"},
-      {"balancer.ball_density", nowhere, positive, D::density, physical, "or this, with `ball_diameter`"},
-      {"balancer.ball_material", nowhere, any, bare, physical,
+      {"balancer.mass", in_sheet<&M::mass_of_balls>, positive, D::mass, physical, "of a ball"},
+      {"balancer.ball_density", in_sheet<&M::mass_of_balls>, positive, D::density, physical,
+       "or this, with `ball_diameter`"},
+      {"balancer.ball_material", in_sheet<&M::material>, any, bare, physical,
        "or this, with `ball_diameter`: `steel`, `stainless steel`, `tungsten carbide`, `ceramic`, `glass`"},
       {"balancer.drag", at<par, &P::drag>, not_negative, D::gain, required | plain, "beta = D/(m R^2 omega_c)"},
-      {"balancer.drag", nowhere, not_negative, D::gain, physical,
-       "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)"},
-      {"balancer.oil_viscosity", nowhere, positive, D::viscosity, physical,
-       "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`"},
+      {"balancer.drag", in_sheet<&M::drag>, not_negative, D::gain, physical,
+       "torque for a rate relative to the race, or force for a speed along it (`\"0.01 N s/m\"`)", nullptr, nullptr,
+       Key::Other{D::damping, &M::drag_of_force}},
+      {"balancer.oil_viscosity", in_sheet<&M::oil_viscosity>, positive, D::viscosity, physical,
+       "or this, of the oil in the race (`\"100 cSt\"` with `oil_density`); needs `ball_diameter`", nullptr, nullptr,
+       Key::Other{D::kinematic_viscosity, &M::kinematic}},
       {"balancer.oil", nowhere, any, bare, physical,
        "or this, a table: `{ grade = \"ISO VG 32\", at = \"40 degC\" }`; needs `ball_diameter`"},
-      {"balancer.oil_density", nowhere, positive, D::density, physical,
+      {"balancer.oil_density", in_sheet<&M::oil_density>, positive, D::density, physical,
        "for kinematic viscosities and the Reynolds number of `explain`; of an `oil` 870, of silicone 970 kg/m3"},
-      {"balancer.channel_diameter", nowhere, positive, D::length, physical,
+      {"balancer.channel_diameter", in_sheet<&M::channel>, positive, D::length, physical,
        "of the race's cross-section, for the drag of its walls; balls of at most 0.8 of it"},
-      {"balancer.oil.grade", nowhere, any, bare, required | physical,
+      {"balancer.oil.grade", in_sheet<&M::oil_grade>, any, bare, required | physical,
        "`\"ISO VG 32\"`, a class of ISO 3448; or `\"silicone 1000 cSt\"`, at 25 degC"},
-      {"balancer.oil.at", nowhere, positive, D::temperature, required | physical, "in the running machine"},
-      {"balancer.oil.viscosity_100", nowhere, positive, D::kinematic_viscosity, physical,
+      {"balancer.oil.at", in_sheet<&M::oil_at>, positive, D::temperature, required | physical,
+       "in the running machine"},
+      {"balancer.oil.viscosity_100", in_sheet<&M::oil_viscosity_100>, positive, D::kinematic_viscosity, physical,
        "of a mineral oil at 100 degC, `\"5.4 cSt\"`; left out, that of viscosity index 95"},
-      {"balancer.contact", nowhere, any, bare, physical,
+      {"balancer.contact", in_sheet<&M::contact>, any, bare, physical,
        "`false`: balls pass through each other; by default two or more of one `ball_diameter` touch"},
       {"balancer.plane", at<par, tilt, &X::plane>, any, D::length, none,
        "of each ball's race: its place along the shaft from the rotor's centre of mass, in R; with `rotor.tilt`, and "
@@ -227,11 +254,11 @@ std::vector<Key> all_keys() {
       {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
       {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
       {"speed.load", nowhere, any, bare, driven, "a table: what the machine takes of the motor's torque"},
-      {"speed.gear_ratio", nowhere, si_size, bare, driven | physical,
+      {"speed.gear_ratio", in_sheet<&M::gear_ratio>, si_size, bare, driven | physical,
        "motor speed over rotor speed; `torque` is then at the motor's shaft"},
-      {"speed.motor_inertia", nowhere, not_negative, D::inertia, driven | physical,
+      {"speed.motor_inertia", in_sheet<&M::motor_inertia>, not_negative, D::inertia, driven | physical,
        "of the motor's rotor, at its own shaft; added to `rotor.inertia`"},
-      {"speed.run_up", nowhere, positive, D::time, physical,
+      {"speed.run_up", at<speed, &R::duration>, positive, D::time, physical,
        "instead of a profile: a linear ramp to `final` that takes this long"},
       {"speed.torque.stall", at<speed, torque, &T::stall>, any, D::torque, required | stall, "torque at rest"},
       {"speed.torque.no_load_speed", at<speed, torque, &T::no_load_speed>, positive, D::speed, required | stall,
@@ -241,23 +268,24 @@ std::vector<Key> all_keys() {
        "increasing: points of the motor's curve"},
       {"speed.torque.values", at<speed, torque, &T::values>, any, D::torque, required | curve | characteristic,
        "one a time, or one a speed"},
-      {"speed.torque.power", nowhere, positive, D::power, nameplate,
+      {"speed.torque.power", in_sheet<&M::power>, positive, D::power, nameplate,
        "rated power of an induction motor, by its nameplate"},
-      {"speed.torque.rated_torque", nowhere, positive, D::torque, nameplate, "or this, with `power` or instead of it"},
-      {"speed.torque.rated_speed", nowhere, positive, D::speed, nameplate, "at the rated power"},
+      {"speed.torque.rated_torque", in_sheet<&M::rated_torque>, positive, D::torque, nameplate,
+       "or this, with `power` or instead of it"},
+      {"speed.torque.rated_speed", in_sheet<&M::rated_speed>, positive, D::speed, nameplate, "at the rated power"},
       {"speed.torque.breakdown_ratio",
-       nowhere,
+       in_sheet<&M::breakdown_ratio>,
        {1.0, 10.0, true},
        bare,
        nameplate,
        "breakdown torque over rated torque"},
       {"speed.torque.locked_rotor_ratio",
-       nowhere,
+       in_sheet<&M::locked_rotor_ratio>,
        {0.0, 10.0, true},
        bare,
        nameplate,
        "torque at rest over rated torque; by default what Kloss's formula gives"},
-      {"speed.torque.synchronous_speed", nowhere, positive, D::speed, nameplate,
+      {"speed.torque.synchronous_speed", in_sheet<&M::synchronous_speed>, positive, D::speed, nameplate,
        "by default the next one of a motor at 50 or 60 Hz"},
       {"speed.torque.gain", at<speed, torque, &T::gain>, not_negative, D::gain, required | control,
        "torque for a speed error of 1"},
@@ -379,7 +407,7 @@ std::vector<KeyTable> make_tables() {
   }
   // A motor's target is a ramp function, as in [speed].
   std::vector<Key> target = table("speed").keys;
-  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law"; });
+  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law" || key.has(Key::physical); });
   for (Key& key : target) {
     key.label = nullptr;
     if (key.variants() == driven) key.dimension = {};  // no target has them

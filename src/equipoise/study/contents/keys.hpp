@@ -19,12 +19,12 @@ namespace equipoise::study {
 
 /// Where a study keeps a value. The type says how it is read and written: one number, one per direction, two for both
 /// directions or for each, one per ball.
-/// Empty for tables, and for keys that only studies in physical units have (physical.cpp reads those).
+/// Empty for tables, and for an entry that an array of tables has not.
 using Member = std::variant<std::monostate, double*, std::optional<double>*, std::array<double, 2>*,
                             std::array<std::array<double, 2>, 2>*, std::array<double, model::max_balls>*,
-                            std::vector<double>*, std::vector<std::string>*, std::optional<SamplingBox::Side>*, bool*,
-                            int*, std::uint64_t*, Profile*, model::SpeedLaw*, std::optional<SamplingMethod>*,
-                            std::optional<SeverityClassName>*, ClassificationMode*>;
+                            std::vector<double>*, std::string*, std::vector<std::string>*,
+                            std::optional<SamplingBox::Side>*, bool*, int*, std::uint64_t*, Profile*, model::SpeedLaw*,
+                            std::optional<SamplingMethod>*, std::optional<SeverityClassName>*, ClassificationMode*>;
 
 inline std::span<const char* const> names_of(Profile) { return profile_names; }
 inline std::span<const char* const> names_of(model::SpeedLaw) { return speed_law_names; }
@@ -54,15 +54,24 @@ struct Key {
     characteristic = 1 << 12,
   };
 
+  /// A quantity that may be given instead, and what notes that it was.
+  struct Other {
+    Dimension dimension;
+    bool DataSheet::*given;
+  };
+
   const char* name;
-  Member (*member)(Study&);
+  Member (*where)(Study&, std::size_t entry);
   Range range;                         ///< of the dimensionless value; in SI units for purely physical keys
   std::optional<Dimension> dimension;  ///< of a key that is a quantity in a physical study
   unsigned traits;
   const char* sentence;                    ///< for the guide
   const char* label = nullptr;             ///< in a form, below its table's name; null: the key in words
   bool (*echoed)(const Study&) = nullptr;  ///< null: always, if set
+  std::optional<Other> other = std::nullopt;
 
+  /// `entry`: of an array of tables.
+  Member member(Study& study, std::size_t entry = 0) const { return where(study, entry); }
   bool has(Trait trait) const { return traits & trait; }
   unsigned variants() const { return traits & ~0xffu; }
   bool in_form(bool physical_study) const { return !has(physical_study ? plain : physical); }
@@ -92,7 +101,7 @@ const Key* find_quantity(std::string_view table, std::string_view key);
 Range quantity_range(const Key& key);
 /// The inertia of a rotor that states none.
 inline double usual_inertia(const model::Parameters& p) { return p.tilts() ? model::axial_inertia(p.tilt) : 0.0; }
-/// Whether physical.cpp, not replace_quantities(), reads the table's quantities.
+/// Whether the table is of the machine itself, which a data sheet states in its own terms.
 inline bool is_machine(std::string_view table) {
   return table.starts_with("rotor") || table.starts_with("balancer") || table == "place";
 }
@@ -100,8 +109,12 @@ inline bool is_machine(std::string_view table) {
 unsigned variant_of(Profile profile);
 unsigned variants_of(const TorqueSetting& torque);
 
-/// Reads the key from the table into its member, which otherwise keeps its value.
-void read_key(TableReader& reader, const Key& key, Study& study);
+/// What a number of the key must be, in a study in physical units or in a dimensionless one.
+Wanted wanted_of(const Key& key, bool physical);
+/// The range of a key's dimensionless value in such a study.
+Range range_in(const Study& study, const Key& key);
+/// Reads the key from the table into its member, which otherwise keeps its value. `required`: whatever its traits say.
+void read_key(TableReader& reader, const Key& key, Study& study, bool required = false);
 /// Reads the keys that a table has in these variants.
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
 /// The member as written in a study; empty if it is not set.
@@ -109,11 +122,11 @@ std::optional<StudyValue> value_of(const Key& key, const Study& study);
 
 struct Numbers {
   std::vector<double*> places;
-  Range range = any_number;
+  Wanted wanted = any_number;
 };
-/// Where a study keeps what a dotted key of rotor, balancer, speed or release sets to one number: at one place, at two
-/// for both directions, or at one per ball. speed.final is the final speed whatever the profile. No places for keys
-/// that the study has not, and for those that hold something else.
+/// Where a study, dimensionless or a machine in SI units, keeps what a dotted key sets to one number: at one place, two
+/// for both directions, or one per ball. speed.final is the final speed whatever the profile. No places for keys that
+/// the study has not, and for those that hold something else.
 Numbers numbers_of(Study& study, std::string_view dotted);
 
 /// Where a study has tables of this dotted name: there, or at each entry of an array of tables, "place.1", "place.2".

@@ -5,9 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "equipoise/machine/datasheet/scales.hpp"
@@ -16,6 +20,7 @@
 #include "equipoise/machine/drives/speed.hpp"
 #include "equipoise/machine/model/bearings.hpp"
 #include "equipoise/machine/model/parameters.hpp"
+#include "equipoise/study/contents/data_sheet.hpp"
 #include "equipoise/study/contents/uncertain.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 #include "equipoise/study/toml/study_value.hpp"
@@ -230,6 +235,12 @@ struct Study {
   /// and damping stated. Else empty.
   std::vector<model::Bearing> each_bearing() const;
   bool physical = false;  ///< its values are quantities in physical units
+  DataSheet sheet;        ///< what it states besides, if so
+  /// Of a study in physical units: as it was read, all members in SI units, before nondimensionalise().
+  std::shared_ptr<const Study> in_si;
+  using Keys = std::set<std::string, std::less<>>;
+  std::shared_ptr<const Keys> stated;  ///< dotted keys of what was read
+  bool states(std::string_view key) const { return stated && stated->contains(key); }
   BallDetails ball_details;
   /// In physical units: from the axis of the rotor's own unbalance to the resultant with every [[place]], to which x of
   /// the model points. Of a rotor that tilts: from its angle 0 to the resultant couple unbalance. In radians.

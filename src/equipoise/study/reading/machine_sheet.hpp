@@ -1,58 +1,30 @@
-// A machine as its data sheet states it: rotor, unbalance in places and balancer in SI units.
+// From what a data sheet states to dimensionless numbers, part by part.
 #pragma once
 
-#include <array>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "equipoise/study/contents/study.hpp"
-#include "equipoise/study/reading/table_reader.hpp"
-#include "equipoise/study/units/units.hpp"
+#include "equipoise/study/reading/rules.hpp"
 
 namespace equipoise::study {
 
-/// A key of a dimensionless table: its values, the physical key behind them, and their dimension, if any.
-struct Derived {
-  std::string key, from;
-  std::vector<double> values;
-  std::optional<Dimension> dimension = std::nullopt;
-  bool is_list = false;  ///< an array even of one value
-};
+/// The study of a machine in physical units, from its quantities in SI units (docs/explanation/equations.md, "Units").
+Study nondimensionalise(const Study& machine, const Refuse& refuse);
 
-/// What [rotor.tilt] gets beside numbers: {k12, k22} and {c12, c22} of the supports in X and Y, N and N m, N s and N m
-/// s.
-struct TiltSupports {
-  std::array<std::array<double, 2>, 2> stiffness{}, damping{};
-  std::string stiffness_from, damping_from;
-};
+// Its parts: they read `machine`, in SI units, and put what follows into `study`.
 
-struct RotorSheet {
-  double mass = 0.0;            ///< M, kg
-  double mean_stiffness = 0.0;  ///< k, N/m
-  std::vector<Derived> derived;
-  std::vector<Derived> tilt;             ///< of [rotor.tilt]
-  std::optional<TiltSupports> supports;  ///< of a rotor that tilts
-  /// From the axis along which the rotor's own unbalance lies to the resultant with all places: x of the model. Of a
-  /// rotor that tilts: from its angle 0 to the resultant couple unbalance.
-  double turn = 0.0;
+/// The curve that a nameplate stands for, in SI units.
+void put_nameplate(const Study& machine, Study& study, const Refuse& refuse);
+/// Stiffnesses over their mean, which it returns in N/m.
+double put_stiffness(const Study& machine, Study& study, const Refuse& refuse);
+/// With the scales of `study`: damping, tilt, unbalance in places and inertia.
+void put_rotor(const Study& machine, Study& study, const Refuse& refuse);
+struct Oil {
+  double kinematic_viscosity = 0.0, density = 0.0;  ///< m^2/s, kg/m^3
 };
-/// Reads [rotor], [rotor.tilt] and every [[place]].
-RotorSheet read_rotor_sheet(const StudyFile& file);
-
-struct BalancerSheet {
-  int balls = 0;
-  double radius = 0.0;              ///< R, m
-  std::vector<double> mass;         ///< kg
-  std::vector<double> drag_torque;  ///< drag torque per rate relative to the race, N m s
-  std::map<std::string, std::vector<double>> others;
-  bool rolls = false;
-  std::vector<double> radius_of_balls;  ///< m, if they roll
-  BallDetails details;
-  std::optional<double> contact_angle;
-  std::string mass_from, drag_from, rolls_from, contact_from;
-};
-BalancerSheet read_balancer_sheet(const StudyFile& file);
+/// The oil of balancer.oil.
+Oil oil_of(const Study& machine, const Refuse& refuse);
+/// The sizes of balls, in SI units; returns R in m.
+double put_race(const Study& machine, Study& study, const Refuse& refuse);
+/// With the scales of `study`: masses and drag of the balls, and how they touch.
+void put_balls(const Study& machine, Study& study, const Refuse& refuse);
 
 }  // namespace equipoise::study

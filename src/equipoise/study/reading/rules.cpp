@@ -74,6 +74,20 @@ void check_tilting_balls(const Study& study, const Refuse& refuse) {
   none(rolling ? "rolling" : "stiction", p.balls_stick());
 }
 
+// Times or speeds must increase, and each needs a value.
+void check_points(const std::string& table, bool times, const std::vector<double>& points, const char* values_key,
+                  const std::vector<double>& values, const std::optional<model::Scales>& scales, const Refuse& refuse) {
+  const char* key = times ? "times" : "speeds";
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (!(points[i] > points[i - 1]))
+      refuse(fmt::format("{}.{}", table, key),
+             fmt::format(words::machine::out_of_order, key, i + 1,
+                         times ? time_text(points[i - 1], scales) : speed_text(points[i - 1], scales)));
+  if (points.size() != values.size())
+    refuse(fmt::format("{}.{}", table, values_key),
+           fmt::format(words::machine::one_entry_each, values.size(), times ? "time" : "speed", points.size()));
+}
+
 // Of [speed], or of a motor's target.
 void check_ramp(const RampSetting& ramp, const std::string& table, const std::optional<model::Scales>& scales,
                 const Refuse& refuse) {
@@ -86,12 +100,26 @@ void check_ramp(const RampSetting& ramp, const std::string& table, const std::op
     check_after("hold_until", ramp.hold_until, "rise_until", ramp.rise_until);
     check_after("fall_until", ramp.fall_until, "hold_until", ramp.hold_until);
   }
+  if (ramp.profile == Profile::points) {
+    if (!ramp.times.empty() && ramp.times.front() != 0.0) refuse(table + ".times", words::machine::first_time);
+    check_points(table, true, ramp.times, "speeds", ramp.speeds, scales, refuse);
+  }
   if (ramp.profile == Profile::hill && ramp.until && *ramp.until < ramp.half_time)
     refuse(fmt::format("{}.until", table),
            fmt::format(words::machine::must_be_at_least, "half_time", time_text(ramp.half_time, scales)));
 }
 
-}  // namespace
+void check_torque(const TorqueSetting& motor, const std::optional<model::Scales>& scales, const Refuse& refuse) {
+  using Kind = model::MotorLaw::Kind;
+  const std::string table = "speed.torque";
+  if (motor.kind == Kind::table) check_points(table, true, motor.times, "values", motor.values, scales, refuse);
+  if (motor.kind == Kind::control) check_ramp(motor.target, table + ".target", scales, refuse);
+  if (motor.kind != Kind::curve) return;
+  check_points(table, false, motor.speeds, "values", motor.values, scales, refuse);
+  const std::size_t points = motor.speeds.size();
+  if (points < 2 || points > model::most_curve_points)
+    refuse(table + ".speeds", fmt::format(words::machine::points_of_curve, points, model::most_curve_points));
+}
 
 void check_tilt(const Study& study, const Refuse& refuse) {
   const model::Parameters& p = study.parameters;
@@ -114,8 +142,7 @@ void check_speed(const Study& study, const Refuse& refuse) {
   const SpeedSetting& speed = study.speed;
   check_ramp(speed, "speed", study.scales, refuse);
   if (!speed.driven()) return;
-  if (speed.torque.kind == model::MotorLaw::Kind::control)
-    check_ramp(speed.torque.target, "speed.torque.target", study.scales, refuse);
+  check_torque(speed.torque, study.scales, refuse);
   if ((speed.load.linear != 0.0 || speed.load.quadratic != 0.0) && !speed.load.at)
     refuse("speed.load.at", words::machine::speed_of_load_missing);
   if (!(study.parameters.inertia > 0.0))
@@ -133,6 +160,7 @@ void check_release(const Study& study, const Refuse& refuse) {
            model::never_reached(profile, [&](double speed) { return speed_text(speed, study.scales); }));
 }
 
+// Balls that are held at first have no rates, stated or drawn, and nothing else of the start is drawn.
 void check_held_balls(const Study& study, const Refuse& refuse) {
   const auto& rates = study.initial.phi_dot;
   const bool moves = std::any_of(rates.begin(), rates.end(), [](double rate) { return rate != 0.0; });
@@ -144,6 +172,12 @@ void check_held_balls(const Study& study, const Refuse& refuse) {
     if (study.sampling.box.*side)
       refuse(fmt::format("sampling.box.{}", key),
              fmt::format(words::study::box_needs_free_balls, time_text(release, study.scales)));
+}
+
+}  // namespace
+
+void check_numbers(const Study& study, const Refuse& refuse) {
+  for (const auto rules : {check_tilt, check_balls, check_speed, check_release, check_held_balls}) rules(study, refuse);
 }
 
 bool put_numbers(Study& study, std::span<const NumberAt> numbers) {
@@ -165,11 +199,10 @@ bool put_numbers(Study& study, std::span<const NumberAt> numbers) {
 
 bool put_valid_numbers(Study& study, std::span<const NumberAt> numbers) {
   for (const auto& [key, value] : numbers)
-    if (!numbers_of(study, key).range.contains(value)) return false;
+    if (!numbers_of(study, key).wanted.range.contains(value)) return false;
   if (!put_numbers(study, numbers)) return false;
   try {
-    for (const auto rules : {check_tilt, check_balls, check_speed, check_release, check_held_balls})
-      rules(study, [](const std::string& key, const std::string& problem) { throw InputError("", key, "", problem); });
+    check_numbers(study, refuse_in(study));
   } catch (const InputError&) {
     return false;
   }

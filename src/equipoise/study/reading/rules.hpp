@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 
@@ -18,13 +19,13 @@ inline Refuse refuse_in(const StudyFile& file) {
   return [&file](const std::string& key, const std::string& problem) { file.fail(key, problem); };
 }
 
-/// Those of [rotor.tilt], if the rotor tilts; of [balancer]; of [speed]; of [release].
-void check_tilt(const Study& study, const Refuse& refuse);
-void check_balls(const Study& study, const Refuse& refuse);
-void check_speed(const Study& study, const Refuse& refuse);
-void check_release(const Study& study, const Refuse& refuse);
-/// Balls that are held at first have no rates, stated or drawn, and nothing else of the start is drawn.
-void check_held_balls(const Study& study, const Refuse& refuse);
+inline Refuse refuse_in(const Study& study) {
+  return
+      [&study](const std::string& key, const std::string& problem) { throw InputError(study.name, key, "", problem); };
+}
+
+/// All of them.
+void check_numbers(const Study& study, const Refuse& refuse);
 
 /// A number for a dotted key.
 struct NumberAt {

@@ -1,6 +1,4 @@
 // Ramp functions, motors by the keys that are there, loads.
-#include "equipoise/study/reading/speed_reader.hpp"
-
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -9,33 +7,17 @@
 #include <fmt/format.h>
 
 #include "equipoise/study/contents/keys.hpp"
-#include "equipoise/study/reading/rules.hpp"
+#include "equipoise/study/reading/machine_reader.hpp"
 #include "equipoise/study/words/machine.hpp"
 
 namespace equipoise::study {
 
 namespace {
 
-// Times or speeds must increase, and each needs a value.
-void check_points(TableReader& reader, const char* key, const std::vector<double>& points, const char* values_key,
-                  const std::vector<double>& values) {
-  const bool times = key == std::string_view("times");
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (!(points[i] > points[i - 1]))
-      reader.fail(key, fmt::format(words::machine::out_of_order, key, i + 1,
-                                   times ? reader.time_text(points[i - 1]) : reader.speed_text(points[i - 1])));
-  if (points.size() != values.size())
-    reader.fail(values_key,
-                fmt::format(words::machine::one_entry_each, values.size(), times ? "time" : "speed", points.size()));
-}
-
 void read_ramp(TableReader& reader, const char* table, Study& study) {
   const RampSetting& ramp = study.speed;
-  read_keys(reader, table, variant_of(ramp.profile), study);
-  if (ramp.profile == Profile::points) {
-    if (ramp.times.front() != 0.0) reader.fail("times", words::machine::first_time);
-    check_points(reader, "times", ramp.times, "speeds", ramp.speeds);
-  }
+  for (const Key& key : key_table(table).of(variant_of(ramp.profile), reader.physical()))
+    if (key.name != std::string_view("duration") || !study.states("speed.run_up")) read_key(reader, key, study);
   if (ramp.profile == Profile::hill && study.speed.law != model::SpeedLaw::kinematic)
     reader.fail("law", words::machine::law_of_hill);
 }
@@ -49,9 +31,29 @@ void read_target(const StudyFile& file, RampSetting& target) {
   target = study.speed;
 }
 
+// Of a motor that is stated by its nameplate; whether it is.
+bool read_nameplate(const StudyFile& file, Study& study) {
+  TableReader reader(file, "speed.torque");
+  const KeyTable& keys = key_table("speed.torque");
+  if (!reader.has("power") && !reader.has("rated_torque")) {
+    for (const char* key : {"rated_speed", "breakdown_ratio", "locked_rotor_ratio", "synchronous_speed"})
+      if (reader.has(key)) reader.fail(key, words::machine::belongs_to_nameplate);
+    return false;
+  }
+  for (const char* key : {"speeds", "values", "times", "stall", "no_load_speed", "constant", "slope", "gain", "target"})
+    if (reader.has(key)) reader.fail(key, words::machine::nameplate_or_torque);
+  if (!reader.has("breakdown_ratio")) reader.fail("breakdown_ratio", words::machine::breakdown_ratio_missing);
+  study.speed.torque.kind = model::MotorLaw::Kind::curve;
+  for (const Key& key : keys.keys)
+    if (key.has(Key::physical)) read_key(reader, key, study, key.name == std::string_view("rated_speed"));
+  reader.finish();
+  return true;
+}
+
 // The keys present determine the law.
 void read_torque(const StudyFile& file, Study& study) {
   using Kind = model::MotorLaw::Kind;
+  if (file.physical && read_nameplate(file, study)) return;
   TableReader reader(file, "speed.torque");
   TorqueSetting& motor = study.speed.torque;
   if (reader.has("stall") || reader.has("no_load_speed"))
@@ -63,13 +65,6 @@ void read_torque(const StudyFile& file, Study& study) {
   else if (reader.has("gain") || reader.has("integral") || reader.has("target"))
     motor.kind = Kind::control;
   read_keys(reader, "speed.torque", variants_of(motor), study);
-  if (motor.kind == Kind::table) check_points(reader, "times", motor.times, "values", motor.values);
-  if (motor.kind == Kind::curve) {
-    check_points(reader, "speeds", motor.speeds, "values", motor.values);
-    const std::size_t points = motor.speeds.size();
-    if (points < 2 || points > model::most_curve_points)
-      reader.fail("speeds", fmt::format(words::machine::points_of_curve, points, model::most_curve_points));
-  }
   if (motor.kind == Kind::control) {
     if (!reader.has("target")) reader.fail("target", words::machine::target_missing);
     read_target(file, motor.target);
@@ -83,11 +78,23 @@ void read_load(const StudyFile& file, Study& study) {
   reader.finish();
 }
 
+// What a data sheet may state besides.
+void check_sheet(const StudyFile& file, const RampSetting& ramp) {
+  TableReader reader(file, "speed");
+  if (reader.has("run_up")) {
+    if (ramp.profile != Profile::ramp) reader.fail("run_up", words::machine::profile_or_run_up);
+    if (reader.has("duration")) reader.fail("run_up", words::machine::run_up_or_duration);
+  }
+  for (const char* key : {"gear_ratio", "motor_inertia"})
+    if (reader.has(key) && !reader.has("torque")) reader.fail(key, words::machine::belongs_to_motor);
+}
+
 }  // namespace
 
 void read_speed(const StudyFile& file, Study& study) {
   TableReader reader(file, "speed");
   read_key(reader, *key_table("speed").find("profile", false), study);
+  if (file.physical) check_sheet(file, study.speed);
   read_ramp(reader, "speed", study);
   if (study.speed.driven()) {
     if (!reader.has("torque")) reader.fail("torque", words::machine::torque_missing);
@@ -96,7 +103,6 @@ void read_speed(const StudyFile& file, Study& study) {
     if (study.speed.law != model::SpeedLaw::kinematic) reader.fail("law", words::machine::law_of_driven_rotor);
   }
   reader.finish();
-  check_speed(study, refuse_in(file));
 }
 
 }  // namespace equipoise::study

@@ -19,12 +19,12 @@
 #include "equipoise/machine/model/system.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/contents/known_keys.hpp"
-#include "equipoise/study/contents/physical.hpp"
-#include "equipoise/study/reading/drive_sheet.hpp"
+#include "equipoise/study/reading/machine_reader.hpp"
+#include "equipoise/study/reading/machine_sheet.hpp"
 #include "equipoise/study/reading/rules.hpp"
-#include "equipoise/study/reading/speed_reader.hpp"
 #include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/reading/uncertain_reader.hpp"
+#include "equipoise/study/reading/ways.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/words/machine.hpp"
 #include "equipoise/study/words/study.hpp"
@@ -40,43 +40,21 @@ void read_table(const StudyFile& file, const char* table, Study& study) {
   reader.finish();
 }
 
-void read_balancer(const StudyFile& file, Study& study) {
-  TableReader reader(file, "balancer");
-  model::Parameters& p = study.parameters;
-  for (const Key& key : key_table("balancer").of(all_variants, false)) {
-    const std::string_view name = key.name;
-    if (name == "stiction") p.stiction = p.rolling;
-    if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
-      reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
-    read_key(reader, key, study);
-  }
-  reader.finish();
-  if (reader.has("plane") != p.tilts())
-    reader.fail("plane", p.tilts() ? words::study::tilt_needs_planes : words::study::only_of_tilt);
-  check_balls(study, refuse_in(file));
-}
-
-void read_tilt(const StudyFile& file, Study& study) {
-  TableReader rotor(file, "rotor");
-  if (!rotor.has("tilt")) {
-    if (rotor.has("eccentricity_angle")) rotor.fail("eccentricity_angle", words::study::only_of_tilt);
-    return;
-  }
-  read_table(file, "rotor.tilt", study);
-  check_tilt(study, refuse_in(file));
-  if (!rotor.has("inertia")) study.parameters.inertia = usual_inertia(study.parameters);
-}
-
 void read_release(const StudyFile& file, Study& study) {
-  read_table(file, "release", study);
-  check_release(study, refuse_in(file));
+  if (study.parameters.balls > 0)
+    read_table(file, "release", study);
+  else
+    study.release.time = 0.0;
 }
 
 void read_initial(const StudyFile& file, Study& study) {
   TableReader reader(file, "initial");
   study.initial.phi = even_angles(study.parameters.balls);
-  study.angles_stated = reader.has("phi");
-  read_keys(reader, "initial", all_variants, study);
+  const bool balls = study.parameters.balls > 0;
+  study.angles_stated = reader.has("phi") && balls;
+  for (const Key& key : key_table("initial").of(all_variants, file.physical))
+    if (balls || !std::string_view(key.name).starts_with("phi")) read_key(reader, key, study);
+  reader.has("phi_dot");
   for (const char* key : {"tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"})
     if (reader.has(key) && !study.parameters.tilts()) reader.fail(key, words::study::only_of_tilt);
   reader.finish();
@@ -85,7 +63,6 @@ void read_initial(const StudyFile& file, Study& study) {
 void read_sampling(const StudyFile& file, Study& study) {
   TableReader reader(file, "sampling");
   if (reader.has("box")) read_table(file, "sampling.box", study);
-  check_held_balls(study, refuse_in(file));
   for (const Key& key : key_table("sampling").keys) {
     read_key(reader, key, study);
     if (key.name == std::string_view("starts") && study.sampling.method == SamplingMethod::grid &&
@@ -97,13 +74,12 @@ void read_sampling(const StudyFile& file, Study& study) {
 
 // Optional units of a dimensionless study, so that results can be shown in physical ones.
 void read_units(const StudyFile& file, Study& study) {
-  if (file.scales || !file.root.find("units")) return;
+  if (file.physical || !file.root.find("units")) return;
   study.scales.emplace();
   read_table(file, "units", study);
 }
 
-void read_standards(const StudyFile& file, Study& study) {
-  read_table(file, "standards", study);
+void check_standards(const StudyFile& file, const Study& study) {
   TableReader reader(file, "standards");
   const Standards& s = study.standards;
   const auto needs = [&](const char* key, bool met, const char* what) {
@@ -168,6 +144,56 @@ void check_ends(const StudyFile& file, const StudyValue& medians, const std::vec
     }
 }
 
+// Every dotted key that is there.
+void add_keys(const StudyValue& value, const std::string& prefix, Study::Keys& keys) {
+  if (const StudyValue::Table* members = value.table())
+    for (const auto& [key, inner] : *members) {
+      keys.insert(prefix + key);
+      add_keys(inner, prefix + key + ".", keys);
+    }
+  if (const StudyValue::Array* array = value.array())
+    for (std::size_t i = 0; i < array->size(); ++i) add_keys((*array)[i], fmt::format("{}{}.", prefix, i + 1), keys);
+}
+
+Study::Keys keys_of(const StudyValue& root) {
+  Study::Keys keys;
+  add_keys(root, "", keys);
+  return keys;
+}
+
+// The first key that only studies in physical units have; empty if there is none.
+std::string physical_key(const StudyFile& file) {
+  for (const KeyTable& table : key_tables())
+    for (const Key& key : table.keys)
+      if (const std::string dotted = table.name + "." + key.name;
+          key.has(Key::physical) && !table.find(key.name, false) && file.root.find_path(dotted))
+        return dotted;
+  return file.root.find("place") ? "place" : "";
+}
+
+// Without a mass nothing has a scale. The message names the key that makes the study physical: it may be a mistake.
+void check_scales(const StudyFile& file) {
+  if (const StudyValue* units = file.root.find("units"))
+    throw InputError(file.where("units", units), "units", "", words::study::units_of_dimensionless_study);
+  const std::string key = physical_key(file);
+  if (key != "rotor.mass")
+    throw InputError(
+        file.where("rotor.mass", nullptr), "rotor.mass", "",
+        fmt::format(words::study::mass_makes_it_physical, Wanted(positive, {Dimension::mass}).text(), key));
+}
+
+// States speed.profile if a machine leaves it out and its keys say which.
+void infer_profile(StudyFile& file) {
+  StudyValue* speed = find_table(file.root, "speed");
+  if (!speed || speed->find("profile")) return;
+  for (const auto& [key, profile] : {std::pair{"torque", Profile::torque}, std::pair{"run_up", Profile::ramp},
+                                     std::pair{"speed", Profile::constant}})
+    if (const StudyValue* value = speed->find(key); value && (value->table() || profile != Profile::torque)) {
+      speed->set("profile", profile_names[static_cast<std::size_t>(profile)]);
+      return;
+    }
+}
+
 // A real race has no latch: in physical units nothing holds the balls unless the study says so, and results mention it.
 // A dimensionless study keeps the paper's convention. With a motor the balls are free in any case.
 void free_balls_of_machine(StudyFile& file) {
@@ -185,43 +211,13 @@ void read_grade(StudyFile& file) {
   const std::string* text = value ? value->string() : nullptr;
   if (!text || text->empty() || text->front() != 'G') return;
   TableReader reader(file, "limits");
-  if (!is_physical(file)) reader.fail("residual", words::study::grade_needs_units);
+  if (!file.physical) reader.fail("residual", words::study::grade_needs_units);
   if (reader.has("grade")) reader.fail("residual", words::study::grade_given_twice);
-  const std::size_t begin = std::min(text->find_first_not_of(' ', 1), text->size());
-  const auto grade = number_of_all(std::string_view(*text).substr(begin));
+  const auto grade = grade_named(*text);
   if (!grade || !positive.contains(*grade)) reader.fail("residual", words::study::grade_of_residual);
   StudyValue& limits = *file.root.find("limits");
   limits.set("grade", fmt::format("{} mm/s", *grade));
   limits.erase("residual");
-}
-
-// A rotor without balls is read as one with a ball, whose keys do not count, and then loses it.
-bool take_no_balls(StudyFile& file) {
-  StudyValue* balancer = find_table(file.root, "balancer");
-  const StudyValue* balls = balancer ? balancer->find("balls") : nullptr;
-  if (!balls || !balls->integer() || *balls->integer() != 0) return false;
-  const bool physical = is_physical(file);
-  StudyValue none;
-  none.set("balls", 1);
-  for (const char* key : {"race_radius", "race_diameter", "race_offset"})
-    if (const StudyValue* value = balancer->find(key)) none.set(key, *value);
-  if (file.root.find_path("rotor.tilt")) none.set("plane", physical ? StudyValue("0 m") : StudyValue(0.0));
-  none.set("mass", physical ? StudyValue("1 kg") : StudyValue(1.0));
-  none.set("drag", physical ? StudyValue("1 N m s") : StudyValue(1.0));
-  *balancer = std::move(none);
-  for (const char* key : {"phi", "phi_dot"})
-    if (StudyValue* initial = find_table(file.root, "initial")) initial->erase(key);
-  StudyValue released;
-  released.set("time", physical ? StudyValue("0 s") : StudyValue(0.0));
-  file.root.set("release", std::move(released));
-  return true;
-}
-
-void take_ball(Study& study) {
-  study.parameters.balls = 0;
-  study.parameters.mass = study.parameters.drag = {};
-  study.initial.phi = study.initial.phi_dot = {};
-  study.angles_stated = false;
 }
 
 // Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
@@ -245,31 +241,44 @@ void check_limits(const StudyFile& file, const Study& study) {
 
 Study read(StudyFile file, Source source) {
   check_tables(file);
+  file.physical = !physical_key(file).empty();
   read_grade(file);
-  const bool physical = is_physical(file);
-  check_keys(file, physical);
-  if (physical) infer_profile(file);
-  if (physical && source == Source::asked) free_balls_of_machine(file);
-  Uncertainty uncertain;
-  if (physical) uncertain.physical = file.root;
-  uncertain.values = take_uncertain(file);
-  const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
-  const bool bare = take_no_balls(file);
+  check_keys(file, file.physical);
   Study result;
   result.name = file.name;
-  make_dimensionless(file, result);
-  read_table(file, "rotor", result);
-  read_tilt(file, result);
+  result.physical = file.physical;
+  result.stated = std::make_shared<const Study::Keys>(keys_of(file.root));
+  Uncertainty uncertain;
+  if (file.physical) {
+    infer_profile(file);
+    if (source == Source::asked) free_balls_of_machine(file);
+    uncertain.physical = file.root;
+  }
+  uncertain.values = take_uncertain(file);
+  const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
+  const Refuse refuse = refuse_in(file);
+  if (file.physical) {
+    check_scales(file);
+    refuse_several_ways(result, refuse);
+  }
+  read_rotor(file, result);
   read_balancer(file, result);
   read_speed(file, result);
   read_release(file, result);
   read_initial(file, result);
   read_sampling(file, result);
-  if (bare) take_ball(result);
-  if (states_no_place(file, result.sampling.box)) put_at_rest(result, refuse_in(file));
-  for (const char* table : {"numerics", "limits", "sweep"}) read_table(file, table, result);
+  for (const char* table : {"numerics", "limits", "sweep", "standards"}) read_table(file, table, result);
   read_units(file, result);
-  read_standards(file, result);
+  if (file.physical) {
+    const auto machine = std::make_shared<const Study>(std::move(result));
+    result = nondimensionalise(*machine, refuse);
+    result.in_si = machine;
+  } else if (!result.states("rotor.inertia")) {
+    result.parameters.inertia = usual_inertia(result.parameters);
+  }
+  check_numbers(result, refuse);
+  if (states_no_place(file, result.sampling.box)) put_at_rest(result, refuse);
+  check_standards(file, result);
   check_limits(file, result);
   if (uncertain.empty()) return result;
   check_ends(file, medians, uncertain.values);
@@ -300,20 +309,50 @@ Study with_medians(Study study) {
   return study;
 }
 
+namespace {
+bool put_plain(Study& study, const std::vector<UncertainValue>& uncertain, std::span<const double> values) {
+  std::vector<NumberAt> numbers;
+  for (std::size_t k = 0; k < uncertain.size(); ++k)
+    numbers.push_back({uncertain[k].key, uncertain[k].plain(values[k])});
+  return put_valid_numbers(study, numbers);
+}
+
+// Into the machine, which is made dimensionless anew; sampling and numerics may have changed since it was read. False
+// if reading refuses such a machine.
+bool put_quantities(Study& study, const Uncertainty& of, std::span<const double> values) try {
+  const std::vector<UncertainValue>& uncertain = of.values;
+  const std::optional<double> horizon = study.numerics.horizon == of.horizon ? std::nullopt : study.numerics.horizon;
+  Study machine = *study.in_si;
+  const Refuse refuse = refuse_in(study);
+  const auto reject = [&](const std::string& problem) { refuse("", problem); };
+  for (std::size_t k = 0; k < uncertain.size(); ++k) {
+    const auto [places, wanted] = numbers_of(machine, uncertain[k].key);
+    const StudyValue written = uncertain[k].written(values[k]);
+    const double number =
+        wanted.is_quantity() ? measure_value(written, wanted, reject).value : uncertain[k].plain(values[k]);
+    const bool percentage = uncertain[k].key == "rotor.damping_ratio" && written.number() > 1.0;
+    if (places.empty() || percentage || !wanted.range.contains(number)) return false;
+    for (double* place : places) *place = number;
+  }
+  machine.name = study.name;
+  machine.sampling = {study.sampling.method, study.sampling.starts, study.sampling.seed, machine.sampling.box};
+  machine.numerics.decide = study.numerics.decide;
+  if (study.numerics.tolerance) machine.numerics.tolerance = study.numerics.tolerance;
+  if (horizon) machine.numerics.horizon = *horizon * study.scales->time();
+  study = nondimensionalise(machine, refuse);
+  check_numbers(study, refuse);
+  return true;
+} catch (const InputError&) {
+  return false;
+}
+}  // namespace
+
 Study drawn_study(const Study& study, std::span<const double> values) {
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
-  if (!study.uncertain.physical) {
-    std::vector<NumberAt> numbers;
-    for (std::size_t k = 0; k < uncertain.size(); ++k)
-      numbers.push_back({uncertain[k].key, uncertain[k].plain(values[k])});
-    Study drawn = with_medians(study);
-    if (put_valid_numbers(drawn, numbers)) {
-      if (study.uncertain.rests)
-        put_at_rest(drawn, [&](const std::string& key, const std::string& problem) {
-          throw InputError(study.name, key, "", problem);
-        });
-      return drawn;
-    }
+  Study drawn = with_medians(study);
+  if (study.in_si ? put_quantities(drawn, study.uncertain, values) : put_plain(drawn, uncertain, values)) {
+    if (study.uncertain.rests) put_at_rest(drawn, refuse_in(study));
+    return drawn;
   }
   StudyValue tree = to_tree(study);
   for (std::size_t k = 0; k < uncertain.size(); ++k) put_value(tree, uncertain[k], values[k]);

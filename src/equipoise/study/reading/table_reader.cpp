@@ -14,8 +14,8 @@
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/contents/known_keys.hpp"
-#include "equipoise/study/reading/quantity_reader.hpp"
 #include "equipoise/study/reading/uncertain_reader.hpp"
+#include "equipoise/study/reading/ways.hpp"
 #include "equipoise/study/toml/overrides.hpp"
 #include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/text_guard.hpp"
@@ -152,20 +152,6 @@ void apply_override(StudyFile& file, const std::string& text) {
 
 }  // namespace
 
-bool Range::contains(double v) const {
-  return std::isfinite(v) && (low_open ? v > low : v >= low) && (high_open ? v < high : v <= high);
-}
-
-std::string Range::text() const {
-  const bool has_low = low > -unbounded, has_high = high < unbounded;
-  const std::string below = high_open ? fmt::format("less than {}", high) : fmt::format("at most {}", high);
-  const std::string above = low_open ? fmt::format("greater than {}", low) : fmt::format("at least {}", low);
-  if (has_low && has_high) return fmt::format("a number {} and {}", above, below);
-  if (has_low) return "a finite number " + above;
-  if (has_high) return "a finite number " + below;
-  return "a finite number";
-}
-
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
   const auto found = written.find(dotted_key);
   return found == written.end() ? shown(value) : found->second.value;
@@ -229,20 +215,13 @@ std::optional<TableReader> TableReader::inner(const std::string& key) {
 
 bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
-// What the key holds in a study in physical units; empty if it is no quantity there.
-std::string TableReader::quantity_wanted(const std::string& key) const {
-  if (file_.scales && !is_machine(prefix_))
-    if (const Key* quantity = find_quantity(prefix_, key))
-      return wanted_quantity({*quantity->dimension}, quantity_range(*quantity));
-  return "";
+std::size_t entry_of(std::string_view table) {
+  const double number = number_of_all(table.substr(table.find_last_not_of("0123456789") + 1)).value_or(1.0);
+  return static_cast<std::size_t>(number) - 1;
 }
 
-const StudyValue& TableReader::require(const std::string& key, const std::string& number) {
+const StudyValue& TableReader::require(const std::string& key, const std::string& wanted) {
   if (const StudyValue* value = find(key)) return *value;
-  const std::string quantity = quantity_wanted(key);
-  const std::string wanted = quantity.empty()                           ? number
-                             : number == words::study::array_of_numbers ? fmt::format(words::study::array_of, quantity)
-                                                                        : quantity;
   std::string hint;
   if (table_)
     for (const auto& [other, value] : *table_->table())
@@ -268,11 +247,21 @@ std::string TableReader::kind(const StudyValue& value) {
   return value.other() ? value.other()->kind : "a number";
 }
 
-bool TableReader::states_units() const { return file_.scales || file_.root.find_path("rotor.mass"); }
+bool TableReader::states_units() const { return file_.physical || file_.root.find_path("rotor.mass"); }
 
-double TableReader::as_number(const std::string& key, const StudyValue& value, const Range& range,
-                              std::optional<std::size_t> entry) const {
+double TableReader::as_number(const std::string& key, const StudyValue& value, const Wanted& wanted,
+                              std::optional<std::size_t> entry) {
   const std::string which = entry ? fmt::format("entry {} ", *entry + 1) : "";
+  const Range& range = wanted.range;
+  if (wanted.is_quantity()) {
+    if (value.array() && !entry) fail(key, words::study::one_quantity);
+    // A plain number may be meant for a key that states the same in another way.
+    const std::string more = value.is_number() && !entry ? or_give(dotted(key)) : "";
+    const Measured quantity =
+        measure_value(value, wanted, [&](const std::string& problem) { fail(key, which + problem + more); });
+    measured_ = quantity.dimension;
+    return quantity.value;
+  }
   const auto reject = [&](const std::string& problem) {
     throw InputError(file_.where(dotted(key), &value), dotted(key), file_.value_text(dotted(key), value),
                      which + problem);
@@ -292,14 +281,14 @@ double TableReader::as_number(const std::string& key, const StudyValue& value, c
   return number;
 }
 
-double TableReader::number(const std::string& key, const Range& range) {
-  return as_number(key, require(key, range.text()), range);
+double TableReader::number(const std::string& key, const Wanted& wanted) {
+  return as_number(key, require(key, wanted.text()), wanted);
 }
 
-std::optional<double> TableReader::optional_number(const std::string& key, const Range& range) {
+std::optional<double> TableReader::optional_number(const std::string& key, const Wanted& wanted) {
   const StudyValue* value = find(key);
   if (!value) return std::nullopt;
-  return as_number(key, *value, range);
+  return as_number(key, *value, wanted);
 }
 
 std::int64_t TableReader::integer(const std::string& key, std::int64_t low, std::int64_t high) {
@@ -345,11 +334,18 @@ bool TableReader::flag(const std::string& key, bool fallback) {
   return *value->boolean();
 }
 
-std::vector<double> TableReader::numbers(const std::string& key, const Range& range) {
-  const StudyValue::Array* array = require(key, words::study::array_of_numbers).array();
-  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, range.text()));
+std::vector<double> TableReader::numbers(const std::string& key, const Wanted& wanted) {
+  const StudyValue::Array* array =
+      require(key, wanted.is_quantity() ? fmt::format(words::study::array_of, wanted.text())
+                                        : words::study::array_of_numbers)
+          .array();
+  if (!array || array->empty()) fail(key, fmt::format(words::study::must_be_array_of, wanted.text()));
   std::vector<double> result;
-  for (const StudyValue& entry : *array) result.push_back(as_number(key, entry, range, result.size()));
+  Wanted each = wanted;  // all measure the same
+  for (const StudyValue& entry : *array) {
+    result.push_back(as_number(key, entry, each, result.size()));
+    if (each.is_quantity()) each.dimensions = {measured_};
+  }
   return result;
 }
 
@@ -365,13 +361,14 @@ std::vector<std::string> TableReader::texts(const std::string& key) {
   return result;
 }
 
-std::vector<double> TableReader::one_or_each(const std::string& key, const Range& range, int count,
+std::vector<double> TableReader::one_or_each(const std::string& key, const Wanted& wanted, int count,
                                              const std::string& each) {
-  const StudyValue& value = require(key, fmt::format(words::study::one_or_each, range.text(), count, each));
-  if (!value.array()) return std::vector<double>(count, as_number(key, value, range));
-  std::vector<double> result = numbers(key, range);
+  const StudyValue& value = require(
+      key, wanted.is_quantity() ? wanted.text() : fmt::format(words::study::one_or_each, wanted.text(), count, each));
+  if (!value.array()) return std::vector<double>(count, as_number(key, value, wanted));
+  std::vector<double> result = numbers(key, wanted);
   if (static_cast<int>(result.size()) != count)
-    fail(key, fmt::format(words::study::entries_for_each, result.size(), range.text(), count, each));
+    fail(key, fmt::format(words::study::entries_for_each, result.size(), wanted.text(), count, each));
   return result;
 }
 

@@ -14,37 +14,23 @@
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/machine/datasheet/scales.hpp"
+#include "equipoise/study/reading/wanted.hpp"
 #include "equipoise/study/toml/study_value.hpp"
 
 namespace equipoise::study {
-
-/// The allowed range of a number.
-struct Range {
-  double low, high;
-  bool low_open = false, high_open = false;
-
-  bool contains(double v) const;  ///< false for NaN and infinity
-  std::string text() const;       ///< "a finite number greater than 0"
-};
-
-/// Far beyond any use, yet small enough that the difference of two numbers stays finite.
-inline constexpr double unbounded = 1e300;
-inline constexpr Range any_number{-unbounded, unbounded};
-inline constexpr Range not_negative{0.0, unbounded};
-inline constexpr Range positive{0.0, unbounded, true};
 
 /// A study's tree with its overrides applied, and the origin of each value.
 struct StudyFile {
   StudyValue root;  ///< a table
   std::string name;
   std::set<std::string> overridden;  ///< dotted keys given by --set
-  /// A converted value (physical.hpp), by dotted key: its original text and place.
+  /// What stood at a dotted key where now a distribution's median is: its text and place.
   struct Written {
     std::string value;
     Place where;
   };
   std::map<std::string, Written> written;
-  std::optional<model::Scales> scales;  ///< of a physical study, for messages in its units
+  bool physical = false;  ///< a study in physical units: numbers of keys with a dimension are quantities
 
   Place where(const std::string& dotted_key, const StudyValue* value) const;
   /// The value as it was written, shortened for a message.
@@ -63,17 +49,25 @@ StudyFile parse_study_file(std::string_view text, const std::string& name, const
 /// The same from a tree.
 StudyFile study_file_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
 
+/// Of the dotted name of a table in an array of tables, "place.2": its number, from 0; else 0.
+std::size_t entry_of(std::string_view table);
+
 /// One table of the file. Every read marks its key as known; finish() rejects the others.
 class TableReader {
  public:
   /// `prefix`: the table's dotted name; an absent table reads as empty.
   TableReader(const StudyFile& file, std::string prefix);
 
+  bool physical() const { return file_.physical; }
+  std::size_t entry() const { return entry_of(prefix_); }
+  Dimension measured() const { return measured_; }  ///< what the last quantity measures
+  std::string dotted(const std::string& key) const { return prefix_ + "." + key; }
+
   bool has(const std::string& key);
   /// A reader of the table that the key holds; empty if it holds none.
   std::optional<TableReader> inner(const std::string& key);
-  double number(const std::string& key, const Range& range);
-  std::optional<double> optional_number(const std::string& key, const Range& range);
+  double number(const std::string& key, const Wanted& wanted);
+  std::optional<double> optional_number(const std::string& key, const Wanted& wanted);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high, std::int64_t fallback);
   /// A value of an enumeration by its name; `names` are those of its first values, in order.
@@ -84,11 +78,13 @@ class TableReader {
   }
   bool flag(const std::string& key, bool fallback);
   std::optional<std::string> text(const std::string& key);
-  std::vector<double> numbers(const std::string& key, const Range& range);
+  std::vector<double> numbers(const std::string& key, const Wanted& wanted);
   /// An array of strings; empty if absent.
   std::vector<std::string> texts(const std::string& key);
   /// `count` numbers from an array of that length, or one number repeated.
-  std::vector<double> one_or_each(const std::string& key, const Range& range, int count, const std::string& each);
+  std::vector<double> one_or_each(const std::string& key, const Wanted& wanted, int count, const std::string& each);
+  /// The value at a key, which must be there; `wanted`: what it would be.
+  const StudyValue& require(const std::string& key, const std::string& wanted);
   /// Throws for the first key that was not read.
   void finish() const;
 
@@ -99,28 +95,20 @@ class TableReader {
   [[noreturn]] void fail_among(const std::string& key, const std::vector<std::string>& names,
                                const std::string& wrong = "");
 
-  std::string time_text(double time) const { return study::time_text(time, file_.scales); }
-  std::string speed_text(double speed) const { return study::speed_text(speed, file_.scales); }
-
- protected:
+ private:
   bool has_asked(const std::string& key) const;
   const StudyValue* find(const std::string& key);
-  const StudyValue& require(const std::string& key, const std::string& number);
-  double as_number(const std::string& key, const StudyValue& value, const Range& range,
-                   std::optional<std::size_t> entry = std::nullopt) const;
-  std::string dotted(const std::string& key) const { return prefix_ + "." + key; }
+  double as_number(const std::string& key, const StudyValue& value, const Wanted& wanted,
+                   std::optional<std::size_t> entry = std::nullopt);
   /// The type of a value for a message: "a number", "a string".
   static std::string kind(const StudyValue& value);
-
-  const std::string prefix_;
-
- private:
   bool states_units() const;
-  std::string quantity_wanted(const std::string& key) const;
   std::size_t place_among(const std::string& key, std::span<const char* const> names);
 
+  const std::string prefix_;
   const StudyFile& file_;
   const StudyValue* table_ = nullptr;
+  Dimension measured_{};
   std::vector<std::string> known_;
 };
 

@@ -1,0 +1,160 @@
+// [rotor], [[place]] and [balancer], of both forms of studies.
+#include "equipoise/study/reading/machine_reader.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/read_number.hpp"
+#include "equipoise/machine/datasheet/materials.hpp"
+#include "equipoise/study/contents/keys.hpp"
+#include "equipoise/study/reading/rules.hpp"
+#include "equipoise/study/words/machine.hpp"
+#include "equipoise/study/words/study.hpp"
+
+namespace equipoise::study {
+
+namespace {
+
+// Reads each table of the array of tables at a key into an entry of its own.
+template <class Entry>
+void read_array(const StudyFile& file, const char* key, const char* wanted, std::vector<Entry>& entries, Study& study) {
+  const StudyValue* value = file.root.find_path(key);
+  if (!value) return;
+  const StudyValue::Array* array = value->array();
+  const auto is_table = [](const StudyValue& entry) { return entry.table() != nullptr; };
+  if (!array || array->empty() || !std::all_of(array->begin(), array->end(), is_table))
+    throw InputError(file.where(key, value), key, "", wanted);
+  for (std::size_t i = 1; i <= array->size(); ++i) {
+    entries.emplace_back();
+    TableReader reader(file, fmt::format("{}.{}", key, i));
+    read_keys(reader, key, all_variants, study);
+    reader.finish();
+  }
+}
+
+// A grade, or the velocity that it means, "6.3 mm/s"; in m/s.
+double grade_of(const TableReader& reader, const StudyValue& value) {
+  const std::string* text = value.string();
+  const std::string wanted = words::machine::must_be_grade;
+  const auto named = text ? grade_named(*text) : std::nullopt;
+  const Measured measured = text ? measure(*text, {Dimension::velocity}) : Measured{};
+  if (!named && (!text || !measured.problem.empty())) reader.fail("grade", wanted);
+  const double grade = named ? *named * 1e-3 : measured.value;
+  if (!(grade > 0.0) || !(grade < largest_si)) reader.fail("grade", wanted + ", greater than 0");
+  return grade;
+}
+
+void read_grade(const StudyFile& file, Study& study) {
+  if (!study.states("rotor.balance_grade")) return;
+  TableReader reader(file, "rotor.balance_grade");
+  study.sheet.grade = grade_of(reader, reader.require("grade", words::machine::grade));
+  read_key(reader, *key_table("rotor.balance_grade").find("at", true), study);
+  reader.finish();
+}
+
+// 12 for "12 %". Stated as a percentage a ratio may be above 1.
+void refuse_percentage(const StudyFile& file, const StudyValue& given) {
+  if (given.number() > 1.0)
+    file.fail("rotor.damping_ratio", fmt::format(words::machine::ratio_is_percentage, given.number()));
+  if (const auto* each = given.array())
+    for (const StudyValue& one : *each) refuse_percentage(file, one);
+}
+
+// Bearings are the supports: nothing else states these.
+void read_bearings(const StudyFile& file, TableReader& tilt, Study& study) {
+  TableReader rotor(file, "rotor");
+  for (const char* key : {"stiffness", "damping", "bearings_at", "bearings_stiffness", "bearings_damping"})
+    if (tilt.has(key)) tilt.fail(key, words::machine::bearings_state_it);
+  for (const char* key : {"stiffness", "natural_frequency", "static_sag", "damping", "damping_ratio",
+                          "logarithmic_decrement", "quality_factor", "loss_factor"})
+    if (rotor.has(key)) rotor.fail(key, words::machine::bearings_state_it);
+  read_array(file, "rotor.tilt.bearings", words::machine::array_of_bearings, study.sheet.bearings, study);
+}
+
+void read_tilt(const StudyFile& file, Study& study) {
+  TableReader tilt(file, "rotor.tilt");
+  const bool by_bearings = file.physical && tilt.has("bearings");
+  if (by_bearings) read_bearings(file, tilt, study);
+  for (const Key& key : key_table("rotor.tilt").of(all_variants, file.physical)) {
+    const std::string_view name = key.name;
+    read_key(tilt, key, study, !by_bearings && (name == "stiffness" || name == "damping"));
+  }
+  tilt.finish();
+  if (file.physical)
+    read_array(file, "rotor.tilt.unbalance", words::machine::array_of_unbalances, study.sheet.unbalances, study);
+}
+
+void read_places(const StudyFile& file, Study& study) {
+  read_array(file, "place", words::machine::array_of_places, study.sheet.places, study);
+  for (std::size_t i = 1; i <= study.sheet.places.size(); ++i) {
+    TableReader place(file, fmt::format("place.{}", i));
+    if (!study.parameters.tilts() && place.has("at")) place.fail("at", words::study::only_of_tilt);
+    if (study.parameters.tilts()) place.require("at", wanted_of(*key_table("place").find("at", true), true).text());
+  }
+}
+
+void read_oil(const StudyFile& file, Study& study) {
+  TableReader oil(file, "balancer.oil");
+  oil.require("grade", words::machine::oil_grade);
+  read_keys(oil, "balancer.oil", all_variants, study);
+  oil.finish();
+}
+
+void check_material(TableReader& reader, const std::string& name) {
+  if (!reader.has("ball_material") || model::find_ball_material(name)) return;
+  std::vector<std::string> names;
+  for (const model::BallMaterial& known : model::ball_materials) names.emplace_back(known.name);
+  reader.fail_among("ball_material", names, words::machine::unknown_material);
+}
+
+bool is_of_race(std::string_view key) { return key == "balls" || key.starts_with("race"); }
+
+}  // namespace
+
+std::optional<double> grade_named(const std::string& text) {
+  if (!text.starts_with('G')) return std::nullopt;
+  return number_of_all(std::string_view(text).substr(std::min(text.find_first_not_of(' ', 1), text.size())));
+}
+
+void read_rotor(const StudyFile& file, Study& study) {
+  TableReader reader(file, "rotor");
+  if (const StudyValue* ratio = file.root.find_path("rotor.damping_ratio")) refuse_percentage(file, *ratio);
+  read_keys(reader, "rotor", all_variants, study);
+  reader.finish();
+  if (reader.has("tilt"))
+    read_tilt(file, study);
+  else if (reader.has("eccentricity_angle"))
+    reader.fail("eccentricity_angle", words::study::only_of_tilt);
+  if (!file.physical) return;
+  read_grade(file, study);
+  read_places(file, study);
+}
+
+void read_balancer(const StudyFile& file, Study& study) {
+  TableReader reader(file, "balancer");
+  model::Parameters& p = study.parameters;
+  for (const Key& key : key_table("balancer").of(all_variants, file.physical)) {
+    const std::string_view name = key.name;
+    if (p.balls == 0 && !is_of_race(name)) continue;
+    if (name == "stiction") p.stiction = p.rolling;
+    // Balls of known size roll, unless the study says otherwise.
+    if (name == "rolls" && file.physical) p.rolls = study.states("balancer.ball_diameter");
+    if (name == "ball_radius" && !p.rolls && reader.has("ball_radius"))
+      reader.fail("ball_radius", words::machine::only_of_balls_that_roll);
+    read_key(reader, key, study);
+  }
+  if (p.balls == 0) return;
+  reader.finish();
+  if (file.physical) check_material(reader, study.sheet.material);
+  if (file.physical && reader.has("oil")) read_oil(file, study);
+  if (reader.has("plane") != p.tilts())
+    reader.fail("plane", p.tilts() ? words::study::tilt_needs_planes : words::study::only_of_tilt);
+}
+
+}  // namespace equipoise::study
