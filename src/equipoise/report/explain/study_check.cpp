@@ -23,7 +23,7 @@
 #include "equipoise/report/words/study_check.hpp"
 #include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
-#include "equipoise/study/reading/table_reader.hpp"
+#include "equipoise/study/units/units.hpp"
 
 namespace equipoise {
 
@@ -107,19 +107,17 @@ std::string unbalance_line(const Explanation& e) {
 }
 
 // Where it comes from, of a study with places.
-std::string origin_of_unbalance(const study::StudyFile& file, const Explanation& e) {
-  if (file.root.find_path("rotor.tilt.unbalance") || (file.root.find("place") && file.root.find_path("rotor.tilt")))
+std::string origin_of_unbalance(const Study& s, const Explanation& e) {
+  const std::size_t places = s.sheet.places.size();
+  if (!s.sheet.unbalances.empty() || (places > 0 && s.parameters.tilts()))
     return e.tilt && e.tilt->couple == 0.0
                ? words::study_check::no_couple
                : fmt::format(words::study_check::couple_direction, 180.0 / pi * e.study.direction_of_x);
-  const StudyValue* places = file.root.find("place");
-  if (!places || !places->array()) return "";
-  const std::size_t count = places->array()->size();
-  const bool own = file.root.find_path("rotor.eccentricity") || file.root.find_path("rotor.unbalance") ||
-                   file.root.find_path("rotor.balance_grade");
+  if (places == 0) return "";
+  const bool own = s.states("rotor.eccentricity") || s.states("rotor.unbalance") || s.states("rotor.balance_grade");
   const double degrees = 180.0 / pi * e.study.direction_of_x;
-  return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", count,
-                     plural(count), degrees == 0.0 ? 0.0 : degrees);
+  return fmt::format(words::study_check::resultant_of_places, own ? words::study_check::of_the_rotor_too : "", places,
+                     plural(places), degrees == 0.0 ? 0.0 : degrees);
 }
 
 // Where balance is possible.
@@ -178,7 +176,7 @@ std::string weight_words(const Explanation& e) {
 
 class Assumptions {
  public:
-  Assumptions(const StudyValue& given, const Study& s) : given_(given), s_(s) {}
+  explicit Assumptions(const Study& s) : s_(s) {}
 
   std::vector<std::string> list() {
     if (s_.parameters.balls > 0) {
@@ -191,7 +189,7 @@ class Assumptions {
   }
 
  private:
-  bool states(const char* key) const { return given_.find_path(key) != nullptr; }
+  bool states(const char* key) const { return s_.states(key); }
   void add(const char* key, const std::string& words) {
     if (!states(key)) list_.push_back(words);
   }
@@ -204,23 +202,21 @@ class Assumptions {
 
   void add_balls() {
     const model::Parameters& p = s_.parameters;
-    const bool sized = !s_.ball_details.diameter.empty();
     if (!states("balancer.contact") && !states("balancer.contact_angle") && p.balls > 1)
       list_.push_back(p.contact_angle > 0.0 ? words::study_check::balls_touch : words::study_check::balls_pass_through);
     if (p.contact_angle > 0.0) add("balancer.restitution", fmt::format(words::study_check::restitution, p.restitution));
     add("balancer.rolls", p.rolls ? words::study_check::balls_roll : words::study_check::balls_slide);
     add("balancer.rolling", words::study_check::no_rolling_resistance);
     add("balancer.race_offset", words::study_check::race_centred);
-    if (const StudyValue* material = given_.find_path("balancer.ball_material");
-        material && material->string() && sized)
-      list_.push_back(fmt::format(words::study_check::typical_density, *material->string()));
+    if (states("balancer.ball_material"))
+      list_.push_back(fmt::format(words::study_check::typical_density, s_.sheet.material));
   }
 
   void add_drag() {
     if (!s_.ball_details.oil_viscosity) return;
     const std::string eta = fmt::format("{:.3g} mPa s", 1000.0 * *s_.ball_details.oil_viscosity);
-    if (const StudyValue* grade = given_.find_path("balancer.oil.grade"); grade && grade->string()) {
-      const bool mineral = grade->string()->find("VG") != std::string::npos;
+    if (states("balancer.oil.grade")) {
+      const bool mineral = s_.sheet.oil_grade.find("VG") != std::string::npos;
       list_.push_back(!mineral ? fmt::format(words::study_check::silicone_oil, eta)
                       : states("balancer.oil.viscosity_100")
                           ? fmt::format(words::study_check::oil_of_middle, eta)
@@ -242,7 +238,6 @@ class Assumptions {
       list_.back() += words::study_check::angles_without_direction;
   }
 
-  const StudyValue& given_;
   const Study& s_;
   std::vector<std::string> list_;
 };
@@ -259,24 +254,14 @@ std::string StudyCheck::text() const {
 StudyCheck check_study(const std::string& toml_text, const std::string& name, const std::vector<std::string>& overrides,
                        const StopFlag* stop) {
   const Study study = parse_study(toml_text, name, overrides), medians = with_medians(study);
-  const study::StudyFile file = study::parse_study_file(toml_text, name, overrides);
   const Explanation e = explain(medians, stop);
   StudyCheck check;
   check.leave_out = below_resonance_words(study);
   check.machine = machine_line(e);
-  check.unbalance = unbalance_line(e) + origin_of_unbalance(file, e);
+  check.unbalance = unbalance_line(e) + origin_of_unbalance(study, e);
   check.balls = balls_line(e) + weight_words(e);
-  check.assumed = Assumptions(file.root, study).list();
-  const auto oil_at = [&](double kelvin) -> std::optional<double> {
-    std::vector<std::string> warmer = overrides;
-    warmer.push_back(fmt::format("balancer.oil.at={:.17g} K", kelvin));
-    try {
-      return parse_study(toml_text, name, warmer).ball_details.oil_viscosity;
-    } catch (const InputError&) {
-      return std::nullopt;
-    }
-  };
-  check.most = what_matters_most(medians, oil_at, stop);
+  check.assumed = Assumptions(study).list();
+  check.most = what_matters_most(medians, stop);
   return check;
 }
 

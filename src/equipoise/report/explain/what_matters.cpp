@@ -11,9 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "equipoise/core/base/error.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/report/explain/rules_of_thumb.hpp"
 #include "equipoise/report/words/study_check.hpp"
+#include "equipoise/study/reading/machine_sheet.hpp"
 
 namespace equipoise {
 
@@ -147,13 +149,17 @@ struct Change {
 };
 
 // What 10 K more or less make of the drag; nothing beyond the law of the oil.
-std::optional<double> drag_factor(const BallDetails& balls, double kelvin, const OilAt& oil_at) {
-  if (!balls.oil_kelvin) return std::nullopt;
-  const auto viscosity = oil_at(*balls.oil_kelvin + kelvin);
-  return viscosity ? std::optional(*viscosity / *balls.oil_viscosity) : std::nullopt;
+std::optional<double> drag_factor(const Study& study, double kelvin) try {
+  if (!study.ball_details.oil_kelvin || !study.in_si) return std::nullopt;
+  Study warmer = *study.in_si;
+  warmer.sheet.oil_at += kelvin;
+  const Study then = study::nondimensionalise(warmer, study::refuse_in(warmer));
+  return *then.ball_details.oil_viscosity / *study.ball_details.oil_viscosity;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
-std::vector<Change> changes_of(const Study& study, const OilAt& oil_at) {
+std::vector<Change> changes_of(const Study& study) {
   constexpr double part = 0.2, kelvin = 10.0;
   std::vector<Change> changes;
   const auto add = [&](const Estimate& estimate, double factor, Change change) {
@@ -164,7 +170,7 @@ std::vector<Change> changes_of(const Study& study, const OilAt& oil_at) {
     for (const double sign : {-1.0, 1.0})
       add(estimate, 1.0 + sign * part, {estimate.name, words::study_check::a_fifth, sign > 0.0, true, study});
   for (const double sign : {-1.0, 1.0})
-    if (const auto factor = drag_factor(study.ball_details, sign * kelvin, oil_at))
+    if (const auto factor = drag_factor(study, sign * kelvin))
       add(*std::find_if(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.name == drag_name; }),
           *factor, {words::study_check::the_oil_temperature, words::study_check::ten_kelvin, sign > 0.0, false, study});
   return changes;
@@ -181,12 +187,12 @@ std::string how_judged(const Study& study) {
 
 }  // namespace
 
-std::string what_matters_most(const Study& study, const OilAt& oil_at, const StopFlag* stop) {
+std::string what_matters_most(const Study& study, const StopFlag* stop) {
   if (study.parameters.balls == 0) return words::study_check::nothing_without_balls;
   const Measures before = measures_of(study, stop);
   Effect worst;
   std::string which;
-  for (const Change& change : changes_of(study, oil_at)) {
+  for (const Change& change : changes_of(study)) {
     Effect effect = effect_of(study, before, measures_of(change.study, stop));
     if (effect.size <= worst.size || (!change.weighed && effect.size < least_decision)) continue;
     worst = std::move(effect);

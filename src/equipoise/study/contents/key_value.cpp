@@ -149,7 +149,9 @@ bool may_state(const Study& study, const KeyTable& table, const Key& key) {
   const std::string_view name = key.name;
   if (table.name == "speed") return !key.variants() || key.variants() & variant_of(speed.profile);
   if (table.name == "speed.torque") return speed.driven() && key.variants() & variants_of(speed.torque);
-  if (table.name == "speed.torque.target") return false;  // its keys name members of [speed]
+  if (table.name == "speed.torque.target")
+    return speed.driven() && speed.torque.kind == model::MotorLaw::Kind::control &&
+           key.variants() & variant_of(speed.torque.target.profile);
   if (table.name == "speed.load") return speed.driven();
   if (table.name == "rotor.tilt" || name == "plane" || name == "eccentricity_angle") return study.parameters.tilts();
   return table.drawn() && (name != "ball_radius" || study.parameters.rolls);
@@ -184,13 +186,13 @@ void read_keys(TableReader& reader, const char* table, unsigned variants, Study&
   for (const Key& key : key_table(table).of(variants, reader.physical())) read_key(reader, key, study);
 }
 
-std::optional<StudyValue> value_of(const Key& key, const Study& study) {
-  const Member member = key.member(const_cast<Study&>(study));  // only read here
+std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry) {
+  const Member member = key.member(const_cast<Study&>(study), entry);  // only read here
   return std::visit([&](const auto& v) { return KeyEcho{study.parameters.balls}(v); }, member);
 }
 
 Numbers numbers_of(Study& study, std::string_view dotted) {
-  const bool in_si = study.physical && !study.scales;
+  const bool in_si = study.is_in_si();
   SpeedSetting& speed = study.speed;
   if (dotted == "speed.final" && !in_si) {
     if (speed.profile == Profile::constant) return {{&speed.speed}};
@@ -201,7 +203,7 @@ Numbers numbers_of(Study& study, std::string_view dotted) {
   const std::string_view path = dotted.substr(0, dot);
   const KeyTable* table = find_keys(path);
   const Key* key = table && dot < dotted.size() ? table->find(dotted.substr(dot + 1), in_si) : nullptr;
-  if (!key || key->has(Key::pair) || !(in_si ? study.states(dotted) : may_state(study, *table, *key))) return {};
+  if (!key || !(in_si ? study.states(dotted) : !key->has(Key::pair) && may_state(study, *table, *key))) return {};
   const auto balls = static_cast<std::size_t>(study.parameters.balls);
   Key here = *key;
   here.range = range_in(study, *key);

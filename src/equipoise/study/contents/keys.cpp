@@ -40,6 +40,12 @@ template <auto... path>
 Member at(Study& study, std::size_t) {
   return &(study.*....*path);
 }
+// Of [speed], or of a motor's target, which is such a table too.
+template <auto member>
+Member of_ramp(Study& study, std::size_t entry) {
+  RampSetting& ramp = entry == of_target ? study.speed.torque.target : study.speed;
+  return &(ramp.*member);
+}
 template <auto scale>
 Member scale_at(Study& study, std::size_t) {
   return &((*study.scales).*scale);
@@ -57,7 +63,8 @@ Member in_each(Study& study, std::size_t entry) {
 Member nowhere(Study&, std::size_t) { return {}; }
 
 constexpr Range up_to_one{0.0, 1.0}, below_one{0.0, 1.0, false, true}, below_turn{0.0, two_pi, false, true};
-constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7};
+constexpr Range tolerances{1e-14, 1e-2}, horizons{1.0, 1e7}, shares{0.0, 1.0, true, true}, up_to_ten{0.0, 10.0, true},
+    from_one{1.0, 10.0, true}, counts{0.0, model::max_balls}, exponents{1.0, 50.0};
 constexpr Range ratio{0.0, 1e30}, quality{0.0, 1e30, true},
     si_size{1e-30, 1e30};  // products of three such sizes stay finite
 constexpr unsigned nameplate = physical | characteristic;
@@ -177,11 +184,7 @@ std::vector<Key> all_keys() {
       {"place.at", in_each<&M::places, &M::Place::at>, any, D::length, physical,
        "along the shaft from the rotor's centre of mass; required with `rotor.tilt`"},
       {"place.name", in_each<&M::places, &M::Place::name>, any, bare, physical, "a text, for the reader"},
-      {"balancer.balls",
-       at<par, &P::balls>,
-       {0.0, model::max_balls},
-       bare,
-       required,
+      {"balancer.balls", at<par, &P::balls>, counts, bare, required,
        "n, how many; 0: the rotor alone, of which `simulate`, `basin`, `report` and `explain` tell"},
       {"balancer.race_radius", in_sheet<&M::race>, positive, D::length, physical, "R: of the circle of ball centres"},
       {"balancer.race_diameter", in_sheet<&M::race>, positive, D::length, physical, "or this: 2 R"},
@@ -232,25 +235,25 @@ std::vector<Key> all_keys() {
        "between touching balls, below 2 pi/n; 0: balls pass each other", nullptr, touches},
       {"balancer.restitution", at<par, &P::restitution>, up_to_one, bare, none, "of ball on ball", nullptr, rebounds},
       // The variants of [speed] are its profiles, those of speed.torque the laws of motors.
-      {"speed.profile", at<speed, &R::profile>, any, bare, required, "names the ramp function Omega(t)"},
+      {"speed.profile", of_ramp<&R::profile>, any, bare, required, "names the ramp function Omega(t)"},
       {"speed.law", at<speed, &S::law>, any, bare, none, "how the rotor follows it"},
-      {"speed.speed", at<speed, &R::speed>, any, D::speed, required | constant, "Omega"},
-      {"speed.initial", at<speed, &R::initial>, any, D::speed, ramp | trapezoid | driven, "at t = 0", "initial speed"},
-      {"speed.peak", at<speed, &R::peak>, any, D::speed, required | trapezoid, "from `rise_until` to `hold_until`",
+      {"speed.speed", of_ramp<&R::speed>, any, D::speed, required | constant, "Omega"},
+      {"speed.initial", of_ramp<&R::initial>, any, D::speed, ramp | trapezoid | driven, "at t = 0", "initial speed"},
+      {"speed.peak", of_ramp<&R::peak>, any, D::speed, required | trapezoid, "from `rise_until` to `hold_until`",
        "peak speed"},
-      {"speed.final", at<speed, &R::final>, any, D::speed, required | ramp | trapezoid | hill,
+      {"speed.final", of_ramp<&R::final>, any, D::speed, required | ramp | trapezoid | hill,
        "at last; `hill`: Omega_max"},
-      {"speed.duration", at<speed, &R::duration>, positive, D::time, required | ramp, "of the ramp"},
-      {"speed.rise_until", at<speed, &R::rise_until>, positive, D::time, required | trapezoid, "T0"},
-      {"speed.hold_until", at<speed, &R::hold_until>, positive, D::time, required | trapezoid, "T1, after T0"},
-      {"speed.fall_until", at<speed, &R::fall_until>, positive, D::time, required | trapezoid, "T2, after T1"},
-      {"speed.half_time", at<speed, &R::half_time>, positive, D::time, required | hill,
+      {"speed.duration", of_ramp<&R::duration>, positive, D::time, required | ramp, "of the ramp"},
+      {"speed.rise_until", of_ramp<&R::rise_until>, positive, D::time, required | trapezoid, "T0"},
+      {"speed.hold_until", of_ramp<&R::hold_until>, positive, D::time, required | trapezoid, "T1, after T0"},
+      {"speed.fall_until", of_ramp<&R::fall_until>, positive, D::time, required | trapezoid, "T2, after T1"},
+      {"speed.half_time", of_ramp<&R::half_time>, positive, D::time, required | hill,
        "t_half, when half of `final` is reached"},
-      {"speed.exponent", at<speed, &R::exponent>, {1.0, 50.0}, bare, required | hill, "n"},
-      {"speed.until", at<speed, &R::until>, positive, D::time, hill,
+      {"speed.exponent", of_ramp<&R::exponent>, exponents, bare, required | hill, "n"},
+      {"speed.until", of_ramp<&R::until>, positive, D::time, hill,
        "at least `half_time`; then along the tangent to `final`; by default when 99.9 % of `final` is reached"},
-      {"speed.times", at<speed, &R::times>, not_negative, D::time, required | points, "increasing, the first 0"},
-      {"speed.speeds", at<speed, &R::speeds>, any, D::speed, required | points, "one a time"},
+      {"speed.times", of_ramp<&R::times>, not_negative, D::time, required | points, "increasing, the first 0"},
+      {"speed.speeds", of_ramp<&R::speeds>, any, D::speed, required | points, "one a time"},
       {"speed.stalled_below", at<speed, &S::stalled_below>, any, D::speed, driven, "a mean speed that is stalled"},
       {"speed.torque", nowhere, any, bare, driven, "a table: the motor"},
       {"speed.load", nowhere, any, bare, driven, "a table: what the machine takes of the motor's torque"},
@@ -258,7 +261,7 @@ std::vector<Key> all_keys() {
        "motor speed over rotor speed; `torque` is then at the motor's shaft"},
       {"speed.motor_inertia", in_sheet<&M::motor_inertia>, not_negative, D::inertia, driven | physical,
        "of the motor's rotor, at its own shaft; added to `rotor.inertia`"},
-      {"speed.run_up", at<speed, &R::duration>, positive, D::time, physical,
+      {"speed.run_up", of_ramp<&R::duration>, positive, D::time, physical,
        "instead of a profile: a linear ramp to `final` that takes this long"},
       {"speed.torque.stall", at<speed, torque, &T::stall>, any, D::torque, required | stall, "torque at rest"},
       {"speed.torque.no_load_speed", at<speed, torque, &T::no_load_speed>, positive, D::speed, required | stall,
@@ -273,17 +276,9 @@ std::vector<Key> all_keys() {
       {"speed.torque.rated_torque", in_sheet<&M::rated_torque>, positive, D::torque, nameplate,
        "or this, with `power` or instead of it"},
       {"speed.torque.rated_speed", in_sheet<&M::rated_speed>, positive, D::speed, nameplate, "at the rated power"},
-      {"speed.torque.breakdown_ratio",
-       in_sheet<&M::breakdown_ratio>,
-       {1.0, 10.0, true},
-       bare,
-       nameplate,
+      {"speed.torque.breakdown_ratio", in_sheet<&M::breakdown_ratio>, from_one, bare, nameplate,
        "breakdown torque over rated torque"},
-      {"speed.torque.locked_rotor_ratio",
-       in_sheet<&M::locked_rotor_ratio>,
-       {0.0, 10.0, true},
-       bare,
-       nameplate,
+      {"speed.torque.locked_rotor_ratio", in_sheet<&M::locked_rotor_ratio>, up_to_ten, bare, nameplate,
        "torque at rest over rated torque; by default what Kloss's formula gives"},
       {"speed.torque.synchronous_speed", in_sheet<&M::synchronous_speed>, positive, D::speed, nameplate,
        "by default the next one of a motor at 50 or 60 Hz"},
@@ -349,11 +344,7 @@ std::vector<Key> all_keys() {
       {"limits.hand_arm", at<lim, &L::hand_arm>, positive, D::acceleration, none,
        "root mean square acceleration in the end, weighted for hands by ISO 5349-1, of both directions together; only "
        "in a study in physical units or with `[units]`"},
-      {"limits.share",
-       at<lim, &L::share>,
-       {0.0, 1.0, true, true},
-       bare,
-       none,
+      {"limits.share", at<lim, &L::share>, shares, bare, none,
        "of starts that have to keep all of these limits, for the verdict; by default 0.95"},
       {"limits.settled", at<lim, &L::settled>, positive, D::length, none,
        "displacement below which the rotor counts as settled, in R"},
@@ -374,11 +365,7 @@ std::vector<Key> all_keys() {
        is_hand_held},
       {"standards.standing_mass", at<norms, &Standards::standing_mass>, positive, D::mass, none,
        "of all that stands on its feet; tells whether the machine may slide"},
-      {"standards.friction",
-       at<norms, &Standards::friction>,
-       {0.0, 10.0, true},
-       bare,
-       none,
+      {"standards.friction", at<norms, &Standards::friction>, up_to_ten, bare, none,
        "coefficient between feet and floor"},
       {"sweep.over", at<&Study::sweep, &SweepSetting::over>, any, bare, none,
        "as of `--over`: `[\"speed.final=1.5:6:0.1\", \"balancer.drag=0.01,0.05\"]`"},

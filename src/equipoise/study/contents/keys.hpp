@@ -70,7 +70,7 @@ struct Key {
   bool (*echoed)(const Study&) = nullptr;  ///< null: always, if set
   std::optional<Other> other = std::nullopt;
 
-  /// `entry`: of an array of tables.
+  /// `entry`: entry_of() its table.
   Member member(Study& study, std::size_t entry = 0) const { return where(study, entry); }
   bool has(Trait trait) const { return traits & trait; }
   unsigned variants() const { return traits & ~0xffu; }
@@ -118,7 +118,7 @@ void read_key(TableReader& reader, const Key& key, Study& study, bool required =
 /// Reads the keys that a table has in these variants.
 void read_keys(TableReader& reader, const char* table, unsigned variants, Study& study);
 /// The member as written in a study; empty if it is not set.
-std::optional<StudyValue> value_of(const Key& key, const Study& study);
+std::optional<StudyValue> value_of(const Key& key, const Study& study, std::size_t entry = 0);
 
 struct Numbers {
   std::vector<double*> places;

@@ -238,6 +238,7 @@ struct Study {
   DataSheet sheet;        ///< what it states besides, if so
   /// Of a study in physical units: as it was read, all members in SI units, before nondimensionalise().
   std::shared_ptr<const Study> in_si;
+  bool is_in_si() const { return physical && !scales; }  ///< this is such a study
   using Keys = std::set<std::string, std::less<>>;
   std::shared_ptr<const Keys> stated;  ///< dotted keys of what was read
   bool states(std::string_view key) const { return stated && stated->contains(key); }

@@ -18,7 +18,7 @@ StudyValue table_of(std::string_view name, const Study& study, unsigned variants
   StudyValue table;
   for (const Key& key : key_table(name).keys)
     if (key.in_form(false) && (!key.variants() || key.variants() & variants) && (!key.echoed || key.echoed(study)))
-      if (auto value = value_of(key, study)) table.set(key.name, *std::move(value));
+      if (auto value = value_of(key, study, entry_of(name))) table.set(key.name, *std::move(value));
   return table;
 }
 
@@ -28,12 +28,11 @@ void move_to_end(StudyValue& table, const char* key) {
   table.set(key, value);
 }
 
-StudyValue torque_table(const TorqueSetting& t, const Study& study) {
+StudyValue torque_table(const Study& study) {
+  const TorqueSetting& t = study.speed.torque;
   StudyValue torque = table_of("speed.torque", study, variants_of(t));
   if (t.kind != model::MotorLaw::Kind::control) return torque;
-  Study target;
-  static_cast<RampSetting&>(target.speed) = t.target;
-  torque.set("target", table_of("speed.torque.target", target, variant_of(t.target.profile)));
+  torque.set("target", table_of("speed.torque.target", study, variant_of(t.target.profile)));
   return torque;
 }
 
@@ -45,7 +44,7 @@ StudyValue tree_with_medians(const Study& study) {
     StudyValue table = table_of(name, study, name == "speed" ? variant_of(study.speed.profile) : all_variants);
     if (name == "speed") {
       move_to_end(table, "law");
-      if (study.speed.driven()) table.set("torque", torque_table(study.speed.torque, study));
+      if (study.speed.driven()) table.set("torque", torque_table(study));
       const auto of_load = [](const UncertainValue& value) { return value.key.starts_with("speed.load."); };
       const std::vector<UncertainValue>& drawn = study.uncertain.values;
       if (study.speed.driven() &&

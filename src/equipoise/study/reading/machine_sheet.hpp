@@ -11,17 +11,10 @@ Study nondimensionalise(const Study& machine, const Refuse& refuse);
 
 // Its parts: they read `machine`, in SI units, and put what follows into `study`.
 
-/// The curve that a nameplate stands for, in SI units.
-void put_nameplate(const Study& machine, Study& study, const Refuse& refuse);
 /// Stiffnesses over their mean, which it returns in N/m.
 double put_stiffness(const Study& machine, Study& study, const Refuse& refuse);
 /// With the scales of `study`: damping, tilt, unbalance in places and inertia.
 void put_rotor(const Study& machine, Study& study, const Refuse& refuse);
-struct Oil {
-  double kinematic_viscosity = 0.0, density = 0.0;  ///< m^2/s, kg/m^3
-};
-/// The oil of balancer.oil.
-Oil oil_of(const Study& machine, const Refuse& refuse);
 /// The sizes of balls, in SI units; returns R in m.
 double put_race(const Study& machine, Study& study, const Refuse& refuse);
 /// With the scales of `study`: masses and drag of the balls, and how they touch.

@@ -1,4 +1,6 @@
-// From a machine in SI units to the dimensionless study: quantities over their scales, and the parts of a data sheet.
+// From a machine in SI units to the dimensionless study: quantities over their scales, motors by their nameplate, and
+// the other parts of a data sheet.
+#include <cmath>
 #include <concepts>
 #include <optional>
 #include <ranges>
@@ -7,9 +9,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "equipoise/core/base/angles.hpp"
+#include "equipoise/core/base/typed_numbers.hpp"
+#include "equipoise/machine/drives/nameplate.hpp"
 #include "equipoise/study/contents/keys.hpp"
 #include "equipoise/study/reading/machine_sheet.hpp"
+#include "equipoise/study/words/machine.hpp"
 #include "equipoise/study/words/study.hpp"
 
 namespace equipoise::study {
@@ -21,15 +28,13 @@ struct Quantity {
   const Key* key;
 };
 
-// The quantities that mean the same in both forms of studies, of one table or of all others but that of a target.
-std::vector<Quantity> quantities(bool of_target) {
+// The quantities that mean the same in both forms of studies.
+std::vector<Quantity> quantities() {
   std::vector<Quantity> all;
   for (const KeyTable& table : key_tables())
     for (const Key& key : table.keys) {
       const Key* plain = table.find(key.name, false);
-      if ((table.name == "speed.torque.target") == of_target && key.in_form(true) && key.dimension && plain &&
-          plain->where == key.where)
-        all.push_back({&table, &key});
+      if (key.in_form(true) && key.dimension && plain && plain->where == key.where) all.push_back({&table, &key});
     }
   return all;
 }
@@ -73,7 +78,8 @@ struct Numbered {
   void operator()(const T&) const {}  // no numbers
 };
 
-void divide(Study& study, const std::vector<Quantity>& all, const Refuse& refuse) {
+void divide(Study& study, const Refuse& refuse) {
+  static const std::vector<Quantity> all = quantities();
   const model::Scales& scales = *study.scales;
   for (const auto& [table, key] : all) {
     const double scale = scale_of(*key->dimension, scales);
@@ -89,27 +95,65 @@ void divide(Study& study, const std::vector<Quantity>& all, const Refuse& refuse
                                    range.low, range.high));
       refuse(dotted, (place > 0 ? fmt::format("entry {} must be ", place) : "must be ") + range.text());
     };
-    std::visit(Numbered<decltype(change)>{change}, key->member(study));
+    std::visit(Numbered<decltype(change)>{change}, key->member(study, entry_of(table->name)));
   }
+}
+
+constexpr double to_rpm = 30.0 / pi;
+const std::string of_motor = "speed.torque.";
+
+double synchronous_speed(const Study& machine, const Refuse& refuse) {
+  const double rated = machine.sheet.rated_speed;
+  if (machine.states(of_motor + "synchronous_speed")) {
+    const double stated = machine.sheet.synchronous_speed;
+    if (!(stated > rated)) refuse(of_motor + "synchronous_speed", words::machine::synchronous_above_rated);
+    return stated;
+  }
+  const std::vector<double> fitting = model::synchronous_speeds(rated);
+  if (fitting.size() != 1) {
+    std::vector<std::string> texts;
+    for (const double speed : fitting) texts.push_back(fmt::format("\"{:.5g} rpm\"", speed * to_rpm));
+    refuse(of_motor + "rated_speed",
+           texts.empty() ? words::machine::no_synchronous_speed_fits
+                         : fmt::format(words::machine::several_synchronous_speeds, fmt::join(texts, ", ")));
+  }
+  return fitting.front();
+}
+
+// The curve that a nameplate stands for, in SI units.
+void put_nameplate(const Study& machine, Study& study, const Refuse& refuse) {
+  const DataSheet& d = machine.sheet;
+  const bool power = machine.states(of_motor + "power"), stated = machine.states(of_motor + "rated_torque");
+  if (!machine.speed.driven() || (!power && !stated)) return;
+  model::Nameplate motor;
+  motor.rated_speed = d.rated_speed;
+  motor.synchronous_speed = synchronous_speed(machine, refuse);
+  motor.rated_torque = stated ? d.rated_torque : d.power / motor.rated_speed;
+  // Catalogues round: a tenth apart is another motor.
+  if (power && stated && std::fabs(d.rated_torque * motor.rated_speed / d.power - 1.0) > 0.1)
+    refuse(of_motor + "rated_torque",
+           fmt::format(words::machine::torque_contradicts_power, d.power / motor.rated_speed));
+  motor.breakdown_ratio = d.breakdown_ratio;
+  const std::string locked = of_motor + "locked_rotor_ratio";
+  if (machine.states(locked)) {
+    motor.locked_rotor_ratio = d.locked_rotor_ratio;
+    if (!at_most(d.locked_rotor_ratio, motor.breakdown_ratio))
+      refuse(locked, fmt::format(words::machine::above_breakdown, motor.breakdown_ratio));
+    if (model::breakdown_slip(motor) >= 1.0) refuse(locked, words::machine::no_such_locked_rotor_ratio);
+  }
+  const model::CurvePoints curve = model::nameplate_curve(motor);
+  study.speed.torque.speeds = curve.speeds;
+  study.speed.torque.values = curve.torques;
 }
 
 }  // namespace
 
 Study nondimensionalise(const Study& machine, const Refuse& refuse) {
-  static const std::vector<Quantity> most = quantities(false), of_target = quantities(true);
   Study study = machine;
   put_nameplate(machine, study, refuse);
   const double stiffness = put_stiffness(machine, study, refuse);
   study.scales = model::Scales::of(machine.sheet.mass, put_race(machine, study, refuse), stiffness);
-  divide(study, most, refuse);
-  if (study.speed.driven() && study.speed.torque.kind == model::MotorLaw::Kind::control) {
-    Study target;
-    target.scales = study.scales;
-    target.sheet.gear_ratio = study.sheet.gear_ratio;
-    static_cast<RampSetting&>(target.speed) = study.speed.torque.target;
-    divide(target, of_target, refuse);
-    study.speed.torque.target = target.speed;
-  }
+  divide(study, refuse);
   put_rotor(machine, study, refuse);
   put_balls(machine, study, refuse);
   return study;

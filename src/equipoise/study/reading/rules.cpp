@@ -180,13 +180,28 @@ void check_numbers(const Study& study, const Refuse& refuse) {
   for (const auto rules : {check_tilt, check_balls, check_speed, check_release, check_held_balls}) rules(study, refuse);
 }
 
+double number_of(Study& study, const UncertainValue& value, double drawn, const Refuse& refuse) {
+  const StudyValue written = value.written(drawn);
+  const auto [places, wanted] = numbers_of(study, value.key);
+  if (places.empty()) refuse(value.key, "must be a number of the study");
+  if (wanted.is_quantity())
+    return measure_value(written, wanted, [&](const std::string& problem) { refuse(value.key, problem); }).value;
+  if (value.key == "rotor.damping_ratio" && written.number() > 1.0)
+    refuse(value.key, fmt::format(words::machine::ratio_is_percentage, drawn));
+  const double number = value.plain(drawn);
+  if (!wanted.range.contains(number)) refuse(value.key, "must be " + wanted.text());
+  return number;
+}
+
 bool put_numbers(Study& study, std::span<const NumberAt> numbers) {
   model::Parameters& p = study.parameters;
   const auto states = [&](std::string_view key) {
     return std::any_of(numbers.begin(), numbers.end(), [&](const NumberAt& n) { return n.key == key; });
   };
-  const bool usual = p.inertia == usual_inertia(p) && !states("rotor.inertia");
-  const bool as_rolling = p.stiction == p.rolling && states("balancer.rolling") && !states("balancer.stiction");
+  const bool follows = !study.is_in_si();  // a machine in SI units knows what was stated
+  const bool usual = follows && p.inertia == usual_inertia(p) && !states("rotor.inertia");
+  const bool as_rolling =
+      follows && p.stiction == p.rolling && states("balancer.rolling") && !states("balancer.stiction");
   for (const auto& [key, value] : numbers) {
     const std::vector<double*> places = numbers_of(study, key).places;
     if (places.empty()) return false;

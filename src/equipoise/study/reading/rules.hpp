@@ -27,6 +27,10 @@ inline Refuse refuse_in(const Study& study) {
 /// All of them.
 void check_numbers(const Study& study, const Refuse& refuse);
 
+/// What a draw of an uncertain value sets its key to, in SI units if the study is a machine in these. Refuses what the
+/// key does not take.
+double number_of(Study& study, const UncertainValue& value, double drawn, const Refuse& refuse);
+
 /// A number for a dotted key.
 struct NumberAt {
   std::string_view key;

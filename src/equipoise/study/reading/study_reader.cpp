@@ -25,6 +25,7 @@
 #include "equipoise/study/reading/table_reader.hpp"
 #include "equipoise/study/reading/uncertain_reader.hpp"
 #include "equipoise/study/reading/ways.hpp"
+#include "equipoise/study/toml/printable.hpp"
 #include "equipoise/study/toml/toml_tree.hpp"
 #include "equipoise/study/words/machine.hpp"
 #include "equipoise/study/words/study.hpp"
@@ -126,20 +127,20 @@ void put_at_rest(Study& study, const Refuse& refuse) {
   s.tilt_y_dot = rate[1];
 }
 
-enum class Source { asked, kept };  // kept: a study stored in a result
-
-Study read(StudyFile file, Source source = Source::asked);
-
 // Checks each value alone at either end: if both ends make a valid study, so does everything between.
-void check_ends(const StudyFile& file, const StudyValue& medians, const std::vector<UncertainValue>& values) {
-  for (const UncertainValue& value : values)
-    for (const double end : value.ends()) {
-      StudyValue tree = medians;
-      put_value(tree, value, end);
+void check_ends(const StudyFile& file, const Study& study) {
+  const std::vector<UncertainValue>& values = study.uncertain.values;
+  std::vector<double> medians;
+  for (const UncertainValue& value : values) medians.push_back(value.taken());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    for (const double end : values[k].ends()) {
+      std::vector<double> draw = medians;
+      draw[k] = end;
       try {
-        read(study_file_of(std::move(tree), file.name, {}));
+        drawn_study(study, draw);
       } catch (const InputError& e) {
-        fail_at_end(file, value, end, e);
+        const std::string key = e.key().empty() || e.key() == values[k].key ? "" : e.key() + " ";
+        file.fail(values[k].key, fmt::format("with {}: {}{}", printable(values[k].text(end)), key, e.problem()));
       }
     }
 }
@@ -239,7 +240,9 @@ void check_limits(const StudyFile& file, const Study& study) {
     refuse({"residual", "grade"}, words::study::unbalance_without_planes);
 }
 
-Study read(StudyFile file, Source source) {
+enum class Source { asked, kept };  // kept: a study stored in a result
+
+Study read(StudyFile file, Source source = Source::asked) {
   check_tables(file);
   file.physical = !physical_key(file).empty();
   read_grade(file);
@@ -255,7 +258,6 @@ Study read(StudyFile file, Source source) {
     uncertain.physical = file.root;
   }
   uncertain.values = take_uncertain(file);
-  const StudyValue medians = uncertain.empty() ? StudyValue() : file.root;
   const Refuse refuse = refuse_in(file);
   if (file.physical) {
     check_scales(file);
@@ -281,12 +283,12 @@ Study read(StudyFile file, Source source) {
   check_standards(file, result);
   check_limits(file, result);
   if (uncertain.empty()) return result;
-  check_ends(file, medians, uncertain.values);
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
   const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
                                   [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
   uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(file, result.sampling.box);
   result.uncertain = std::move(uncertain);
+  check_ends(file, result);
   return result;
 }
 
@@ -310,53 +312,38 @@ Study with_medians(Study study) {
 }
 
 namespace {
-bool put_plain(Study& study, const std::vector<UncertainValue>& uncertain, std::span<const double> values) {
-  std::vector<NumberAt> numbers;
-  for (std::size_t k = 0; k < uncertain.size(); ++k)
-    numbers.push_back({uncertain[k].key, uncertain[k].plain(values[k])});
-  return put_valid_numbers(study, numbers);
-}
-
-// Into the machine, which is made dimensionless anew; sampling and numerics may have changed since it was read. False
-// if reading refuses such a machine.
-bool put_quantities(Study& study, const Uncertainty& of, std::span<const double> values) try {
-  const std::vector<UncertainValue>& uncertain = of.values;
-  const std::optional<double> horizon = study.numerics.horizon == of.horizon ? std::nullopt : study.numerics.horizon;
+// What draws are put into: the study, or its machine in SI units, whose sampling and numerics may have changed since it
+// was read.
+Study drawn_from(const Study& study) {
+  if (!study.in_si) return with_medians(study);
   Study machine = *study.in_si;
-  const Refuse refuse = refuse_in(study);
-  const auto reject = [&](const std::string& problem) { refuse("", problem); };
-  for (std::size_t k = 0; k < uncertain.size(); ++k) {
-    const auto [places, wanted] = numbers_of(machine, uncertain[k].key);
-    const StudyValue written = uncertain[k].written(values[k]);
-    const double number =
-        wanted.is_quantity() ? measure_value(written, wanted, reject).value : uncertain[k].plain(values[k]);
-    const bool percentage = uncertain[k].key == "rotor.damping_ratio" && written.number() > 1.0;
-    if (places.empty() || percentage || !wanted.range.contains(number)) return false;
-    for (double* place : places) *place = number;
-  }
   machine.name = study.name;
   machine.sampling = {study.sampling.method, study.sampling.starts, study.sampling.seed, machine.sampling.box};
   machine.numerics.decide = study.numerics.decide;
   if (study.numerics.tolerance) machine.numerics.tolerance = study.numerics.tolerance;
-  if (horizon) machine.numerics.horizon = *horizon * study.scales->time();
-  study = nondimensionalise(machine, refuse);
-  check_numbers(study, refuse);
-  return true;
-} catch (const InputError&) {
-  return false;
+  const std::optional<double>& horizon = study.numerics.horizon;
+  if (horizon && horizon != study.uncertain.horizon) machine.numerics.horizon = *horizon * study.scales->time();
+  return machine;
 }
 }  // namespace
 
 Study drawn_study(const Study& study, std::span<const double> values) {
   const std::vector<UncertainValue>& uncertain = study.uncertain.values;
-  Study drawn = with_medians(study);
-  if (study.in_si ? put_quantities(drawn, study.uncertain, values) : put_plain(drawn, uncertain, values)) {
-    if (study.uncertain.rests) put_at_rest(drawn, refuse_in(study));
-    return drawn;
-  }
-  StudyValue tree = to_tree(study);
-  for (std::size_t k = 0; k < uncertain.size(); ++k) put_value(tree, uncertain[k], values[k]);
-  return study_from(tree, study.name);
+  const Refuse refuse = [&](const std::string& key, const std::string& problem) {
+    std::string value;
+    for (std::size_t k = 0; k < uncertain.size(); ++k)
+      if (uncertain[k].key == key) value = shown(uncertain[k].written(values[k]));
+    throw InputError(study.name, key, value, problem);
+  };
+  Study drawn = drawn_from(study);
+  std::vector<NumberAt> numbers;
+  for (std::size_t k = 0; k < uncertain.size(); ++k)
+    numbers.push_back({uncertain[k].key, number_of(drawn, uncertain[k], values[k], refuse)});
+  put_numbers(drawn, numbers);
+  if (study.in_si) drawn = nondimensionalise(drawn, refuse);
+  check_numbers(drawn, refuse);
+  if (study.uncertain.rests) put_at_rest(drawn, refuse);
+  return drawn;
 }
 
 namespace {

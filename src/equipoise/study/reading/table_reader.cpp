@@ -63,12 +63,6 @@ void append_shown(std::string& text, const StudyValue& value) {
   }
 }
 
-std::string shown(const StudyValue& value) {
-  std::string text;
-  append_shown(text, value);
-  return printable(text);
-}
-
 // "12 kg", where a plain number was wanted.
 bool looks_physical(const StudyValue& value) {
   const auto* text = value.string();
@@ -152,6 +146,12 @@ void apply_override(StudyFile& file, const std::string& text) {
 
 }  // namespace
 
+std::string shown(const StudyValue& value) {
+  std::string text;
+  append_shown(text, value);
+  return printable(text);
+}
+
 std::string StudyFile::value_text(const std::string& dotted_key, const StudyValue& value) const {
   const auto found = written.find(dotted_key);
   return found == written.end() ? shown(value) : found->second.value;
@@ -216,6 +216,7 @@ std::optional<TableReader> TableReader::inner(const std::string& key) {
 bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 std::size_t entry_of(std::string_view table) {
+  if (table == "speed.torque.target") return of_target;
   const double number = number_of_all(table.substr(table.find_last_not_of("0123456789") + 1)).value_or(1.0);
   return static_cast<std::size_t>(number) - 1;
 }

@@ -19,6 +19,9 @@
 
 namespace equipoise::study {
 
+/// A value as it was written, shortened for a message.
+std::string shown(const StudyValue& value);
+
 /// A study's tree with its overrides applied, and the origin of each value.
 struct StudyFile {
   StudyValue root;  ///< a table
@@ -33,7 +36,7 @@ struct StudyFile {
   bool physical = false;  ///< a study in physical units: numbers of keys with a dimension are quantities
 
   Place where(const std::string& dotted_key, const StudyValue* value) const;
-  /// The value as it was written, shortened for a message.
+  /// The same of a value at a key, if a distribution stood there.
   std::string value_text(const std::string& dotted_key, const StudyValue& value) const;
   /// Throws an InputError about the key.
   [[noreturn]] void fail(const std::string& dotted_key, const std::string& problem) const;
@@ -49,8 +52,10 @@ StudyFile parse_study_file(std::string_view text, const std::string& name, const
 /// The same from a tree.
 StudyFile study_file_of(StudyValue tree, const std::string& name, const std::vector<std::string>& overrides);
 
-/// Of the dotted name of a table in an array of tables, "place.2": its number, from 0; else 0.
+/// Which of several tables with the same keys a dotted name is: of an array of tables, "place.2", its number from 0; a
+/// motor's target, whose keys are those of [speed], is of_target; else 0.
 std::size_t entry_of(std::string_view table);
+inline constexpr std::size_t of_target = 1;
 
 /// One table of the file. Every read marks its key as known; finish() rejects the others.
 class TableReader {

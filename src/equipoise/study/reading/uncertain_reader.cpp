@@ -154,30 +154,15 @@ std::vector<UncertainValue> take_uncertain(StudyFile& file) {
     if (keys.drawn())
       for (const std::string& path : paths_of(file.root, keys.name)) take_from(file, keys, path, values);
   for (const UncertainValue& value : values) {
-    const StudyValue& there = *file.root.find_path(value.key);
+    StudyValue& there = *file.root.find_path(value.key);
     file.written.insert_or_assign(value.key,
                                   StudyFile::Written{file.value_text(value.key, there), file.where(value.key, &there)});
-    put_value(file.root, value, value.taken());
+    StudyValue taken = value.written(value.taken());
+    taken.set_line(there.line());
+    there = std::move(taken);
   }
   std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   return values;
-}
-
-void put_value(StudyValue& root, const UncertainValue& value, double number) {
-  const std::size_t dot = value.key.rfind('.');
-  StudyValue* table = find_table(root, value.key.substr(0, dot));
-  const std::string key = value.key.substr(dot + 1);
-  const StudyValue* there = table->find(key);
-  StudyValue written = value.written(number);
-  if (there) written.set_line(there->line());
-  table->set(key, std::move(written));
-}
-
-void fail_at_end(const StudyFile& file, const UncertainValue& value, double number, const InputError& refusal) {
-  const StudyValue* there = file.root.find_path(value.key);
-  const std::string key = refusal.key().empty() || refusal.key() == value.key ? "" : refusal.key() + " ";
-  throw InputError(file.where(value.key, there), value.key, there ? file.value_text(value.key, *there) : "",
-                   fmt::format("with {}: {}{}", printable(value.text(number)), key, refusal.problem()));
 }
 
 }  // namespace equipoise::study
