@@ -5,12 +5,19 @@
 #include <vector>
 
 #include "equipoise/core/base/bytes.hpp"
-#include "equipoise/results/types/fate_bytes.hpp"
+#include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/rule/classification_rule.hpp"
 
 namespace equipoise {
 
-/// The members of a record, for search logs.
+constexpr Outcome last_of(Outcome) { return Outcome::stalled; }
+constexpr DecidedBy last_of(DecidedBy) { return DecidedBy::followed; }
+
+/// The members of a fate and of a record, for search logs and messages.
+template <class Bytes, Like<Fate> T>
+void members(Bytes& b, T& f) {
+  b(f.outcome, f.by, f.attractor, f.time, f.mean_speed, f.unbalance, f.radius, f.met);
+}
 template <class Bytes, Like<PilotRecord> T>
 void members(Bytes& b, T& r) {
   b(Trimmed{r.features}, Trimmed{r.range.low}, Trimmed{r.range.high}, r.range.attractor, r.range.hits_needed,
