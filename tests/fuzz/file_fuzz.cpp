@@ -19,7 +19,6 @@
 
 #include "equipoise/attractors/motions/motion_bytes.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/analyses/basin_slices/basin_slice.hpp"
 #include "equipoise/analyses/basin_slices/slice_store.hpp"
 #include "equipoise/extras/proof/certify.hpp"
 #include "equipoise/results/cell_files/sweep_cells.hpp"
@@ -111,6 +110,21 @@ class Kinds {
  private:
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
+  static io::SliceFileHeader map_header() {
+    io::SliceFileHeader header;
+    header.study = toml;
+    header.x = {"initial.phi_1", 0.0, 6.0, 4};
+    header.y = {"initial.phi_2", 0.0, 6.0, 4};
+    header.components = 8;
+    return header;
+  }
+  static void read_map(const std::string& file, const io::SliceFileHeader& header) {
+    const SliceStore store(file, header);
+    store.for_each_known([](std::uint32_t, short) {});
+    std::vector<SlicePixel> rows(16);
+    store.read_rows(0, 4, rows.data());
+  }
+
   void add_results() {
     const Study study = parse_study(toml, "study");
     BasinOptions options;
@@ -120,11 +134,6 @@ class Kinds {
     of_sweep.output = path("sweep.nc");
     const SweepPlan plan({toml, "study", {}}, sweep_axes({"speed.final=2.4,2.5"}, false, "over"), {}, "over");
     (void)sweep(plan, of_sweep);
-    BasinSliceSettings of_map;
-    of_map.output = path("map.nc");
-    of_map.x = {"initial.phi_1", 0.0, 6.0, 4};
-    of_map.y = {"initial.phi_2", 0.0, 6.0, 4};
-    (void)basin_slice(study, of_map);
     const auto reader = [this](const std::string& name, const std::function<void(const std::string&)>& read) {
       return [this, name, read](const std::string& bytes) {
         const std::string file = path(name);
@@ -138,13 +147,16 @@ class Kinds {
                      reader("a.nc", [](const std::string& file) { (void)read_basin_outcomes(file); })});
     kinds.push_back({"sweep", content(path("sweep.nc")), fuzz::changed_results,
                      reader("b.nc", [](const std::string& file) { (void)stored_sweep(file); })});
-    kinds.push_back({"map", content(path("map.nc")), fuzz::changed_results, reader("c.nc", [](const std::string& file) {
-                       const io::SliceReader map(file);
-                       (void)map.codes();
-                       (void)map.discoveries(8);
-                       std::vector<SlicePixel> row(static_cast<std::size_t>(map.x().pixels));
-                       for (int y = 0; y < map.y().pixels; ++y) map.read_rows(y, 1, row.data());
-                     })});
+    const io::SliceFileHeader header = map_header();
+    {
+      SliceStore store(path("map.nc"), header);
+      store.append_attractor_search(std::vector<double>(8, 2.0));
+      store.append({0, 1, 2, 3, 9}, std::vector<SlicePixel>(5, {1, 2.0, 0.5}));
+      const std::vector<OutcomeShare> codes{{1, "balanced", "V1", {}}};
+      store.finish(codes, {{short{1}, codes.front()}}, true);
+    }
+    kinds.push_back({"map", content(path("map.nc")), fuzz::changed_results,
+                     reader("c.nc", [header](const std::string& file) { read_map(file, header); })});
     const SweepResult known = stored_sweep(path("sweep.nc"));
     const auto cell = io::bytes_of(*known.cells.front());
     const std::string part = path("b.nc.part");
@@ -197,11 +209,7 @@ class Kinds {
            const BasinFile file(result, header);
            (void)file.read(0, file.stored());
          }});
-    io::SliceFileHeader of_map;
-    of_map.study = toml;
-    of_map.x = {"initial.phi_1", 0.0, 6.0, 4};
-    of_map.y = {"initial.phi_2", 0.0, 6.0, 4};
-    of_map.components = 8;
+    const io::SliceFileHeader of_map = map_header();
     const std::string map = path("e.nc"), pixels = map + ".part";
     {
       SliceStore store(map, of_map);
@@ -212,10 +220,7 @@ class Kinds {
     kinds.push_back(
         {"part of a map", content(pixels), fuzz::changed_journal, [of_map, map, pixels](const std::string& bytes) {
            write(pixels, bytes);
-           const SliceStore store(map, of_map);
-           store.for_each_known([](std::uint32_t, short) {});
-           std::vector<SlicePixel> rows(16);
-           store.read_rows(0, 4, rows.data());
+           read_map(map, of_map);
          }});
   }
 

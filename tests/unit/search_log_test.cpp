@@ -14,7 +14,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/motions/motion_bytes.hpp"
 #include "equipoise/results/io/journal.hpp"
-#include "equipoise/results/io/kept_search_log.hpp"
+#include "equipoise/results/io/store.hpp"
 #include "equipoise/simulation/rule/pilot.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -210,34 +210,42 @@ TEST(SearchLog, AreKeptOnceTheyAreWorthIt) {
   EXPECT_EQ(kept.size(), 4u);
 }
 
+// A store of records of one kind.
+struct RecordStore : io::Store {
+  explicit RecordStore(const std::string& path) : Store(path, "mine", {"results", "must be others"}) {}
+  void append() {
+    const std::vector<double> result{1.0, 2.0};
+    Store::append({.kind = io::Journal::Kind::starts, .first = 0, .count = 2}, result.data(), 16);
+  }
+};
+
 TEST(SearchLog, AreKeptAmongUnfinishedResults) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("equipoise_notes_" + std::to_string(getpid()))).string();
-  using io::Journal;
-  const std::vector<double> result{1.0, 2.0};
   const auto ask = [](SearchLog& notes, double value) {
     return NotePage(&notes, "kept").answer("value", nullptr, [&] { return value; });
   };
+  const auto records = [&] { return io::Journal(path + ".part").records().size(); };
+  const auto nothing = [](const std::string&) {};
   {
-    Journal journal(path, path, "mine");
-    journal.append({.kind = Journal::Kind::starts, .first = 0, .count = 2}, result.data(), 16);
-    EXPECT_EQ(ask(*io::notes_kept_in(journal), 3.0), 3.0);
-    journal.append({.kind = Journal::Kind::starts, .first = 2, .count = 2}, result.data(), 16);
+    RecordStore kept(path);
+    kept.append();
+    EXPECT_EQ(ask(kept.notes(), 3.0), 3.0);
+    kept.append();
   }
+  EXPECT_EQ(records(), 3u);
   {
-    Journal journal(path, path, "mine");
-    ASSERT_EQ(journal.records().size(), 3u);
-    EXPECT_EQ(ask(*io::notes_kept_in(journal), 4.0), 3.0);  // as recorded
-    io::leave_notes(journal, false);
-    EXPECT_EQ(journal.records().size(), 1u);
+    RecordStore kept(path);
+    EXPECT_EQ(ask(kept.notes(), 4.0), 3.0);  // as recorded
+    kept.finish(nothing, io::Store::Rest::notes);
   }
+  EXPECT_EQ(records(), 1u);
   {
-    Journal journal(path, path, "mine");
-    ASSERT_EQ(journal.records().size(), 1u);
-    EXPECT_EQ(ask(*io::notes_kept_in(journal), 4.0), 3.0);
-    io::leave_notes(journal, true);
+    RecordStore kept(path);
+    EXPECT_EQ(ask(kept.notes(), 4.0), 3.0);
+    kept.finish(nothing, io::Store::Rest::nothing);
   }
-  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
 }  // namespace search_log_test

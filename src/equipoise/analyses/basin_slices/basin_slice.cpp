@@ -106,7 +106,7 @@ class MapRun {
     check_memory(map_, settings_.output);
     prepare();
     open();
-    if (file_ && file_->complete()) {
+    if (file_ && file_->says_complete()) {
       read_whole();
     } else {
       compute();
@@ -153,7 +153,7 @@ class MapRun {
   void read_whole() {
     std::map<short, OutcomeShare> codes;
     for (const OutcomeShare& c : names_.codes()) codes.emplace(c.id, c);
-    SliceAssembly(map_, *store_, codes).run({});
+    SliceAssembly(map_, *store_, codes).run();
     map_.pixels_kept = map_.pixels_computed;
     map_.read_whole = true;
   }
@@ -224,15 +224,8 @@ class MapRun {
 
   void put_together() {
     const auto seen = names_.seen(complete_);  // a run that continues must find the codes that this one gave
-    SliceAssembly assembly(map_, *store_, seen);
-    if (!file_ || !file_->unfinished()) return assembly.run({});
-    file_->finish(
-        [&](const std::string& path) {
-          io::SliceWriter writer(path, header_, map_.codes, file_->discoveries(), complete_);
-          assembly.run([&](int first, int rows, const SlicePixel* pixels) { writer.write_rows(first, rows, pixels); });
-          writer.finish();
-        },
-        complete_);
+    SliceAssembly(map_, *store_, seen).run();
+    if (file_ && file_->unfinished()) file_->finish(map_.codes, seen, complete_);
   }
 
   const BasinSliceSettings& settings_;

@@ -54,7 +54,7 @@ short SliceAssembly::id_of(short code) const {
   return static_cast<short>(found->second.id);
 }
 
-void SliceAssembly::run(const Write& write) {
+void SliceAssembly::run() {
   const std::size_t columns = static_cast<std::size_t>(map_.x.pixels);
   std::vector<SlicePixel> pixels;
   for (int first = 0; first < map_.y.pixels; first += band_rows) {
@@ -63,7 +63,6 @@ void SliceAssembly::run(const Write& write) {
     store_.read_rows(first, there, pixels.data());
     give_codes(pixels);
     for (int row = 0; row < there; ++row) add_row(first + row, pixels.data() + columns * static_cast<std::size_t>(row));
-    if (write) write(first, there, pixels.data());
   }
   finish();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -17,13 +16,11 @@ namespace equipoise {
 std::vector<OutcomeShare> map_codes(const std::map<short, OutcomeShare>& seen, const Study& study);
 
 /// Reads all rows of `store` in order, renames codes by `seen`, and counts. Adds to `map`, whose axes are those of the
-/// whole slice: pixels (of a large slice, only some), shares, figures. `write`, if any, receives the final rows.
+/// whole slice: pixels (of a large slice, only some), shares, figures.
 class SliceAssembly {
  public:
-  using Write = std::function<void(int first, int rows, const SlicePixel* pixels)>;
-
   SliceAssembly(BasinSlice& map, const PixelStore& store, const std::map<short, OutcomeShare>& seen);
-  void run(const Write& write);
+  void run();
 
  private:
   short id_of(short code) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -96,23 +95,23 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   const std::vector<io::StartColumn> columns = io::start_columns(header);
   const std::vector<Fate> fates = fates_of(a);
   const std::vector<TransientRow> rows = result.transients ? rows_of(a) : std::vector<TransientRow>{};
-  const std::vector<char> bytes = io::pack(columns, {.count = a.starts,
-                                                     .phi = a.phi.data(),
-                                                     .fates = fates.data(),
-                                                     .rotor = a.rotor_state.data(),
-                                                     .phi_dot = a.phi_dot.data(),
-                                                     .psi = a.psi.data(),
-                                                     .weight = a.weight.data(),
-                                                     .rows = rows.data(),
-                                                     .drawn = a.drawn.data()});
-  std::vector<std::size_t> begins{0};  // where each column begins in `bytes`
-  for (const io::StartColumn& c : columns) begins.push_back(begins.back() + a.starts * c.bytes());
+  const StartBatch batch{.count = a.starts,
+                         .phi = a.phi.data(),
+                         .fates = fates.data(),
+                         .rotor = a.rotor_state.data(),
+                         .phi_dot = a.phi_dot.data(),
+                         .psi = a.psi.data(),
+                         .weight = a.weight.data(),
+                         .rows = rows.data(),
+                         .drawn = a.drawn.data()};
   Study study = result.study;
   if (!result.partial && !result.grid) study.sampling.starts = result.starts;
+  const auto values = [&](std::size_t k) -> DataValues {
+    return [&batch, value = columns[k].value](std::size_t at) { return value(batch, at); };
+  };
   io::BasinContents contents{header,
-                             columns,
                              result.starts,
-                             {},
+                             values,
                              result.discoveries,
                              {result.cpu_target},
                              outcome_summary(result),
@@ -121,10 +120,6 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
                              {result.seconds, result.cpu_seconds}};
   if (result.transients) contents.all = result.transients->groups.front();
   contents.without_balls = result.without_balls;
-  contents.read = [&](std::size_t column, std::uint64_t first, std::size_t count, void* values) {
-    const std::size_t each = columns[column].bytes();
-    std::memcpy(values, &bytes[begins[column] + first * each], count * each);
-  };
   io::write_basin_netcdf(place, contents);
 }
 

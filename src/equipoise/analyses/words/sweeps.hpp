@@ -96,12 +96,7 @@ inline constexpr char balls_would_overlap[] = "balls would overlap, or failed";
 inline constexpr char this_map[] = "this map";
 inline constexpr char same_map[] = "must be a new file, or one of the same map";
 inline constexpr char pixel_without_name[] = "the map is damaged: a pixel has outcome {}, which it does not name";
-inline constexpr char other_size[] = "is damaged: {} x {} pixels instead of {} x {}";
-inline constexpr char part_of_another[] = "does not belong to {}; must be removed first";
-// What failed.
-inline constexpr char kept_so_far[] = "{}; what was computed before is kept, and the same command goes on from it";
-// What failed, the output.
-inline constexpr char kept_in_part[] = "{}; what was computed is kept in {}.part and put in place by the same command";
+inline constexpr char other_size[] = "is damaged: it has another number of pixels";
 
 // Progress.
 inline constexpr char line_motions[] = "motions along the lines of the map";

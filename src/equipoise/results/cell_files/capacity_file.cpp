@@ -82,14 +82,14 @@ std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std:
 }
 
 void finish_capacity_file(CellFile& file, const CapacityResult& result) {
-  const auto write = [&](const std::string& path, const std::string& identity) {
+  const auto write = [&](const std::string& path) {
     const CellRecords records = capacity_records(result);
     CellDataset data(fmt::format(words::files::capacity, result.key, result.at_least, result.asked_of_one()),
                      result.axes, records);
     const std::string unit = result.unit.empty() ? "1" : result.unit;
     add_boundaries(data, unit, result);
     add_trials(data, unit, result);
-    data.add_records("capacity", identity, result.study, result.complete());
+    data.add_records("capacity", file.identity(), result.study, result.complete());
     data.say("of", result.key);
     write_netcdf_file(path, data);
   };

@@ -93,12 +93,12 @@ void DesignFile::append(std::uint64_t number, const std::string& name, const Des
 }
 
 void DesignFile::finish(const DesignResult& result) {
-  const auto write = [&](const std::string& path, const std::string& identity) {
+  const auto write = [&](const std::string& path) {
     const io::CellRecords records(most_, [&](std::size_t number) {
       const auto at = samples_.find(number);
       return at == samples_.end() ? std::vector<std::uint8_t>{} : io::bytes_of(at->second);
     });
-    write_design(path, identity, result, samples_, records);
+    write_design(path, file_.identity(), result, samples_, records);
   };
   file_.finish(write, result.partial ? io::CellFile::Rest::all : io::CellFile::Rest::nothing);
 }

@@ -203,7 +203,7 @@ void write_sweep_file(const std::string& path, const SweepResult& result) {
 
 StoredSweep read_sweep(const std::string& path) {
   StoredSweep sweep;
-  sweep.identity = io::read_cell_file(sweep_kind, path, taken_into(sweep.cells));
+  sweep.identity = io::CellFile(sweep_kind, path, taken_into(sweep.cells)).identity();
   return sweep;
 }
 
@@ -214,7 +214,7 @@ std::unique_ptr<CellFile> open_sweep_file(const std::string& path, const std::st
 }
 
 void finish_sweep_file(CellFile& file, const SweepResult& result) {
-  file.finish([&](const std::string& path, const std::string& identity) { write_sweep(path, identity, result); },
+  file.finish([&](const std::string& path) { write_sweep(path, file.identity(), result); },
               result.complete() ? CellFile::Rest::nothing : CellFile::Rest::notes);
 }
 

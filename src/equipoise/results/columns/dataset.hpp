@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -52,6 +53,33 @@ struct DataColumn {
   std::vector<int> flags{};      ///< the values whose names the attribute flag_meanings has
   TextAttributes attributes{};   ///< in addition to units and long_name
 };
+
+/// What a store of rows (results/io/row_store.hpp) keeps of every row.
+struct StoredColumn : Column {
+  DataColumn::Type type = DataColumn::Type::real;
+  std::size_t width = 1;  ///< values a row
+  std::string along{};    ///< the dimension along which they stand in files; empty for a single one
+};
+
+/// Calls visit(a value of the type that stands for it in memory and in files).
+template <class Visit>
+void with_type(DataColumn::Type type, const Visit& visit) {
+  using Type = DataColumn::Type;
+  switch (type) {
+    case Type::text:
+      return visit(char{});
+    case Type::byte:
+      return visit(std::int8_t{});
+    case Type::small:
+      return visit(std::int16_t{});
+    case Type::integer:
+      return visit(int{});
+    case Type::single:
+      return visit(float{});
+    case Type::real:
+      return visit(double{});
+  }
+}
 
 /// Its columns refer to the result of which it was made.
 struct Dataset {

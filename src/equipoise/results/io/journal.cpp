@@ -184,7 +184,7 @@ void Journal::require_sound() const {
   }
 }
 
-void Journal::append(Record record, const void* payload, std::size_t bytes) {
+Journal::Record Journal::append(Record record, const void* payload, std::size_t bytes) {
   const std::lock_guard lock(appending_);
   RecordHeader header;
   header.kind = static_cast<std::uint64_t>(record.kind);
@@ -207,6 +207,7 @@ void Journal::append(Record record, const void* payload, std::size_t bytes) {
   records_.push_back(record);
   const auto rest = std::max<std::chrono::steady_clock::duration>(sync_every, sync_rest * sync_took_);
   if (std::chrono::steady_clock::now() - synced_ >= rest) sync();
+  return record;
 }
 
 // A partial write is undone.

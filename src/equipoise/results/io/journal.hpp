@@ -63,8 +63,9 @@ class Journal {
   void require_sound() const;
 
   /// Appends a record, first cutting off any damage. The record survives a kill at once, and is on disk within about a
-  /// second of work. Throws RunError if the disk is full, and keeps the earlier records. Thread-safe.
-  void append(Record record, const void* payload, std::size_t bytes);
+  /// second of work. Returns it with its place. Throws RunError if the disk is full, and keeps the earlier records.
+  /// Thread-safe.
+  Record append(Record record, const void* payload, std::size_t bytes);
   /// Removes the file, once all its content is elsewhere.
   void remove();
   /// Drops all records of other kinds; removes the file if none are left.

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,12 @@
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/commands/without_balls.hpp"
+#include "equipoise/results/io/row_store.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 
 namespace equipoise {
-
-class SearchLog;
 
 /// What a basin file states about the run that made it.
 struct BasinFileHeader {
@@ -47,54 +47,42 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
-/// A basin result is kept in two files. The results, `path`, are NetCDF (classic, 64-bit offsets), always written whole
-/// to another file that is then renamed. Dimension start has its index and the variables phi(start, ball),
-/// outcome(start), decision_time(start), decided_by(start); for driven rotors mean_speed(start), with balls that stick
-/// left_unbalance(start), with balls that touch balls_met(start), with full_starts rotor_state(start, rotor_component)
-/// and phi_dot(start, ball), with own_starts psi(start), on a grid weight(start), with uncertain values drawn(start,
-/// uncertain_value), with transients the columns of TransientRow. Dimension outcome_kind has code, name, alias, count,
-/// share and its interval; except for random starts also the origin of the interval and the equivalent number of random
-/// starts; with balls that stick quantiles of what they leave. Dimension discovery has states of motions met during the
-/// run. Every variable has units and long_name. Readable by xarray, ncdump, ncview. A checksum ends the file; without
-/// the right one it is not read.
-///
-/// During a run, `path`.part holds what is new (results/io/journal.hpp): a run that is killed loses a second's work. It
-/// also holds what the search has found out. It is removed once all results are in place; with incomplete results only
-/// the search stays in it. Only one run at a time may use a file.
-class BasinFile {
+/// The starts of an ensemble, as a store (results/io/store.hpp). In the finished results dimension start has its index
+/// and the variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); for driven rotors
+/// mean_speed(start), with balls that stick left_unbalance(start), with balls that touch balls_met(start), with
+/// full_starts rotor_state(start, rotor_component) and phi_dot(start, ball), with own_starts psi(start), on a grid
+/// weight(start), with uncertain values drawn(start, uncertain_value), with transients the columns of TransientRow.
+/// Dimension outcome_kind has code, name, alias, count, share and its interval; except for random starts also the
+/// origin of the interval and the equivalent number of random starts; with balls that stick quantiles of what they
+/// leave. Dimension discovery has states of motions met during the run. Every variable has units and long_name.
+/// Readable by xarray, ncdump, ncview.
+class BasinFile : public io::RowStore {
  public:
-  /// Opens what `path` and `path`.part hold of the same study, seed, version and arithmetic, or begins anew. Throws
-  /// InputError if it cannot be written, is in use, is damaged, or holds something else, and says which.
+  /// Opens what there is of the same study, seed, version and arithmetic, or begins anew. Throws like Store.
   BasinFile(const std::string& path, const BasinFileHeader& header);
-  ~BasinFile();
-  BasinFile(const BasinFile&) = delete;
-  BasinFile& operator=(const BasinFile&) = delete;
 
   /// Starts already stored (0 .. stored() - 1).
-  std::uint64_t stored() const;
+  std::uint64_t stored() const { return stored_; }
   /// The next start that is stored behind a gap, left by damage; the largest number if there is none. Once the gap is
   /// filled, stored() passes over it.
-  std::uint64_t stored_next() const;
+  std::uint64_t stored_next() const {
+    return behind_.empty() ? std::numeric_limits<std::uint64_t>::max() : behind_.begin()->first;
+  }
   /// What damage has taken from `path`.part, in words; empty if nothing.
   std::string loss() const;
   /// Of these, those that `path` does not hold yet.
-  std::uint64_t unfinished() const;
+  std::uint64_t unfinished() const { return stored_ - finished(); }
   /// The CPU targets that they were computed on.
-  const std::vector<std::string>& cpu_targets() const;
+  const std::vector<std::string>& cpu_targets() const { return cpu_targets_; }
   /// Fates of starts first .. first + count - 1.
   std::vector<Fate> read(std::uint64_t first, std::size_t count) const;
   /// Their transients, of a file that holds them.
   std::vector<TransientRow> read_transients(std::uint64_t first, std::size_t count) const;
-  /// Appends starts; they are on disk within about a second of work. `so_far`: time of this run. If the disk cannot
-  /// take them, throws RunError and keeps all earlier starts.
+  /// Appends starts. `so_far`: time of this run. If the disk cannot take them, throws RunError and keeps all earlier
+  /// ones.
   void append(const StartBatch& batch, const RunTime& so_far);
-  /// States on motions first met during earlier runs, in the order of starts: enough to name the motions again.
-  std::vector<std::vector<double>> discoveries() const;
-  /// The search log of earlier runs that did not finish.
-  SearchLog& notes();
   /// Removes the search log: everything asked for is in `path`.
   void forget_notes();
-  void append_attractor_search(const std::vector<double>& state);
   /// Writes the results: everything stored, its summary, the resolved study. `complete`: all requested starts are
   /// there. `time`: of this run; earlier runs' time is added. Writes nothing if nothing is stored. Call it last. If the
   /// disk cannot take it, throws RunError and keeps everything as it was.
@@ -103,15 +91,21 @@ class BasinFile {
               const RunTime& time, const std::optional<TransientGroup>& all = {},
               const std::optional<WithoutBalls>& without_balls = {});
   /// As stated by the last run's finish(); complete() is false if there was none.
-  bool complete() const;
+  bool complete() const { return unfinished() == 0 && says_complete(); }
   std::vector<OutcomeShare> summary() const;
-  RunTime time() const;
+  RunTime time() const { return time_; }
 
  private:
-  void read_share(std::size_t kind, Share& share) const;
+  void hold(std::uint64_t first, std::uint64_t count);
+  bool ran_on(const std::string& target) const;
+  std::vector<double> values_of(const char* column, std::uint64_t first, std::size_t count) const;
 
-  struct State;
-  std::unique_ptr<State> state_;
+  const BasinFileHeader header_;
+  const std::vector<io::StartColumn> columns_;
+  std::uint64_t stored_ = 0;
+  std::map<std::uint64_t, std::uint64_t> behind_;  // first start and end of those behind a gap
+  std::vector<std::string> cpu_targets_;
+  RunTime time_;
 };
 
 }  // namespace equipoise

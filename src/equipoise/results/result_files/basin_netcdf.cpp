@@ -14,6 +14,7 @@
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/share_columns.hpp"
+#include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/results/words/files.hpp"
 #include "equipoise/study/sampling/scrambled_sobol.hpp"
 
@@ -28,23 +29,6 @@ constexpr double not_told = std::numeric_limits<double>::quiet_NaN();
 // Counts are integers as far as those go, which is enough for any run of this century.
 Type count_type(const BasinContents& c) {
   return c.starts <= static_cast<std::uint64_t>(std::numeric_limits<int>::max()) ? Type::integer : Type::real;
-}
-
-template <class T>
-DataValues stored_as(const BasinContents& c, std::size_t k) {
-  return [&c, k, width = c.columns[k].width](std::size_t first, std::size_t count, double* to) {
-    std::vector<T> values(count);
-    c.read(k, first / width, count / width, values.data());
-    std::copy(values.begin(), values.end(), to);
-  };
-}
-
-DataValues stored(const BasinContents& c, std::size_t k) {
-  const Type type = c.columns[k].type;
-  return type == Type::real     ? stored_as<double>(c, k)
-         : type == Type::single ? stored_as<float>(c, k)
-         : type == Type::small  ? stored_as<short>(c, k)
-                                : stored_as<signed char>(c, k);
 }
 
 void describe_grounds(DataColumn& column) {
@@ -68,9 +52,10 @@ void add_starts(Dataset& data, const BasinContents& c) {
     data.add_texts("uncertain_value", value, c.header.drawn, words::files::key_of_study);
     data.add_texts("uncertain_unit", value, c.header.drawn_units, words::files::unit_of_drawn);
   }
-  for (std::size_t k = 0; k < c.columns.size(); ++k) {
-    const StartColumn& of_start = c.columns[k];
-    DataColumn& column = data.add(of_start, {start}, stored(c, k), of_start.type);
+  const std::vector<StartColumn> columns = start_columns(c.header);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const StartColumn& of_start = columns[k];
+    DataColumn& column = data.add(of_start, {start}, c.columns(k), of_start.type);
     if (!of_start.along.empty()) column.along.push_back(along.at(of_start.along));
     if (column.type == Type::single) column.fill = missing_figure;
     if (column.name == "outcome") add_outcome_flags(column, c.summary);

@@ -7,19 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "equipoise/results/columns/dataset.hpp"
 #include "equipoise/results/commands/without_balls.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/result_files/start_columns.hpp"
 
 namespace equipoise::io {
 
 /// The content of such a file.
 struct BasinContents {
   const BasinFileHeader& header;
-  const std::vector<StartColumn>& columns;
-  std::uint64_t starts = 0;  ///< 1 or more
-  /// Values of a column of starts first .. first + count - 1.
-  std::function<void(std::size_t column, std::uint64_t first, std::size_t count, void* values)> read;
+  std::uint64_t starts = 0;                               ///< 1 or more
+  std::function<DataValues(std::size_t column)> columns;  ///< their values (start_columns.hpp)
   std::vector<std::vector<double>> discoveries;
   std::vector<std::string> cpu_targets;
   std::vector<OutcomeShare> summary;

@@ -1,11 +1,11 @@
 // Outcomes in files of results.
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/results/io/dataset_file.hpp"
@@ -27,12 +27,11 @@ std::size_t add_outcome_kinds(Dataset& data, const std::string& before, const st
 }
 
 std::vector<OutcomeShare> read_outcome_kinds(const NetcdfFile& file, const std::string& before) {
-  std::vector<short> codes(file.length("outcome_kind"));
-  const int variable = file.variable(before + "code", netcdf_type(DataColumn::Type::small), {codes.size()});
-  file.read(variable, {0}, {codes.size()}, codes.data());
+  const auto codes = read_column(file, before + "code", DataColumn::Type::small, {file.length("outcome_kind")});
   std::vector<OutcomeShare> kinds;
   for (std::size_t k = 0; k < codes.size(); ++k)
-    kinds.push_back({codes[k], file.read_text(before + "name", k), file.read_text(before + "alias", k)});
+    kinds.push_back(
+        {static_cast<int>(codes[k]), file.read_text(before + "name", k), file.read_text(before + "alias", k)});
   return kinds;
 }
 
@@ -58,28 +57,23 @@ BasinOutcomes read_basin_outcomes(const std::string& path) {
   result.study = parse_kept_study(file.attribute("study"), path);
   result.partial = file.attribute("complete") != "yes";
   result.own_starts = file.attribute("own_starts");
-  result.outcome.resize(starts);
-  file.read(file.variable("outcome", NC_SHORT, {starts}), {0}, {starts}, result.outcome.data());
+  const auto read = [&](const char* name, DataColumn::Type type) {
+    return io::read_column(file, name, type, {starts});
+  };
+  const std::vector<double> codes = read("outcome", DataColumn::Type::small);
+  result.outcome.assign(codes.begin(), codes.end());
   if (file.has_variable("mean_speed")) {
-    result.mean_speed.resize(starts);
-    file.read(file.variable("mean_speed", NC_FLOAT, {starts}), {0}, {starts}, result.mean_speed.data());
-    for (float& speed : result.mean_speed)
-      if (speed == io::missing_figure) speed = std::numeric_limits<float>::quiet_NaN();
+    std::vector<double> speeds = read("mean_speed", DataColumn::Type::single);
+    std::replace(speeds.begin(), speeds.end(), double{io::missing_figure}, std::numeric_limits<double>::quiet_NaN());
+    result.mean_speed.assign(speeds.begin(), speeds.end());
   }
-  std::vector<bool> lost(starts);
+  std::vector<bool> lost;
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
     if (!file.has_variable(f.name)) continue;
-    std::vector<float>& values = result.transients[k];
-    values.resize(starts);
-    file.read(file.variable(f.name, NC_FLOAT, {starts}), {0}, {starts}, values.data());
-    for (std::size_t i = 0; i < starts; ++i) {
-      const bool missing = values[i] == io::missing_figure;
-      if (k == 0) lost[i] = missing;  // of every start that was not lost there is a peak
-      if (missing)
-        values[i] =
-            f.needs && !lost[i] ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
-    }
+    std::vector<double> values = read(f.name, DataColumn::Type::single);
+    io::restore_missing(f, values, lost);
+    result.transients[k].assign(values.begin(), values.end());
   }
   for (const OutcomeShare& o : io::read_outcome_kinds(file, "kind_"))
     result.names[static_cast<short>(o.id)] = {o.name, o.alias};

@@ -9,11 +9,11 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include "equipoise/core/base/display_text.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/read_file.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/io/journal.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/results/io/sealed_file.hpp"
@@ -44,14 +44,13 @@ std::string kind_of(const io::NetcdfFile& file) {
 // `before`: prefix of their variables' names.
 void add_outcomes(const io::NetcdfFile& file, const std::string& before, Inspection& i) {
   i.outcomes = io::read_outcome_kinds(file, before);
-  const int shares = file.variable(before + "share", NC_DOUBLE, {i.outcomes.size()});
-  for (std::size_t k = 0; k < i.outcomes.size(); ++k) file.read(shares, {k}, {1}, &i.outcomes[k].share.share);
+  const auto shares = io::read_column(file, before + "share", DataColumn::Type::real, {i.outcomes.size()});
+  for (std::size_t k = 0; k < shares.size(); ++k) i.outcomes[k].share.share = shares[k];
 }
 
 void count_cells(const io::NetcdfFile& file, Inspection& i) {
   const std::size_t cells = file.length("cell");
-  std::vector<double> ends(cells);
-  file.read(file.variable("record_end", NC_DOUBLE, {cells}), {0}, {cells}, ends.data());
+  const std::vector<double> ends = io::read_column(file, "record_end", DataColumn::Type::real, {cells});
   std::size_t done = 0;
   for (std::size_t k = 0; k < cells; ++k) done += ends[k] > (k > 0 ? ends[k - 1] : 0.0);
   i.facts.emplace_back("cells done", fmt::format("{} of {}", done, cells));

@@ -1,32 +1,22 @@
-// Dimensions, variables and attributes of a basin slice; its rows written as they come, and read on demand.
-#include <algorithm>
+// Dimensions, variables and attributes of a basin slice.
+#include "equipoise/results/result_files/slice_netcdf.hpp"
+
+#include <array>
 #include <limits>
-#include <system_error>
 #include <tuple>
-#include <utility>
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
-#include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/results/io/sealed_file.hpp"
+#include "equipoise/results/io/dataset_file.hpp"
 #include "equipoise/results/result_files/basin_outcomes.hpp"
 #include "equipoise/results/result_files/result_identity.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/results/words/files.hpp"
-#include "equipoise/results/result_files/slice_netcdf.hpp"
 
 namespace equipoise::io {
 
 namespace {
-
-const std::string& whole_map_file(const std::string& path) {
-  if (const std::string damage = why_not_whole(path); !damage.empty())
-    throw InputError(path, "", "", fmt::format("{}; {}", damage, words::files::map_file));
-  return path;
-}
 
 std::string links_text(const std::vector<AngleLink>& links) {
   std::string text;
@@ -35,21 +25,19 @@ std::string links_text(const std::vector<AngleLink>& links) {
   return text;
 }
 
-// Columns before those of pixels.
-constexpr std::size_t first_of_pixels = 2;
-
-void add_pixels(Dataset& data, const std::vector<std::size_t>& along, const SliceFileHeader& header,
-                const std::vector<OutcomeShare>& codes) {
-  DataColumn& outcome =
-      data.add("outcome", "1", words::files::outcome_of_pixel, along, DataValues{}, DataColumn::Type::small);
-  outcome.fill = not_computed_code;
-  add_outcome_flags(outcome, codes);
-  for (const PixelNumber& n : pixel_numbers) {
-    const bool one = header.one_rotor && n.of_rotor;
-    const DataValues of_rotor = [&](std::size_t) { return header.rotor.*n.value; };
-    data.add(n, one ? std::vector<std::size_t>{} : along, one ? of_rotor : DataValues{}, DataColumn::Type::single)
-        .fill = std::numeric_limits<double>::quiet_NaN();
+void add_pixels(Dataset& data, const std::vector<std::size_t>& plane, const SliceFileHeader& header,
+                const std::vector<OutcomeShare>& codes, const std::function<DataValues(std::size_t)>& values) {
+  const std::vector<StoredColumn> kept = pixel_columns(header.one_rotor);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    DataColumn& column = data.add(kept[k], plane, values(k), kept[k].type);
+    column.fill = k == 0 ? not_computed_code : std::numeric_limits<double>::quiet_NaN();
+    if (k == 0) add_outcome_flags(column, codes);
   }
+  for (std::size_t k = kept.size() - 1; k < pixel_numbers.size(); ++k)
+    data.add(
+            pixel_numbers[k], {}, [&header, k](std::size_t) { return header.rotor.*pixel_numbers[k].value; },
+            DataColumn::Type::single)
+        .fill = std::numeric_limits<double>::quiet_NaN();
 }
 
 void say_attributes(Dataset& data, const SliceFileHeader& header, bool complete) {
@@ -71,8 +59,17 @@ std::string identity_of(const SliceFileHeader& h) {
       range(h.y));
 }
 
-Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
-                              const std::vector<std::vector<double>>& discoveries, bool complete) {
+std::vector<StoredColumn> pixel_columns(bool one_rotor) {
+  std::vector<StoredColumn> columns{{{"outcome", words::files::outcome_of_pixel}, DataColumn::Type::small, 1, "x"}};
+  visit_pixel_numbers(one_rotor, [&](std::size_t k, float SlicePixel::*) {
+    columns.push_back({pixel_numbers[k], DataColumn::Type::single, 1, "x"});
+  });
+  return columns;
+}
+
+Dataset slice_dataset(const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
+                      const std::vector<std::vector<double>>& discoveries, bool complete,
+                      const std::function<DataValues(std::size_t)>& values) {
   Dataset data(words::files::over_a_plane);
   data.filled = false;
   const std::size_t y = data.dimension("y", static_cast<std::size_t>(header.y.pixels));
@@ -80,7 +77,7 @@ Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<O
   for (const auto& [name, along, axis] : {std::tuple{"x", x, &header.x}, {"y", y, &header.y}})
     data.add(name, axis->angle() ? "radian" : "1", axis->key, {along},
              [axis = axis](std::size_t k) { return axis->centre(static_cast<int>(k)); });
-  add_pixels(data, {y, x}, header, codes);
+  add_pixels(data, {y, x}, header, codes, values);
   const std::size_t kind = add_outcome_kinds(data, "", codes);
   data.add("share", "1", words::files::share_of_pixels, {kind},
            [&codes](std::size_t k) { return codes[k].share.share; });
@@ -91,80 +88,6 @@ Dataset SliceWriter::contents(const SliceFileHeader& header, const std::vector<O
   }
   say_attributes(data, header, complete);
   return data;
-}
-
-SliceWriter::SliceWriter(const std::string& path, const SliceFileHeader& header, const std::vector<OutcomeShare>& codes,
-                         const std::vector<std::vector<double>>& discoveries, bool complete)
-    : header_(header), data_(contents(header_, codes, discoveries, complete)), file_(path, data_) {}
-
-void SliceWriter::write_rows(int first, int rows, const SlicePixel* pixels) {
-  std::vector<double> numbers(static_cast<std::size_t>(header_.x.pixels) * static_cast<std::size_t>(rows));
-  const auto write = [&](std::size_t column, auto SlicePixel::*value) {
-    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = pixels[k].*value;
-    file_.write_rows(column, static_cast<std::size_t>(first), static_cast<std::size_t>(rows), numbers.data());
-  };
-  write(first_of_pixels, &SlicePixel::code);
-  visit_pixel_numbers(header_.one_rotor,
-                      [&](std::size_t k, float SlicePixel::*value) { write(first_of_pixels + 1 + k, value); });
-}
-
-SliceReader::SliceReader(const std::string& path) try : file_(whole_map_file(path), NetcdfFile::Mode::read) {
-  x_ = read_axis("x");
-  y_ = read_axis("y");
-  const std::vector<std::size_t> plane{static_cast<std::size_t>(y_.pixels), static_cast<std::size_t>(x_.pixels)};
-  outcome_ = file_.variable("outcome", NC_SHORT, plane);
-  one_rotor_ = file_.dimensions("balance_margin") == 0;
-  visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*) {
-    numbers_[k] = file_.variable(pixel_numbers[k].name, NC_FLOAT, plane);
-  });
-} catch (const RunError&) {
-  throw InputError(path, "", "", fmt::format(words::files::no_map, words::files::map_file));
-}
-
-SliceAxis SliceReader::read_axis(const std::string& letter) const {
-  SliceAxis axis;
-  axis.key = file_.attribute(letter + "_key");
-  const std::size_t pixels = file_.length(letter);
-  if (pixels == 0 || pixels > most_slice_pixels) throw RunError(letter + " is no axis");
-  axis.pixels = static_cast<int>(pixels);
-  const std::string range = file_.attribute(letter + "_range");
-  const char* const end = range.data() + range.size();
-  const auto low = read_number(range.data(), end, axis.low);
-  const auto high = low.end < end ? read_number(low.end + 1, end, axis.high) : low;
-  if (high.error != std::errc() || high.end != end || low.end == end) throw RunError(letter + "_range is none");
-  return axis;
-}
-
-std::vector<OutcomeShare> SliceReader::codes() const {
-  std::vector<OutcomeShare> codes = read_outcome_kinds(file_, "");
-  std::erase_if(codes, [](const OutcomeShare& c) { return c.id <= 0; });
-  return codes;
-}
-
-std::vector<std::vector<double>> SliceReader::discoveries(std::size_t components) const {
-  std::vector<std::vector<double>> states;
-  const std::size_t count = file_.length("discovery");
-  if (count == 0) return states;
-  const int variable = file_.variable("discovery_state", NC_DOUBLE, {count, components});
-  states.assign(count, std::vector<double>(components));
-  for (std::size_t k = 0; k < count; ++k) file_.read(variable, {k, 0}, {1, components}, states[k].data());
-  return states;
-}
-
-template <class T>
-void SliceReader::read_column(int variable, int first, int rows, SlicePixel* pixels, T SlicePixel::*value) const {
-  const std::size_t columns = static_cast<std::size_t>(x_.pixels);
-  std::vector<T> column(columns * static_cast<std::size_t>(rows));
-  file_.read(variable, {static_cast<std::size_t>(first), 0}, {static_cast<std::size_t>(rows), columns}, column.data());
-  for (std::size_t k = 0; k < column.size(); ++k) pixels[k].*value = column[k];
-}
-
-void SliceReader::read_rows(int first, int rows, SlicePixel* pixels) const {
-  std::fill_n(pixels, static_cast<std::size_t>(x_.pixels) * static_cast<std::size_t>(rows), SlicePixel{});
-  read_column(outcome_, first, rows, pixels, &SlicePixel::code);
-  visit_pixel_numbers(one_rotor_, [&](std::size_t k, float SlicePixel::*value) {
-    read_column(numbers_[k], first, rows, pixels, value);
-  });
 }
 
 }  // namespace equipoise::io
@@ -179,20 +102,13 @@ void write_map_file(const std::string& path, const BasinSlice& map) {
     header.rotor.balance_margin = map.balance_margin.front();
     header.rotor.balance_growth = map.balance_growth.front();
   }
-  io::SliceWriter writer(path, header, map.codes, {}, map.complete);
-  std::vector<SlicePixel> row(static_cast<std::size_t>(map.x.pixels));
-  for (int y = 0; y < map.y.pixels; ++y) {
-    for (int x = 0; x < map.x.pixels; ++x) {
-      const std::size_t at = map.at(x, y);
-      SlicePixel& pixel = row[static_cast<std::size_t>(x)];
-      pixel = {map.code[at], map.time[at], map.r_max[at]};
-      if (header.one_rotor) continue;
-      pixel.balance_margin = map.balance_margin[at];
-      pixel.balance_growth = map.balance_growth[at];
-    }
-    writer.write_rows(y, 1, row.data());
-  }
-  writer.finish();
+  const std::array numbers{&map.time, &map.r_max, &map.balance_margin, &map.balance_growth};  // as pixel_numbers
+  const auto values = [&](std::size_t column) -> DataValues {
+    return [&, column](std::size_t place) -> double {
+      return column == 0 ? static_cast<double>(map.code[place]) : (*numbers[column - 1])[place];
+    };
+  };
+  io::write_netcdf_file(path, io::slice_dataset(header, map.codes, {}, map.complete, values));
 }
 
 }  // namespace equipoise

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -30,25 +31,18 @@ constexpr DataColumn::Type data_type = std::is_same_v<T, double>  ? DataColumn::
 template <class Entry, class Of>
 StartColumn of_each(const Column& told, const Entry* StartBatch::*entries, const Of& of) {
   using T = std::invoke_result_t<Of, const Entry&>;
-  const auto put = [=](std::vector<char>& bytes, const StartBatch& batch) {
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      T value = of((batch.*entries)[i]);
-      if constexpr (std::is_same_v<T, float>)
-        if (!std::isfinite(value)) value = missing_figure;
-      const char* from = reinterpret_cast<const char*>(&value);
-      bytes.insert(bytes.end(), from, from + sizeof value);
-    }
+  const auto value = [=](const StartBatch& batch, std::size_t place) -> double {
+    const T there = of((batch.*entries)[place]);
+    if constexpr (std::is_same_v<T, float>) return std::isfinite(there) ? there : missing_figure;
+    return there;
   };
-  return {told, data_type<T>, sizeof(T), put};
+  return {{told, data_type<T>}, value};
 }
 
 StartColumn as_given(const Column& told, const double* StartBatch::*values, std::size_t width = 1,
                      const char* along = "") {
-  const auto put = [=](std::vector<char>& bytes, const StartBatch& batch) {
-    const char* from = reinterpret_cast<const char*>(batch.*values);
-    bytes.insert(bytes.end(), from, from + batch.count * width * sizeof(double));
-  };
-  return {told, DataColumn::Type::real, sizeof(double), put, width, along};
+  const auto value = [=](const StartBatch& batch, std::size_t place) { return (batch.*values)[place]; };
+  return {{told, DataColumn::Type::real, width, along}, value};
 }
 
 const char* outcome_meaning() {
@@ -104,12 +98,6 @@ std::vector<StartColumn> start_columns(const BasinFileHeader& header) {
   return columns;
 }
 
-std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& batch) {
-  std::vector<char> bytes;
-  for (const StartColumn& c : columns) c.put(bytes, batch);
-  return bytes;
-}
-
 bool fate_from(short code, signed char by, double time, Fate& fate) {
   const auto none =
       std::find_if(no_attractors.begin(), no_attractors.end(), [&](const auto& n) { return n.code == code; });
@@ -119,6 +107,16 @@ bool fate_from(short code, signed char by, double time, Fate& fate) {
   fate.by = static_cast<DecidedBy>(by);
   fate.time = time;
   return true;
+}
+
+// Of every start that was not lost there is a peak, the first figure.
+void restore_missing(const TransientFigure& figure, std::vector<double>& values, std::vector<bool>& lost) {
+  if (lost.empty())
+    for (const double peak : values) lost.push_back(peak == missing_figure);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] == missing_figure)
+      values[i] =
+          figure.needs && !lost[i] ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace equipoise::io

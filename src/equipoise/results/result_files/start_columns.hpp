@@ -29,27 +29,23 @@ struct StartBatch {
 
 namespace io {
 
-struct StartColumn : Column {
-  DataColumn::Type type = DataColumn::Type::real;
-  std::size_t value = 8;  ///< bytes of one
-  /// Puts the batch's values behind `bytes`.
-  std::function<void(std::vector<char>& bytes, const StartBatch&)> put;
-  std::size_t width = 1;  ///< values a start
-  std::string along{};    ///< the dimension along which they stand; empty for a single one
-  std::size_t bytes() const { return value * width; }
+struct StartColumn : StoredColumn {
+  /// By place in the batch: start by start.
+  std::function<double(const StartBatch&, std::size_t place)> value;
 };
 
 /// The columns of a file, in order. To keep something more of every start, add it there and in what reads it.
 std::vector<StartColumn> start_columns(const BasinFileHeader& header);
 
-/// The batch column by column, as an unfinished file holds it.
-std::vector<char> pack(const std::vector<StartColumn>& columns, const StartBatch& batch);
-
 /// The fate that a code stands for. False if the code is unknown.
 bool fate_from(short code, signed char by, double time, Fate& fate);
 
-/// Marks a transient figure that a start does not have.
+/// Marks a figure that a start does not have.
 extern const float missing_figure;
+
+/// From values of a transient figure in a file to what they mean: a start that was lost has none, a settling time
+/// without an end, or a time above a limit, is infinite. `lost` is empty before the first figure.
+void restore_missing(const TransientFigure& figure, std::vector<double>& values, std::vector<bool>& lost);
 
 }  // namespace io
 }  // namespace equipoise

@@ -63,14 +63,11 @@ inline constexpr char wrong_length[] = "has {} entries instead of {}";
 inline constexpr char changed_by_another[] = "{}: another program has changed this file; nothing more is kept in it";
 inline constexpr char outcome_without_name[] = "is damaged: start {} has outcome {}, which the file does not name";
 // The finished file.
-inline constexpr char does_not_follow[] = "does not continue {}; remove it first";
 inline constexpr char start_is_missing[] = "{}: start {} is not there";
 inline constexpr char start_without_outcome[] = "{}: start {} has no valid outcome; the file is damaged";
 // What is wrong.
 inline constexpr char finished_basin[] = "{}; must be a result that \"basin -o\" finished";
 inline constexpr char no_starts[] = "holds no starts";
-inline constexpr char map_file[] = "must be a file that \"map -o\" wrote";
-inline constexpr char no_map[] = "holds no map; {}";
 inline constexpr char other_command[] = "holds no {0}; must be what \"{0} -o\" wrote";
 
 // Whether it holds the same results.
@@ -87,11 +84,10 @@ inline constexpr char header_differs[] = "its header has a different format";
 
 // What a broken run leaves.
 
-// Why it broke, number of starts.
-inline constexpr char starts_are_kept[] = "{}; {} starts are kept, from which the same command goes on";
-// Why it broke, number of starts, file.
-inline constexpr char starts_are_kept_in_part[] =
-    "{}; {} starts are kept in {}.part and put in place by the same command";
+// Why it broke.
+inline constexpr char kept_so_far[] = "{}; what was computed before is kept, and the same command goes on from it";
+// Why it broke, the output.
+inline constexpr char kept_in_part[] = "{}; what was computed is kept in {}.part and put in place by the same command";
 
 // Titles of files.
 inline constexpr char basins[] = "Basins of a rotor with an automatic ball balancer";
