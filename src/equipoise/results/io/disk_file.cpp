@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "equipoise/results/io/checksum.hpp"
 
 namespace equipoise::io {
 
@@ -73,6 +76,16 @@ bool DiskFile::read_at(std::uint64_t offset, void* data, std::size_t size) const
     at += got;
     offset += static_cast<std::uint64_t>(got);
     size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+bool DiskFile::add_to(Checksum& sum, std::uint64_t offset, std::uint64_t size) const {
+  std::vector<char> part(std::min<std::uint64_t>(size, 1 << 20));
+  for (std::uint64_t at = 0; at < size; at += part.size()) {
+    part.resize(std::min<std::uint64_t>(part.size(), size - at));
+    if (!read_at(offset + at, part.data(), part.size())) return false;
+    sum.add(part.data(), part.size());
   }
   return true;
 }

@@ -9,6 +9,8 @@
 
 namespace equipoise::io {
 
+class Checksum;
+
 /// A file by its number. Calls that end with a number return the system's error, 0 for none.
 class DiskFile {
  public:
@@ -37,6 +39,8 @@ class DiskFile {
   bool is_named(const std::string& path) const;
   /// False at the end of the file, or on an error.
   bool read_at(std::uint64_t offset, void* data, std::size_t size) const;
+  /// Adds `size` bytes to a checksum; false as above.
+  bool add_to(Checksum& sum, std::uint64_t offset, std::uint64_t size) const;
   int write_at(std::uint64_t offset, const void* data, std::size_t size) const;
   /// Where reading and writing go on: for pipes and terminals too. Nobody may read a pipe, so a signal ends it.
   int write(const std::string& text) const;

@@ -36,16 +36,6 @@ constexpr std::size_t summed = sizeof(RecordHeader) - sizeof(std::uint64_t);
 constexpr std::chrono::seconds sync_every{1};
 constexpr int sync_rest = 100;
 
-bool add_to(Checksum& sum, const DiskFile& file, std::uint64_t offset, std::uint64_t size) {
-  std::vector<char> part(std::min<std::uint64_t>(size, 1 << 20));
-  for (std::uint64_t at = 0; at < size; at += part.size()) {
-    part.resize(std::min<std::uint64_t>(part.size(), size - at));
-    if (!file.read_at(offset + at, part.data(), part.size())) return false;
-    sum.add(part.data(), part.size());
-  }
-  return true;
-}
-
 // The header at `begin`, of a record that fits into the first `end` bytes of the file.
 std::optional<RecordHeader> fitting_header(const DiskFile& file, std::uint64_t begin, std::uint64_t end) {
   RecordHeader header;
@@ -57,7 +47,7 @@ std::optional<RecordHeader> fitting_header(const DiskFile& file, std::uint64_t b
 bool is_sound(const DiskFile& file, std::uint64_t begin, const RecordHeader& header) {
   Checksum sum;
   sum.add(&header, summed);
-  return add_to(sum, file, begin + sizeof header, header.bytes) && sum.value() == header.checksum;
+  return file.add_to(sum, begin + sizeof header, header.bytes) && sum.value() == header.checksum;
 }
 
 }  // namespace
