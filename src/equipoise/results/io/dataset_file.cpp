@@ -39,11 +39,7 @@ int define(NetcdfFile& file, const DataColumn& column, const std::vector<int>& d
     fill = static_cast<T>(*column.fill);
     file.fill(variable, &fill);
   });
-  const std::vector<int>& flags = column.flags;
-  if (!flags.empty() && column.type == DataColumn::Type::byte)
-    file.attribute(variable, "flag_values", std::vector<signed char>(flags.begin(), flags.end()));
-  else if (!flags.empty())
-    file.attribute(variable, "flag_values", std::vector<short>(flags.begin(), flags.end()));
+  if (!column.flags.empty()) file.attribute(variable, "flag_values", netcdf_type(column.type), column.flags);
   for (const auto& [name, text] : column.attributes) file.attribute(variable, name, text);
   return variable;
 }

@@ -112,12 +112,6 @@ int NetcdfFile::variable(const std::string& name, int type, const std::vector<st
   return variable;
 }
 
-int NetcdfFile::dimensions(const std::string& name) const {
-  int dimensions = 0;
-  check(call(nc_inq_varndims, id_, variable(name), &dimensions), "variable " + name);
-  return dimensions;
-}
-
 void NetcdfFile::fill(int variable, const void* value) {
   check(call(nc_def_var_fill, id_, variable, NC_FILL, value), "fill value");
 }
@@ -131,14 +125,8 @@ void NetcdfFile::attribute(int variable, const std::string& name, const std::str
   check(call(nc_put_att_text, id_, variable, name.c_str(), text.size(), text.c_str()), "attribute " + name);
 }
 
-void NetcdfFile::attribute(int variable, const std::string& name, const std::vector<signed char>& values) {
-  check(call(nc_put_att_schar, id_, variable, name.c_str(), NC_BYTE, values.size(), values.data()),
-        "attribute " + name);
-}
-
-void NetcdfFile::attribute(int variable, const std::string& name, const std::vector<short>& values) {
-  check(call(nc_put_att_short, id_, variable, name.c_str(), NC_SHORT, values.size(), values.data()),
-        "attribute " + name);
+void NetcdfFile::attribute(int variable, const std::string& name, int type, const std::vector<int>& values) {
+  check(call(nc_put_att_int, id_, variable, name.c_str(), type, values.size(), values.data()), "attribute " + name);
 }
 
 std::string NetcdfFile::attribute(const std::string& name) const {

@@ -35,14 +35,12 @@ class NetcdfFile {
   bool has_variable(const std::string& name) const;
   /// Throws RunError unless the variable exists with exactly this type and shape.
   int variable(const std::string& name, int type, const std::vector<std::size_t>& shape) const;
-  int dimensions(const std::string& variable) const;  ///< how many it has
   /// _FillValue; `value` has the variable's type.
   void fill(int variable, const void* value);
   /// Skips filling: every value will be written.
   void leave_unfilled();
   void attribute(int variable, const std::string& name, const std::string& text);
-  void attribute(int variable, const std::string& name, const std::vector<signed char>& values);
-  void attribute(int variable, const std::string& name, const std::vector<short>& values);
+  void attribute(int variable, const std::string& name, int type, const std::vector<int>& values);
   /// Global text attribute, as display_lines() leaves it; empty if absent.
   std::string attribute(const std::string& name) const;
   void end_definitions();

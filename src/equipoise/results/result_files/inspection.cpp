@@ -5,8 +5,10 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -93,22 +95,25 @@ void read_unfinished(Inspection& i) {
   i.version = identity.value("version");
   i.study = study_of(identity);
   add_question(identity, i);
-  std::uint64_t starts = 0, pixels = 0, trials = 0, ensembles = 0, notes = 0;
+  using Kind = io::Journal::Kind;
+  std::map<Kind, std::uint64_t> done;
   std::set<std::uint64_t> cells;
   for (const io::Journal::Record& record : journal.records()) {
-    if (record.kind == io::Journal::Kind::starts) starts = std::max(starts, record.first + record.count);
-    if (record.kind == io::Journal::Kind::cell) cells.insert(record.first);
-    if (record.kind == io::Journal::Kind::pixels) pixels += record.count;
-    if (record.kind == io::Journal::Kind::trial) trials += record.count;
-    if (record.kind == io::Journal::Kind::ensemble) ensembles += record.count;
-    if (record.kind == io::Journal::Kind::note) ++notes;
+    std::uint64_t& count = done[record.kind];
+    if (record.kind == Kind::cell) cells.insert(record.first);
+    count = record.kind == Kind::starts ? std::max(count, record.first + record.count)
+            : record.kind == Kind::cell ? cells.size()
+            : record.kind == Kind::note ? count + 1
+                                        : count + record.count;
   }
-  if (starts > 0) i.facts.emplace_back("starts done", fmt::format("up to number {}", starts));
-  if (pixels > 0) i.facts.emplace_back("pixels done", fmt::format("{}", pixels));
-  if (trials > 0) i.facts.emplace_back("trials done", fmt::format("{}", trials));
-  if (ensembles > 0) i.facts.emplace_back("ensembles done", fmt::format("{}", ensembles));
-  if (!cells.empty()) i.facts.emplace_back("cells done", fmt::format("{}", cells.size()));
-  if (notes > 0) i.facts.emplace_back(words::files::search_steps, fmt::format("{}", notes));
+  for (const auto& [kind, fact] : {std::pair{Kind::starts, "starts done"},
+                                   {Kind::pixels, "pixels done"},
+                                   {Kind::trial, "trials done"},
+                                   {Kind::ensemble, "ensembles done"},
+                                   {Kind::cell, "cells done"},
+                                   {Kind::note, words::files::search_steps}})
+    if (done[kind] > 0)
+      i.facts.emplace_back(fact, fmt::format("{}{}", kind == Kind::starts ? "up to number " : "", done[kind]));
   i.facts.emplace_back("sound records", fmt::format("{}", journal.records().size()));
   if (journal.lost_bytes() > 0) i.damage = fmt::format(words::files::damaged_within_sound, journal.lost_bytes());
 }
