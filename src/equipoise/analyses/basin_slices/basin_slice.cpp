@@ -146,7 +146,7 @@ class MapRun {
       store_ = std::move(file);
       for (const OutcomeShare& code : file_->codes()) names_.know(code);
     } else {
-      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels, starts_);
+      store_ = std::make_unique<PixelMemory>(map_.x.pixels, map_.y.pixels);
     }
   }
 
