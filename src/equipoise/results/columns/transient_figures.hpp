@@ -41,16 +41,16 @@ TransientRow transient_row(const TransientSettings& settings, const TransientSum
 /// A figure of TransientRow.
 struct TransientFigure : Column {
   float TransientRow::*value;
-  const char* title;     ///< in tables and pictures
-  bool on_page = false;  ///< has a line of its own on a page
+  const char* title;          ///< in tables and pictures
+  bool on_page = false;       ///< has a line of its own on a page
+  bool of_bare_rotor = true;  ///< also told of the rotor without balls
+  /// Whether text shows it for this study; null: always. Elsewhere another figure says the same.
+  bool (*differs)(const Study&) = nullptr;
   /// The limit that it needs; null: none. The drive's work needs a WorkSource.
   std::optional<double> Limits::*needs = nullptr;
   /// Of a figure that may have no end: what a start does whose motion exceeds the limit for good, and what one does
   /// that had not come below it when it was last followed.
   std::array<const char*, 2> open{"?", "?"};
-  bool of_bare_rotor = true;  ///< also told of the rotor without balls
-  /// Whether text shows it for this study; null: always. Elsewhere another figure says the same.
-  bool (*differs)(const Study&) = nullptr;
 
   /// An unbalance is shown over the rotor's mass, as a length.
   study::Dimension told_in() const {
@@ -72,8 +72,6 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::peak_time,
      "time of the peak",
      false,
-     nullptr,
-     {"?", "?"},
      false,
      runs_up},
     {{"peak_speed", "speed of the rotor at that time", study::Dimension::speed,
@@ -81,16 +79,12 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::peak_speed,
      "speed at the peak",
      false,
-     nullptr,
-     {"?", "?"},
      false,
      runs_up},
     {{"peak_radial_after_release", "largest radial displacement from release on", study::Dimension::length},
      &TransientRow::peak_radial_after_release,
      "peak displacement after release",
      false,
-     nullptr,
-     {"?", "?"},
      false},
     {{"peak_radial_at_end", "largest radial displacement of the motion at the end", study::Dimension::length},
      &TransientRow::peak_radial_at_end,
@@ -107,8 +101,6 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::peak_dynamic_force,
      "peak dynamic force",
      false,
-     nullptr,
-     {"?", "?"},
      true,
      weighs},
     {{"rms_dynamic_force", "root mean square at the end of the bearing force without that part",
@@ -116,8 +108,6 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::rms_dynamic_force,
      "RMS dynamic force at the end",
      false,
-     nullptr,
-     {"?", "?"},
      true,
      weighs},
     {{"rms_velocity", "root mean square velocity of the centre at the end", study::Dimension::velocity},
@@ -128,8 +118,6 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::rms_velocity_one_direction,
      "RMS velocity, one direction",
      false,
-     nullptr,
-     {"?", "?"},
      true,
      has_directions},
     {{"residual_unbalance",
@@ -142,6 +130,8 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::time_above,
      "time above the limit",
      true,
+     true,
+     nullptr,
      &Limits::displacement,
      {"lasting", "not over"}},
     {{"settling_time", "time from release until the radial displacement was last above limits.settled",
@@ -149,6 +139,8 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::settling_time,
      "settling time",
      true,
+     true,
+     nullptr,
      &Limits::settled,
      {"never", "not yet"}},
     {{"energy", "work of the drive until the outcome was known, without what it took back in pieces of braking",
@@ -156,15 +148,11 @@ inline constexpr auto transient_figures = std::to_array<TransientFigure>({
      &TransientRow::energy,
      "work of the drive",
      true,
-     nullptr,
-     {"?", "?"},
      false},
     {{"followed_until", "study time up to which the start was followed", study::Dimension::time},
      &TransientRow::followed_until,
      "followed until",
      false,
-     nullptr,
-     {"?", "?"},
      false},
 });
 static_assert(sizeof(TransientRow) == transient_figures.size() * sizeof(float), "a figure has no line here");
