@@ -19,13 +19,6 @@ namespace {
 constexpr io::CellFileKind capacity_kind{"capacity", io::Journal::Kind::trial};
 constexpr double no_capacity = std::numeric_limits<double>::quiet_NaN();
 
-io::CellRecords capacity_records(const CapacityResult& result) {
-  return {result.cells.size(), [&](std::size_t index) {
-            const auto& cell = result.cells[index];
-            return cell ? io::bytes_of(cell->trials) : std::vector<std::uint8_t>{};
-          }};
-}
-
 void add_boundaries(io::CellDataset& data, const std::string& unit, const CapacityResult& result) {
   const auto add = [&](const char* name, const std::string& units, const std::string& meaning,
                        double (*value)(const CapacityCell&)) {
@@ -83,7 +76,7 @@ std::unique_ptr<CellFile> open_capacity_file(const std::string& path, const std:
 
 void finish_capacity_file(CellFile& file, const CapacityResult& result) {
   const auto write = [&](const std::string& path) {
-    const CellRecords records = capacity_records(result);
+    const CellRecords records(result.cells, [](const CapacityCell& cell) { return bytes_of(cell.trials); });
     CellDataset data(fmt::format(words::files::capacity, result.key, result.at_least, result.asked_of_one()),
                      result.axes, records);
     const std::string unit = result.unit.empty() ? "1" : result.unit;

@@ -23,14 +23,6 @@ std::string variable_name(const std::string& key) {
 
 }  // namespace
 
-CellRecords::CellRecords(std::size_t cells, const std::function<std::vector<std::uint8_t>(std::size_t)>& record) {
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const std::vector<std::uint8_t> of_cell = record(cell);
-    bytes.insert(bytes.end(), of_cell.begin(), of_cell.end());
-    ends.push_back(static_cast<double>(bytes.size()));
-  }
-}
-
 CellDataset::CellDataset(const std::string& title, const std::vector<SweepAxis>& axes, const CellRecords& records)
     : Dataset(title), records_(records) {
   for (const SweepAxis& axis : axes) {

@@ -15,7 +15,15 @@ namespace equipoise::io {
 /// Records that the program itself reads back (cell_file.hpp), one after the other, and their ends. Missing ones are
 /// empty.
 struct CellRecords {
-  CellRecords(std::size_t cells, const std::function<std::vector<std::uint8_t>(std::size_t cell)>& record);
+  /// `cells`: pointers, null where a cell is missing; `record(cell)`: its bytes.
+  template <class Cells, class Record>
+  CellRecords(const Cells& cells, const Record& record) {
+    for (const auto& cell : cells) {
+      const auto of_cell = cell ? record(*cell) : std::vector<std::uint8_t>{};
+      bytes.insert(bytes.end(), of_cell.begin(), of_cell.end());
+      ends.push_back(static_cast<double>(bytes.size()));
+    }
+  }
 
   bool has(std::size_t cell) const { return ends[cell] > (cell > 0 ? ends[cell - 1] : 0.0); }
 

@@ -94,10 +94,10 @@ void DesignFile::append(std::uint64_t number, const std::string& name, const Des
 
 void DesignFile::finish(const DesignResult& result) {
   const auto write = [&](const std::string& path) {
-    const io::CellRecords records(most_, [&](std::size_t number) {
-      const auto at = samples_.find(number);
-      return at == samples_.end() ? std::vector<std::uint8_t>{} : io::bytes_of(at->second);
-    });
+    std::vector<const KeptSample*> all(most_);
+    for (const auto& [number, kept] : samples_)
+      if (number < most_) all[number] = &kept;
+    const io::CellRecords records(all, [](const KeptSample& kept) { return io::bytes_of(kept); });
     write_design(path, file_.identity(), result, samples_, records);
   };
   file_.finish(write, result.partial ? io::CellFile::Rest::all : io::CellFile::Rest::nothing);

@@ -32,13 +32,6 @@ io::CellFile::Take taken_into(Cells& cells) {
   };
 }
 
-io::CellRecords sweep_records(const SweepResult& result) {
-  return {result.cells.size(), [&](std::size_t index) {
-            const auto& cell = result.cells[index];
-            return cell ? io::bytes_of(*cell) : std::vector<std::uint8_t>{};
-          }};
-}
-
 const SweepOutcome* outcome_of(const SweepCell& cell, int code) {
   for (const SweepOutcome& o : cell.outcomes)
     if (o.id == code) return &o;
@@ -56,7 +49,9 @@ const Share* share_of(const SweepCell& cell, int code) {
 class SweepColumns {
  public:
   SweepColumns(const std::string& identity, const SweepResult& result)
-      : result_(result), records_(sweep_records(result)), data_(words::files::over_parameters, result.axes, records_) {
+      : result_(result),
+        records_(result.cells, [](const SweepCell& cell) { return io::bytes_of(cell); }),
+        data_(words::files::over_parameters, result.axes, records_) {
     add_outcomes();
     column("starts", "1", "starts counted", [](const SweepCell& c, std::size_t) { return c.starts; });
     column("balanced_stable", "1", words::files::stable_state_exists,
