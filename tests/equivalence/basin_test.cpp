@@ -267,7 +267,7 @@ TEST(Basin, AFileOfResultsThatComeOutOtherwiseHereIsRefusedBeforeAnyAreAdded) {
     batch.phi = phi.data();
     batch.fates = fates.data();
     file.append(batch, {});
-    file.finish("", {{undecided_code, "undecided", "", wilson_share(300, 300)}}, true, {});
+    file.finish({"", {{undecided_code, "undecided", "", wilson_share(300, 300)}}, true, {}});
   }
   study.sampling.starts = 400;
   EXPECT_NE(refusal_text([&] { basin(study, options); }).find("start 0"), std::string::npos);

@@ -217,7 +217,7 @@ TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
     append(file, 100);
     file.append_attractor_search(std::vector<double>(8, 2.5));
     EXPECT_EQ(file.unfinished(), 100u);
-    file.finish("starts = 100", summary_of(100), true, {1.0, 2.0});
+    file.finish({"starts = 100", summary_of(100), true, {1.0, 2.0}});
   }
   EXPECT_FALSE(fs::exists(part_));
   {
@@ -236,7 +236,7 @@ TEST_F(Files, ResultsAreFinishedExtendedAndReadAgain) {
   BasinFile file(path_, elsewhere);
   expect_starts(file, 150);
   append(file, 1);
-  file.finish("starts = 151", summary_of(151), true, {1.0, 2.0});
+  file.finish({"starts = 151", summary_of(151), true, {1.0, 2.0}});
   BasinFile again(path_, header_of());
   expect_starts(again, 151);
   EXPECT_EQ(again.discoveries(), std::vector<std::vector<double>>{std::vector<double>(8, 2.5)});
@@ -259,7 +259,7 @@ TEST_F(Files, AJournalThatIsNoLongerNeededAddsNothing) {
     file.append_attractor_search(std::vector<double>(8, 2.5));
     append(file, 10);
     journal = content(part_);
-    file.finish("", summary_of(20), true, {});
+    file.finish({"", summary_of(20), true, {}});
   }
   overwrite(part_, journal);
   BasinFile file(path_, header_of());
@@ -290,7 +290,7 @@ TEST_F(Files, StartsBehindDamageAreUsedOnceTheGapIsFilled) {
   }
   {
     BasinFile file(path_, header_of());
-    file.finish("", summary_of(24), true, {});
+    file.finish({"", summary_of(24), true, {}});
     EXPECT_FALSE(fs::exists(part_));
   }
   expect_starts(BasinFile(path_, header_of()), 24);
@@ -309,7 +309,7 @@ TEST_F(Files, StartsBehindAGapThatIsNotFilledStay) {
   flip_bit(part_, first_end + 100);
   {
     BasinFile file(path_, header_of());
-    file.finish("", summary_of(6), true, {});
+    file.finish({"", summary_of(6), true, {}});
   }
   BasinFile file(path_, header_of());
   expect_starts(file, 6);
@@ -337,7 +337,7 @@ TEST_F(Files, AJournalThatGoesOnElsewhereIsUsedOnceTheStartsBeforeItAreThere) {
   {
     BasinFile file(path_, header_of());
     append(file, 10);
-    file.finish("", summary_of(10), true, {});
+    file.finish({"", summary_of(10), true, {}});
   }
   const std::string ten = content(path_);
   {
@@ -358,7 +358,7 @@ TEST_F(Files, DamagedResultsAreRefusedWhateverIsDamaged) {
   {
     BasinFile file(path_, header_of());
     append(file, 40);
-    file.finish("", summary_of(40), true, {});
+    file.finish({"", summary_of(40), true, {}});
   }
   const std::string whole = content(path_);
   for (std::size_t at = 0; at < whole.size(); ++at) {
@@ -381,7 +381,7 @@ TEST_F(Files, ARefusalSaysWhatDiffers) {
   {
     BasinFile file(path_, header_of());
     append(file, 10);
-    file.finish("", summary_of(10), true, {});
+    file.finish({"", summary_of(10), true, {}});
   }
   EXPECT_NE(refusal(path_, header_of("0.06")).find("balancer.drag is 0.05 there and 0.06 here"), std::string::npos);
   BasinFileHeader other = header_of();
@@ -401,7 +401,7 @@ TEST_F(Files, ASecondWriterIsRefusedAndTheFirstLosesNothing) {
   append(first, 10);
   EXPECT_NE(refusal(path_, header_of()).find("another process"), std::string::npos);
   append(first, 10);
-  first.finish("", summary_of(20), true, {});
+  first.finish({"", summary_of(20), true, {}});
   BasinFile second(path_, header_of());
   expect_starts(second, 20);
 }
@@ -410,7 +410,7 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
   {
     BasinFile file(path_, header_of());
     append(file, 1000);
-    file.finish("", summary_of(1000), true, {});
+    file.finish({"", summary_of(1000), true, {}});
   }
   const std::string finished = content(path_);
   std::uint64_t kept = 0;
@@ -420,7 +420,7 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
     EXPECT_THROW(for (;;) append(file, 100), RunError);
     kept = file.stored();
     EXPECT_GT(kept, 1000u);
-    EXPECT_THROW(file.finish("", summary_of(kept), true, {}), RunError);
+    EXPECT_THROW(file.finish({"", summary_of(kept), true, {}}), RunError);
     EXPECT_THROW(append(file, 100), RunError);  // and still works
   }
   EXPECT_EQ(content(path_), finished);
@@ -428,7 +428,7 @@ TEST_F(Files, AFullDiskKeepsWhatIsThere) {
   BasinFile file(path_, header_of());
   expect_starts(file, kept);
   append(file, 100);
-  file.finish("", summary_of(kept + 100), true, {});
+  file.finish({"", summary_of(kept + 100), true, {}});
   expect_starts(BasinFile(path_, header_of()), kept + 100);
 }
 

@@ -239,9 +239,10 @@ class BasinRun {
     BasinResult told;
     told.study = study;
     whole.count(runner_->catalogue(), told);
-    std::optional<TransientGroup> told_of_all;
-    if (gathers_) told_of_all = figures.result(runner_->catalogue()).groups.front();
-    file_->finish(to_toml(study), outcome_summary(told), finished_, time, told_of_all, result_.without_balls);
+    BasinEnd end{to_toml(study), outcome_summary(told), finished_, time};
+    if (gathers_) end.all = figures.result(runner_->catalogue()).groups.front();
+    end.without_balls = result_.without_balls;
+    file_->finish(end);
   }
 
   // Counts what an earlier run left in the file. The motions that it met on the way are listed again first.

@@ -109,18 +109,10 @@ void write_basin_file(const std::string& path, const BasinResult& result) {
   const auto values = [&](std::size_t k) -> DataValues {
     return [&batch, value = columns[k].value](std::size_t at) { return value(batch, at); };
   };
-  io::BasinContents contents{header,
-                             result.starts,
-                             values,
-                             result.discoveries,
-                             {result.cpu_target},
-                             outcome_summary(result),
-                             to_toml(study),
-                             !result.partial,
-                             {result.seconds, result.cpu_seconds}};
-  if (result.transients) contents.all = result.transients->groups.front();
-  contents.without_balls = result.without_balls;
-  io::write_basin_netcdf(place, contents);
+  BasinEnd end{to_toml(study), outcome_summary(result), !result.partial, {result.seconds, result.cpu_seconds}};
+  if (result.transients) end.all = result.transients->groups.front();
+  end.without_balls = result.without_balls;
+  io::write_basin_netcdf(place, {end, header, result.starts, values, result.discoveries, {result.cpu_target}});
 }
 
 }  // namespace equipoise

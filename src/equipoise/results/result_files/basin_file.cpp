@@ -165,21 +165,16 @@ std::vector<TransientRow> BasinFile::read_transients(std::uint64_t first, std::s
   return rows;
 }
 
-void BasinFile::finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
-                       const RunTime& time, const std::optional<TransientGroup>& all,
-                       const std::optional<WithoutBalls>& without_balls) {
+void BasinFile::finish(const BasinEnd& end) {
   if (stored_ == 0) return;
   const auto values = [this](std::size_t k) -> DataValues {
     return [this, k, width = columns_[k].width](std::size_t first, std::size_t count, double* to) {
       RowStore::read(k, first / width, count / width, to);
     };
   };
-  const io::BasinContents contents{
-      header_,        stored_,      values,
-      discoveries(),  cpu_targets_, summary,
-      resolved_study, complete,     {time_.seconds + time.seconds, time_.cpu_seconds + time.cpu_seconds},
-      without_balls,  all};
-  const Rest rest = behind_.empty() && complete ? Rest::nothing : behind_.empty() ? Rest::notes : Rest::all;
+  io::BasinContents contents{end, header_, stored_, values, discoveries(), cpu_targets_};
+  contents.time = {time_.seconds + end.time.seconds, time_.cpu_seconds + end.time.cpu_seconds};
+  const Rest rest = behind_.empty() && end.complete ? Rest::nothing : behind_.empty() ? Rest::notes : Rest::all;
   Store::finish([&](const std::string& place) { io::write_basin_netcdf(place, contents); }, rest);
 }
 

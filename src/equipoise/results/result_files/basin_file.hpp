@@ -47,6 +47,16 @@ struct RunTime {
   double seconds = 0.0, cpu_seconds = 0.0;
 };
 
+/// What a run states of all starts in the file that it leaves.
+struct BasinEnd {
+  std::string study;  ///< resolved, as TOML
+  std::vector<OutcomeShare> summary;
+  bool complete = false;                        ///< all requested starts are there
+  RunTime time;                                 ///< of this run
+  std::optional<TransientGroup> all{};          ///< transients of all starts, if the file holds them
+  std::optional<WithoutBalls> without_balls{};  ///< the same
+};
+
 /// The starts of an ensemble, as a store (results/io/store.hpp). In the finished results dimension start has its index
 /// and the variables phi(start, ball), outcome(start), decision_time(start), decided_by(start); for driven rotors
 /// mean_speed(start), with balls that stick left_unbalance(start), with balls that touch balls_met(start), with
@@ -83,13 +93,8 @@ class BasinFile : public io::RowStore {
   void append(const StartBatch& batch, const RunTime& so_far);
   /// Removes the search log: everything asked for is in `path`.
   void forget_notes();
-  /// Writes the results: everything stored, its summary, the resolved study. `complete`: all requested starts are
-  /// there. `time`: of this run; earlier runs' time is added. Writes nothing if nothing is stored. Call it last. If the
-  /// disk cannot take it, throws RunError and keeps everything as it was.
-  /// `all`, `without_balls`: if the file holds transients.
-  void finish(const std::string& resolved_study, const std::vector<OutcomeShare>& summary, bool complete,
-              const RunTime& time, const std::optional<TransientGroup>& all = {},
-              const std::optional<WithoutBalls>& without_balls = {});
+  /// Writes the results, with earlier runs' time added; nothing if nothing is stored. Call it last. Throws like Store.
+  void finish(const BasinEnd& end);
   /// As stated by the last run's finish(); complete() is false if there was none.
   bool complete() const { return unfinished() == 0 && says_complete(); }
   std::vector<OutcomeShare> summary() const;

@@ -3,29 +3,21 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/results/columns/dataset.hpp"
-#include "equipoise/results/commands/without_balls.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise::io {
 
 /// The content of such a file.
-struct BasinContents {
+struct BasinContents : BasinEnd {
   const BasinFileHeader& header;
   std::uint64_t starts = 0;                               ///< 1 or more
   std::function<DataValues(std::size_t column)> columns;  ///< their values (start_columns.hpp)
   std::vector<std::vector<double>> discoveries;
   std::vector<std::string> cpu_targets;
-  std::vector<OutcomeShare> summary;
-  std::string study;
-  bool complete = false;
-  RunTime time;
-  std::optional<WithoutBalls> without_balls{};
-  std::optional<TransientGroup> all{};  ///< transients of all starts
 };
 
 /// Replaces `path`, sealed (sealed_file.hpp). Throws RunError, with the old file as it was.
