@@ -21,7 +21,7 @@
 #include "equipoise/report/decision/balancer_blocks.hpp"
 #include "equipoise/report/decision/usual_changes.hpp"
 #include "equipoise/report/decision/verdict_json.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/study/sampling/sampling.hpp"
 

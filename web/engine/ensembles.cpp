@@ -16,7 +16,7 @@
 #include "equipoise/analyses/mapper/ensemble.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
 #include "equipoise/report/reports/comparison_report.hpp"
 #include "equipoise/report/text/motion_words.hpp"

@@ -8,7 +8,7 @@
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/results/columns/limits_of_start.hpp"
 #include "equipoise/results/columns/watched_shaft.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 

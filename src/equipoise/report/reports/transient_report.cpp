@@ -17,7 +17,7 @@
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/core/statistics/share.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise {
 

@@ -11,7 +11,7 @@
 #include <netcdf.h>
 
 #include "equipoise/results/result_files/basin_file.hpp"
-#include "equipoise/results/types/outcomes.hpp"
+#include "equipoise/results/types/fate.hpp"
 
 namespace equipoise::io {
 

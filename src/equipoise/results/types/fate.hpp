@@ -1,4 +1,5 @@
-// What became of one start, on what grounds, and how that is told in numbers and words.
+// What became of one start, on what grounds, and how that is told in numbers and words: one line for each outcome, by
+// which everything that tells of it goes.
 // This room: plain types that engine and results share: fates, motions, attractors, transients, warm starts.
 #pragma once
 
@@ -36,7 +37,27 @@ inline constexpr int balanced_id = 1;
 /// What stands for those that no attractor's identifier stands for, in files and arrays.
 inline constexpr short undecided_code = 0, diverged_code = -1, failed_code = -2, stalled_code = -3;
 
-const char* name_of(Outcome outcome);  ///< the word in results and files: "undecided"
+/// An outcome of starts that come to no attractor.
+struct NoAttractor {
+  Outcome outcome;
+  short code;        ///< in files and arrays, where an attractor has its identifier
+  const char* name;  ///< its one word
+};
+inline constexpr std::array<NoAttractor, 4> no_attractors{{
+    {Outcome::undecided, undecided_code, "undecided"},
+    {Outcome::diverged, diverged_code, "diverged"},
+    {Outcome::failed, failed_code, "failed"},
+    {Outcome::stalled, stalled_code, "stalled"},
+}};
+constexpr const NoAttractor& told_of(Outcome outcome) {
+  for (const NoAttractor& n : no_attractors)
+    if (n.outcome == outcome) return n;
+  return no_attractors[2];
+}
+/// The word in results and files.
+constexpr const char* name_of(Outcome outcome) {
+  return outcome == Outcome::attracted ? "attracted" : told_of(outcome).name;
+}
 
 struct Fate {
   Outcome outcome = Outcome::undecided;
@@ -58,6 +79,8 @@ struct Fate {
 };
 
 /// The attractor's identifier, or the code of another outcome.
-short code_of(const Fate& fate);
+inline short code_of(const Fate& fate) {
+  return fate.outcome == Outcome::attracted ? fate.attractor : told_of(fate.outcome).code;
+}
 
 }  // namespace equipoise

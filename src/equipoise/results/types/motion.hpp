@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,8 +20,10 @@ namespace equipoise {
 
 /// `measured`: known from windows of time, or from energy, alone.
 enum class MotionKind { equilibrium, periodic, quasi_periodic, chaotic, measured };
-/// "equilibrium", "periodic", "quasi-periodic", "chaotic", "measured".
-const char* name_of(MotionKind kind);
+constexpr const char* name_of(MotionKind kind) {
+  constexpr std::array<const char*, 5> names{"equilibrium", "periodic", "quasi-periodic", "chaotic", "measured"};
+  return names[static_cast<std::size_t>(kind)];
+}
 /// Tori and chaos: no two stretches of them are quite the same.
 constexpr bool never_repeats(MotionKind kind) {
   return kind == MotionKind::quasi_periodic || kind == MotionKind::chaotic;
