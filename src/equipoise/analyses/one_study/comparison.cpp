@@ -15,7 +15,7 @@
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/start_runs/checks.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/results/columns/limits_of_start.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/simulation/words/runs.hpp"
 #include "equipoise/study/units/units.hpp"

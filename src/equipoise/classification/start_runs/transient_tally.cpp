@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "equipoise/machine/model/stroboscopic_section.hpp"
-#include "equipoise/results/columns/limits_of_start.hpp"
+#include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/columns/watched_shaft.hpp"
 #include "equipoise/results/types/fate.hpp"
 

@@ -1,5 +1,5 @@
 // Files that appear whole or not at all.
-// This room: whole-file replacement, journal, checksums, NetCDF.
+// This room: whole-file replacement, journal, stores of results, checksums, NetCDF.
 #pragma once
 
 #include <string>
