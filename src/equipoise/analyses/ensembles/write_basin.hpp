@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "equipoise/results/commands/basin_result.hpp"
-#include "equipoise/results/result_files/basin_file.hpp"
+#include "equipoise/results/result_files/start_columns.hpp"
 
 namespace equipoise {
 
