@@ -40,8 +40,7 @@ inline Eigen::VectorXcd multipliers_by_differences(const model::System& system, 
 // Without boxes, and without curves of cycles.
 struct ChartedPlane {
   ChartedPlane(const SliceAxis& x, const SliceAxis& y, const Study& study = charted_rotor())
-      : chart(bifurcation_chart(study, settings(x, y))),
-        plane(study, chart.plane.x, chart.plane.y) {}
+      : chart(bifurcation_chart(study, settings(x, y))), plane(study, chart.plane.x, chart.plane.y) {}
   ChartedPlane(const ChartedPlane&) = delete;
   ChartedPlane& operator=(const ChartedPlane&) = delete;
 

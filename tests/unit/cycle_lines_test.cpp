@@ -129,8 +129,12 @@ void crosses(const BirthOfCycles& birth, bool along_x, double off) {
 }
 
 TEST(CycleLines, ABranchAlongSpeedEndsWhereTheCurveOfFoldsIs) {
-  const PlaceOnCurve place(
-      {CurveKind::cycle_fold, {"speed.final", 1.84, 2.0, 16}, {"balancer.drag", 0.008, 0.03, 16}, 1.93, 0.66, {1.0, 0.0}});
+  const PlaceOnCurve place({CurveKind::cycle_fold,
+                            {"speed.final", 1.84, 2.0, 16},
+                            {"balancer.drag", 0.008, 0.03, 16},
+                            1.93,
+                            0.66,
+                            {1.0, 0.0}});
   ASSERT_TRUE(place.found());
   const ParameterLine line = place.line(true, 2e-5);  // nearer than the Hopf curve
   const BranchContinuation follower(line, 0, nullptr);

@@ -363,7 +363,9 @@ TEST(Stability, IsStoppedInItsSearchForTheNextChangeToo) {
   EXPECT_EQ(plane.count(BalanceKind::not_computed), 0u);
   ASSERT_TRUE(plane.own);
   EXPECT_TRUE(plane.own->boundaries.empty());
-  EXPECT_TRUE(holds(stability_text(plane), "PARTIAL: stopped before all changes next to the study's own values were found.\n")) << stability_text(plane);
+  EXPECT_TRUE(
+      holds(stability_text(plane), "PARTIAL: stopped before all changes next to the study's own values were found.\n"))
+      << stability_text(plane);
   EXPECT_FALSE(holds(stability_text(plane), "points were computed"));
 }
 
