@@ -103,7 +103,7 @@ TEST(CycleChart, AtFoldsTwoMultipliersAreOneByDifferencesOfTrajectories) {
 
 // The orbit near a curve's cycle in another system.
 std::optional<PeriodicOrbit> near_cycle(const model::System& system, const CurvePoint& p) {
-  return refine_orbit(system, state_of(p), 2.0 * M_PI / p.frequency);
+  return refine_orbit(system, {state_of(p)}, 2.0 * M_PI / p.frequency);
 }
 
 // Orbits that Newton's method finds from the curve's cycle, made a tenth larger and smaller.

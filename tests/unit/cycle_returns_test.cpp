@@ -82,7 +82,7 @@ TEST(CycleReturns, AFoldOfDoubledCyclesEndsWhereASingleCycleDoublesItsPeriod) {
   const auto back = advance_state(system, z, half, 0.0, 1e-13);
   ASSERT_TRUE(back);
   EXPECT_LT((*back - z).norm(), 1e-3) << "states have odd parts, cut off at the product of three distances";
-  const auto refined = refine_orbit(system, z, half);
+  const auto refined = refine_orbit(system, {z}, half);
   ASSERT_TRUE(refined);
   EXPECT_NEAR(refined->period, half, 1e-5);
   const Eigen::VectorXcd single = multipliers_by_differences(system, refined->nodes.front(), refined->period);
