@@ -1,4 +1,4 @@
-// Lookups in the table of keys, and which keys a variant of a table has.
+// The table of keys by tables, lookups in it, and which keys a variant of a table has.
 #include <algorithm>
 
 #include "equipoise/study/contents/keys.hpp"
@@ -7,6 +7,38 @@ namespace equipoise::study {
 
 namespace {
 using enum Key::Trait;
+
+std::vector<KeyTable> make_tables() {
+  std::vector<KeyTable> tables;
+  const auto table = [&](std::string_view name) -> KeyTable& {
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const KeyTable& t) { return t.name == name; });
+    return found == tables.end() ? tables.emplace_back(KeyTable{std::string(name), {}}) : *found;
+  };
+  for (Key key : all_keys()) {
+    const std::string_view dotted = key.name;
+    const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
+    KeyTable& home = table(dotted.substr(0, dot));
+    if (dot == dotted.size()) continue;
+    key.name += dot + 1;
+    home.keys.push_back(key);
+  }
+  // A motor's target is a ramp function, as in [speed].
+  std::vector<Key> target = table("speed").keys;
+  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law" || key.has(Key::physical); });
+  for (Key& key : target) {
+    key.label = nullptr;
+    if (key.variants() == driven) key.dimension = {};  // no target has them
+  }
+  const auto after = std::find_if(tables.begin(), tables.end(), [](const KeyTable& t) { return t.name == "release"; });
+  tables.insert(after, {"speed.torque.target", std::move(target)});
+  return tables;
+}
+
+}  // namespace
+
+const std::vector<KeyTable>& key_tables() {
+  static const std::vector<KeyTable> tables = make_tables();
+  return tables;
 }
 
 bool KeyTable::drawn() const { return is_machine(name) || name == "release" || name.starts_with("speed"); }
@@ -49,15 +81,11 @@ std::vector<std::string> paths_of(const StudyValue& root, const std::string& nam
   return paths;
 }
 
-const Key* find_quantity(std::string_view table, std::string_view name) {
-  const KeyTable* keys = find_keys(table);
-  const Key* key = keys ? keys->find(name, false) : nullptr;
-  return key && key->dimension ? key : nullptr;
-}
-
-Range quantity_range(const Key& key) {
-  const double low = key.range.low;
-  return low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative;
+KeyPlace find_key(std::string_view dotted, bool physical) {
+  const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
+  const KeyTable* table = dot < dotted.size() ? find_keys(dotted.substr(0, dot)) : nullptr;
+  const Key* key = table ? table->find(dotted.substr(dot + 1), physical) : nullptr;
+  return key ? KeyPlace{table, key, entry_of(dotted.substr(0, dot))} : KeyPlace{};
 }
 
 unsigned variant_of(Profile profile) {

@@ -170,7 +170,8 @@ Wanted wanted_of(const Key& key, bool physical) {
   if (!physical || !key.dimension) return key.range;
   std::vector<Dimension> dimensions{*key.dimension};
   if (key.other) dimensions.push_back(key.other->dimension);
-  return {quantity_range(key), dimensions};
+  const double low = key.range.low;  // before conversion only the sign has a range
+  return {low < 0.0 ? any_number : low > 0.0 || key.range.low_open ? positive : not_negative, dimensions};
 }
 
 void read_key(TableReader& reader, const Key& key, Study& study, bool required) {
@@ -199,10 +200,7 @@ Numbers numbers_of(Study& study, std::string_view dotted) {
     if (speed.profile == Profile::points) return {{&speed.speeds.back()}};
     return {{&speed.final}};
   }
-  const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
-  const std::string_view path = dotted.substr(0, dot);
-  const KeyTable* table = find_keys(path);
-  const Key* key = table && dot < dotted.size() ? table->find(dotted.substr(dot + 1), in_si) : nullptr;
+  const auto [table, key, entry] = find_key(dotted, in_si);
   if (!key || !(in_si ? study.states(dotted) : !key->has(Key::pair) && may_state(study, *table, *key))) return {};
   const auto balls = static_cast<std::size_t>(study.parameters.balls);
   Key here = *key;
@@ -220,7 +218,7 @@ Numbers numbers_of(Study& study, std::string_view dotted) {
         else if constexpr (std::is_same_v<M, std::array<double, model::max_balls>*>)
           for (std::size_t i = 0; i < balls; ++i) numbers.places.push_back(&(*member)[i]);
       },
-      key->member(study, entry_of(path)));
+      key->member(study, entry));
   return numbers;
 }
 

@@ -90,6 +90,8 @@ bool rolls(const Study& study) { return study.parameters.rolls; }
 bool touches(const Study& study) { return study.parameters.contact_angle != 0.0; }
 bool rebounds(const Study& study) { return touches(study) || study.parameters.restitution != P{}.restitution; }
 
+}  // namespace
+
 std::vector<Key> all_keys() {
   return {
       // Supports and rotor, in dimensionless and physical studies.
@@ -376,39 +378,6 @@ std::vector<Key> all_keys() {
       {"units.length", scale_at<&model::Scales::length>, si_size, bare, required, "R, m"},
       {"units.frequency", scale_at<&model::Scales::frequency>, si_size, bare, required, "omega_c, rad/s"},
   };
-}
-
-std::vector<KeyTable> make_tables() {
-  std::vector<KeyTable> tables;
-  const auto table = [&](std::string_view name) -> KeyTable& {
-    const auto found = std::find_if(tables.begin(), tables.end(), [&](const KeyTable& t) { return t.name == name; });
-    return found == tables.end() ? tables.emplace_back(KeyTable{std::string(name), {}}) : *found;
-  };
-  for (Key key : all_keys()) {
-    const std::string_view dotted = key.name;
-    const std::size_t dot = std::min(dotted.rfind('.'), dotted.size());
-    KeyTable& home = table(dotted.substr(0, dot));
-    if (dot == dotted.size()) continue;
-    key.name += dot + 1;
-    home.keys.push_back(key);
-  }
-  // A motor's target is a ramp function, as in [speed].
-  std::vector<Key> target = table("speed").keys;
-  std::erase_if(target, [](const Key& key) { return std::string_view(key.name) == "law" || key.has(Key::physical); });
-  for (Key& key : target) {
-    key.label = nullptr;
-    if (key.variants() == driven) key.dimension = {};  // no target has them
-  }
-  const auto after = std::find_if(tables.begin(), tables.end(), [](const KeyTable& t) { return t.name == "release"; });
-  tables.insert(after, {"speed.torque.target", std::move(target)});
-  return tables;
-}
-
-}  // namespace
-
-const std::vector<KeyTable>& key_tables() {
-  static const std::vector<KeyTable> tables = make_tables();
-  return tables;
 }
 
 }  // namespace equipoise::study

@@ -89,16 +89,21 @@ struct KeyTable {
 };
 inline constexpr unsigned all_variants = ~0xffu;
 
-/// In the order of the echo.
+/// Every line, with dotted names.
+std::vector<Key> all_keys();
+/// The lines by tables, in the order of the echo.
 const std::vector<KeyTable>& key_tables();
 /// Null if no table of a study has this dotted name. Of an array of tables each entry is one: "place.2".
 const KeyTable* find_keys(std::string_view table);
 inline const KeyTable& key_table(std::string_view name) { return *find_keys(name); }
 
-/// The key in this table that is a quantity in physical studies but a plain number here, or null.
-const Key* find_quantity(std::string_view table, std::string_view key);
-/// The range of a quantity before conversion: only its sign.
-Range quantity_range(const Key& key);
+/// Where a dotted name is in the table of keys of this form of studies; null if nowhere. `entry`: entry_of() the table.
+struct KeyPlace {
+  const KeyTable* table = nullptr;
+  const Key* key = nullptr;
+  std::size_t entry = 0;
+};
+KeyPlace find_key(std::string_view dotted, bool physical);
 /// The inertia of a rotor that states none.
 inline double usual_inertia(const model::Parameters& p) { return p.tilts() ? model::axial_inertia(p.tilt) : 0.0; }
 /// Whether the table is of the machine itself, which a data sheet states in its own terms.

@@ -45,8 +45,7 @@ struct UncertainValue {
 /// Everything uncertain in a study; nothing if `values` is empty. The study's own members hold the values taken().
 struct Uncertainty {
   std::vector<UncertainValue> values;  ///< by key
-  /// For a study in physical units: the whole study as written. Only there is it known what else a quantity changes,
-  /// such as a ball's mass its drag over its mass.
+  /// For a study in physical units: the whole study as written, which is its echo.
   std::optional<StudyValue> physical;
   std::optional<double> horizon;  ///< stated in `physical`, dimensionless
   bool rests = false;             ///< [initial] states no position: each draw starts at rest under its own weight

@@ -18,9 +18,8 @@ std::optional<ValueUnit> unit_of(const Study& study, Dimension dimension) {
 }
 
 std::optional<ValueUnit> unit_of(const Study& study, const std::string& key) {
-  const std::size_t dot = std::min(key.rfind('.'), key.size());
-  const Key* quantity = find_quantity(key.substr(0, dot), key.substr(std::min(dot + 1, key.size())));
-  if (!quantity) return std::nullopt;
+  const Key* quantity = find_key(key, false).key;
+  if (!quantity || !quantity->dimension) return std::nullopt;
   auto unit = unit_of(study, *quantity->dimension);
   if (key != "balancer.drag" || !unit) return unit;
   const model::Parameters& p = study.parameters;

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/core/base/read_number.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/mechanics/frames.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
@@ -80,26 +82,25 @@ void read_units(const StudyFile& file, Study& study) {
   read_table(file, "units", study);
 }
 
-void check_standards(const StudyFile& file, const Study& study) {
-  TableReader reader(file, "standards");
+void check_standards(const Study& study, const Refuse& refuse) {
   const Standards& s = study.standards;
-  const auto needs = [&](const char* key, bool met, const char* what) {
-    if (!met) reader.fail(key, std::string("needs ") + what);
+  const auto needs = [&](const std::string& key, bool met, const char* what) {
+    if (!met) refuse("standards." + key, std::string("needs ") + what);
   };
   if (s.any() && !study.scales)
     for (const Key& key : key_table("standards").keys)
-      if (reader.has(key.name)) needs(key.name, false, words::study::standards_need_units);
+      needs(key.name, !study.states(std::string("standards.") + key.name), words::study::standards_need_units);
   if (s.standing_mass) needs("standing_mass", s.friction.has_value(), "standards.friction, such as 0.5");
   if (s.friction) needs("friction", s.standing_mass.has_value(), "standards.standing_mass, such as \"70 kg\"");
 }
 
 // Whether the study does not say where the rotor starts.
-bool states_no_place(const StudyFile& file, const SamplingBox& box) {
-  TableReader initial(file, "initial");
-  const auto states = [&](const char* key) { return initial.has(key); };
+bool states_no_place(const Study& study) {
+  const SamplingBox& box = study.sampling.box;
   constexpr std::array places{"x", "y", "x_dot", "y_dot", "tilt_x", "tilt_y", "tilt_x_dot", "tilt_y_dot"};
-  const bool stated = std::any_of(places.begin(), places.end(), states);
-  return !stated && !box.x && !box.y && !box.x_dot && !box.y_dot;
+  return !box.x && !box.y && !box.x_dot && !box.y_dot && std::none_of(places.begin(), places.end(), [&](const char* p) {
+    return study.states(std::string("initial.") + p);
+  });
 }
 
 // Such a rotor starts at rest under its weight, not on unloaded springs.
@@ -224,20 +225,19 @@ void read_grade(StudyFile& file) {
 // Forces on each of several bearings are gathered where each is known, and no feet slide by their sum; else a sum, in
 // which what tilts the rotor does not show, and which limits.force does not take. Limits of the unbalance of a rotor
 // that tilts need the places of two bearings, in whose planes it is judged.
-void check_limits(const StudyFile& file, const Study& study) {
-  TableReader limits(file, "limits");
+void check_limits(const Study& study, const Refuse& refuse_key) {
   const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
     for (const char* key : keys)
-      if (limits.has(key)) limits.fail(key, why);
+      if (study.states(key)) refuse_key(key, why);
   };
-  if (study.limits.settling_time && !study.limits.settled) limits.fail("settling_time", words::study::needs_settled);
-  if (study.limits.hand_arm && !study.scales) limits.fail("hand_arm", words::study::weighted_by_hertz);
+  if (!study.limits.settled) refuse({"limits.settling_time"}, words::study::needs_settled);
+  if (!study.scales) refuse({"limits.hand_arm"}, words::study::weighted_by_hertz);
   if (study.bearings.size() > 2 && study.bearings_stiffness.empty())
-    refuse({"force", "dynamic_force"}, words::study::force_of_more_bearings);
+    refuse({"limits.force", "limits.dynamic_force"}, words::study::force_of_more_bearings);
   if (study.bearings.size() >= 2 && study.standards.standing_mass)
-    refuse({"force", "dynamic_force"}, words::study::force_of_one_or_all);
+    refuse({"limits.force", "limits.dynamic_force"}, words::study::force_of_one_or_all);
   if (study.parameters.tilts() && !model::tolerance_planes(study.bearings))
-    refuse({"residual", "grade"}, words::study::unbalance_without_planes);
+    refuse({"limits.residual", "limits.grade"}, words::study::unbalance_without_planes);
 }
 
 enum class Source { asked, kept };  // kept: a study stored in a result
@@ -279,14 +279,15 @@ Study read(StudyFile file, Source source = Source::asked) {
     result.parameters.inertia = usual_inertia(result.parameters);
   }
   check_numbers(result, refuse);
-  if (states_no_place(file, result.sampling.box)) put_at_rest(result, refuse);
-  check_standards(file, result);
-  check_limits(file, result);
+  const bool no_place = states_no_place(result);
+  if (no_place) put_at_rest(result, refuse);
+  check_standards(result, refuse);
+  check_limits(result, refuse);
   if (uncertain.empty()) return result;
   if (uncertain.physical) uncertain.horizon = result.numerics.horizon;
   const bool weighs = std::any_of(uncertain.values.begin(), uncertain.values.end(),
                                   [](const UncertainValue& v) { return v.key == "rotor.gravity"; });
-  uncertain.rests = (weighs || result.parameters.gravity != 0.0) && states_no_place(file, result.sampling.box);
+  uncertain.rests = no_place && (weighs || result.parameters.gravity != 0.0);
   result.uncertain = std::move(uncertain);
   check_ends(file, result);
   return result;

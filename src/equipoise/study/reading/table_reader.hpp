@@ -66,7 +66,6 @@ class TableReader {
   bool physical() const { return file_.physical; }
   std::size_t entry() const { return entry_of(prefix_); }
   Dimension measured() const { return measured_; }  ///< what the last quantity measures
-  std::string dotted(const std::string& key) const { return prefix_ + "." + key; }
 
   bool has(const std::string& key);
   /// A reader of the table that the key holds; empty if it holds none.
@@ -108,6 +107,7 @@ class TableReader {
   /// The type of a value for a message: "a number", "a string".
   static std::string kind(const StudyValue& value);
   bool states_units() const;
+  std::string dotted(const std::string& key) const { return prefix_ + "." + key; }
   std::size_t place_among(const std::string& key, std::span<const char* const> names);
 
   const std::string prefix_;
