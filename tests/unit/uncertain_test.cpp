@@ -205,6 +205,11 @@ const std::string motor =
     rotor_and_balancer + "[speed]\nprofile = \"torque\"\ntorque = { stall = 0.2, no_load_speed = 3.0 }\n";
 
 // No draw is read, and each is what reading its values gives: also what follows from them by default.
+const std::string controlled =
+    with(rotor_and_balancer, "damping = 0.5", "damping = 0.5\ninertia = 0.5") +
+    "[speed]\nprofile = \"torque\"\n[speed.torque]\ngain = 0.5\n[speed.torque.target]\nprofile = \"ramp\"\n"
+    "final = 2.4\nduration = 50.0\n";
+
 TEST(Uncertain, ADrawIsWhatReadingItsValuesGives) {
   struct Case {
     std::string toml, key, drawn, other;
@@ -218,7 +223,8 @@ TEST(Uncertain, ADrawIsWhatReadingItsValuesGives) {
                                 {tilting, "rotor.eccentricity_angle", "0, 1", "0.25"},
                                 {motor, "speed.torque.stall", "0.1, 0.2", "0.15"},
                                 {motor, "speed.load.constant", "0.0, 0.02", "0.015"},
-                                {motor, "speed.load.constant", "0.0, 0.0, 0.02", "0.015"}};
+                                {motor, "speed.load.constant", "0.0, 0.0, 0.02", "0.015"},
+                                {controlled, "speed.torque.target.final", "2.0, 2.4", "2.2"}};
   for (const auto& [toml, key, drawn, other] : cases) {
     const std::vector<std::string> inertia{toml == motor ? "rotor.inertia=0.5" : "rotor.stiffness=1.0"};
     const auto with_value = [&](const std::string& value) {

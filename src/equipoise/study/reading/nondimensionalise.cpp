@@ -78,24 +78,26 @@ struct Numbered {
   void operator()(const T&) const {}  // no numbers
 };
 
+// Puts every quantity over its scale.
 void divide(Study& study, const Refuse& refuse) {
   static const std::vector<Quantity> all = quantities();
   const model::Scales& scales = *study.scales;
-  for (const auto& [table, key] : all) {
-    const double scale = scale_of(*key->dimension, scales);
-    const double factor =
-        table->name.starts_with("speed.torque") ? gear_factor(*key->dimension, study.sheet.gear_ratio) : 1.0;
-    const Range range = range_in(study, *key);
+  for (const Quantity& quantity : all) {
+    const Key& key = *quantity.key;
+    const std::string& table = quantity.table->name;
+    const double scale = scale_of(*key.dimension, scales);
+    const double factor = table.starts_with("speed.torque") ? gear_factor(*key.dimension, study.sheet.gear_ratio) : 1.0;
+    const Range range = range_in(study, key);
     const auto change = [&](double& value, int place) {
       value = value * factor / scale;
       if (value == 0.0 || range.contains(value)) return;  // 0: not stated
-      const std::string dotted = table->name + "." + key->name;
+      const std::string dotted = table + "." + key.name;
       if (dotted == "numerics.horizon")
         refuse(dotted, fmt::format(words::study::horizon, range.low * scales.time(), range.high * scales.time(),
                                    range.low, range.high));
       refuse(dotted, (place > 0 ? fmt::format("entry {} must be ", place) : "must be ") + range.text());
     };
-    std::visit(Numbered<decltype(change)>{change}, key->member(study, entry_of(table->name)));
+    std::visit(Numbered<decltype(change)>{change}, key.member(study, entry_of(table)));
   }
 }
 
