@@ -19,7 +19,7 @@
 #include "equipoise/report/decision/verdict.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "equipoise/report/words/text.hpp"
 #include "help.hpp"

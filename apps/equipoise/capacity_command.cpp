@@ -13,7 +13,7 @@
 #include "equipoise/report/html/capacity_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/plots/capacity_plots.hpp"
-#include "equipoise/report/reports/capacity_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"

@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "equipoise/analyses/one_study/comparison.hpp"
-#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "streams.hpp"

@@ -11,7 +11,7 @@
 #include "equipoise/report/html/design_html.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/plots/design_plots.hpp"
-#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "result_forms.hpp"

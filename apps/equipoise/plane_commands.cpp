@@ -17,7 +17,7 @@
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/map_html.hpp"
 #include "equipoise/report/plots/map_drawing.hpp"
-#include "equipoise/report/reports/map_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "help.hpp"
 #include "options.hpp"
 #include "progress.hpp"

@@ -17,7 +17,7 @@
 #include "equipoise/report/explain/explain_report.hpp"
 #include "equipoise/report/explain/new_studies.hpp"
 #include "equipoise/report/explain/study_check.hpp"
-#include "equipoise/report/reports/inspection_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
 #include "help.hpp"
 #include "options.hpp"

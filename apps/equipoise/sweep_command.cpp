@@ -15,7 +15,7 @@
 #include "equipoise/report/plots/sweep_drawings.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/sweep_html.hpp"
-#include "equipoise/report/reports/sweep_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/analyses/sweeps/merge.hpp"
 #include "equipoise/analyses/sweeps/sweep.hpp"

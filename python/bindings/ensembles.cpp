@@ -15,8 +15,7 @@
 #include "equipoise/report/html/machine_html.hpp"
 #include "equipoise/results/io/netcdf.hpp"
 #include "equipoise/simulation/kernels/cpu_target.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
-#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 
 namespace equipoise::python {

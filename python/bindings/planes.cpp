@@ -8,7 +8,7 @@
 #include "equipoise/extras/charts/plane_reports.hpp"
 #include "equipoise/extras/curves/bifurcation_chart.hpp"
 #include "equipoise/report/html/map_html.hpp"
-#include "equipoise/report/reports/map_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/slice_file.hpp"
 #include "equipoise/extras/stability/over_plane.hpp"
 #include "equipoise/results/words/files.hpp"

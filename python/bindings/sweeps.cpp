@@ -10,10 +10,7 @@
 #include "equipoise/report/html/capacity_html.hpp"
 #include "equipoise/report/html/design_html.hpp"
 #include "equipoise/report/html/sweep_html.hpp"
-#include "equipoise/report/reports/capacity_report.hpp"
-#include "equipoise/report/reports/design_report.hpp"
-#include "equipoise/report/reports/inspection_report.hpp"
-#include "equipoise/report/reports/sweep_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/cell_files/sweep_file.hpp"
 #include "equipoise/results/result_files/inspection.hpp"
 

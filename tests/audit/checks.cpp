@@ -16,7 +16,7 @@
 #include "equipoise/simulation/kernels/batch_kernels.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/machine/model/system.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "figures.hpp"

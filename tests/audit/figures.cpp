@@ -1,6 +1,6 @@
 // Reads the JSON and the text that people and programs get.
 #include "equipoise/core/base/angles.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "figures.hpp"
 
 #include <algorithm>

@@ -192,10 +192,5 @@ TEST(AttractorsMetLate, AreListedAndSurviveResumption) {
   std::filesystem::remove(options.output);
 }
 
-TEST(AttractorsMissed, WithTheProbabilityStated) {
-  EXPECT_NEAR(miss_probability(1e-3, search_starts) / 9.8e-10, 1.0, 0.01);  // 0.999^20736
-  EXPECT_DOUBLE_EQ(miss_probability(0.5, 3), 0.125);
-}
-
 }  // namespace attractors_test
 }  // namespace equipoise

@@ -16,7 +16,7 @@
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/report/reports/branches_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "../support/studies.hpp"
 
 namespace continuation_test {

@@ -16,7 +16,8 @@
 #include "equipoise/analyses/design/ensembles.hpp"
 #include "equipoise/analyses/design/search.hpp"
 #include "equipoise/analyses/ensembles/basin.hpp"
-#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/answers/design_words.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 namespace equipoise {
 namespace design_test {

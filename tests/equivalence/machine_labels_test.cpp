@@ -13,7 +13,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/report/explain/explain.hpp"
 #include "equipoise/classification/start_runs/start_runner.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 #include "equipoise/classification/balanced_regions/balanced_analysis.hpp"
 #include "machine_follow.hpp"

@@ -17,7 +17,7 @@
 #include "equipoise/machine/standards/hand_arm.hpp"
 #include "equipoise/machine/standards/severity.hpp"
 #include "equipoise/report/decision/standards_text.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 namespace equipoise {
 namespace standards_of_starts_test {

@@ -16,7 +16,7 @@
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/attractors/motions/motion.hpp"
 #include "equipoise/attractors/motions/motion_description.hpp"
-#include "equipoise/report/reports/attractors_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "tilt_fixed_flow.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/machine/model/bearings.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/columns/watched_shaft.hpp"
 #include "tilt_fixed_flow.hpp"
 

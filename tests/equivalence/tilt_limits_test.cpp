@@ -15,7 +15,7 @@
 #include "equipoise/machine/balance/tilt_balance.hpp"
 #include "equipoise/report/html/given_machine.hpp"
 #include "equipoise/report/html/machine_html.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/shown/machine_page.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"

@@ -17,7 +17,7 @@
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/decision/try_changes.hpp"
 #include "equipoise/report/decision/verdict.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/study/contents/below_resonance.hpp"
 
 namespace equipoise {

@@ -17,7 +17,7 @@
 #include "equipoise/machine/mechanics/forced_vibration.hpp"
 #include "equipoise/machine/mechanics/turning_inertia.hpp"
 #include "equipoise/machine/model/unbalance.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/simulation/spin_up/held_run.hpp"

@@ -11,7 +11,7 @@
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/plots/sweep_layers.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
-#include "equipoise/report/reports/sweep_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
 

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "equipoise/core/base/error.hpp"
-#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "../support/studies.hpp"
 

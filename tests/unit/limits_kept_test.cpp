@@ -11,7 +11,7 @@
 #include "equipoise/analyses/ensembles/basin.hpp"
 #include "equipoise/attractors/motions/catalogue.hpp"
 #include "equipoise/classification/start_runs/transient_tally.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/simulation/spin_up/initial_state.hpp"
 

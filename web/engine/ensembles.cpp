@@ -18,7 +18,7 @@
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/shown/motion_path.hpp"
 
@@ -194,8 +194,7 @@ Json compare_shares(const Json& args) {
          {"title", reader_title(s, physical)},
          {"first", share_of(s.first)},
          {"second", share_of(s.second)},
-         {"difference",
-          {{"difference", s.difference.difference}, {"low", s.difference.low}, {"high", s.difference.high}}}});
+         {"difference", s.difference}});
   return {{"common", r.common},
           {"why_not", r.why_not_common},
           {"starts", r.starts},

@@ -15,7 +15,7 @@
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/html/form.hpp"
 #include "equipoise/report/explain/explain_report.hpp"
-#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/simulation/trajectory/simulate.hpp"
 
 namespace equipoise::embedded {
@@ -25,10 +25,6 @@ extern const Archive preset_files;
 namespace equipoise::web {
 
 namespace {
-
-Json optional_number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
 
 Json scales_json(const std::optional<model::Scales>& s) {
   if (!s) return nullptr;
@@ -58,15 +54,15 @@ Json machine_json(const Study& study, const Explanation& e) {
           {"gravity", p.gravity},
           {"sag", model::static_sag(p)},
           {"driven", study.speed.driven()},
-          {"final_speed", optional_number(e.speed)},
-          {"release_time", optional_number(study.release_time())},
-          {"spun_up", optional_number(spun_up)},
+          {"final_speed", e.speed},
+          {"release_time", study.release_time()},
+          {"spun_up", spun_up},
           {"watch_until", output_times(study).back()},
           {"limits",
-           {{"displacement", optional_number(limits.displacement)},
-            {"force", optional_number(limits.force)},
-            {"velocity", optional_number(limits.velocity)},
-            {"settled", optional_number(limits.settled)}}}};
+           {{"displacement", limits.displacement},
+            {"force", limits.force},
+            {"velocity", limits.velocity},
+            {"settled", limits.settled}}}};
 }
 
 Json fields_json(const std::vector<FormField>& fields) {
@@ -134,7 +130,7 @@ Json check_study(const Json& args) {
   const Json problem = undecidable(uncertain);
   const std::vector<FormField> fields = form_of(text, study_name, overrides);
   return {{"toml", with_overrides(text, study_name, overrides)},
-          {"study", study_json(uncertain)},
+          {"study", uncertain},
           {"physical", study.scales.has_value()},
           {"scales", scales_json(study.scales)},
           {"machine", machine_json(study, e)},

@@ -6,7 +6,6 @@
 #include <map>
 #include <vector>
 
-#include "equipoise/results/columns/slice_figures.hpp"
 #include "equipoise/results/commands/basin_slice.hpp"
 
 namespace equipoise {

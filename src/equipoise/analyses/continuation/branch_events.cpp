@@ -16,12 +16,6 @@ constexpr double fine = 1.0 / 256, coarse = 1.0 / 16;
 // At the last orbit before a fold, a multiplier differs from 1 by the root of the distance: up to 0.06 was seen.
 constexpr double near_one = 0.1;
 
-void set_excursion(BranchEvent& event, const Motion& motion) {
-  event.r_min = motion.r_min;
-  event.r_mean = motion.r_mean;
-  event.r_max = motion.r_max;
-}
-
 bool symmetric(int balls, const Motion& motion) {
   const auto& c = motion.cluster;
   bool some_coincide = false;
@@ -65,7 +59,7 @@ BranchEvent stability_change(const BranchContinuation& follower, const BranchPoi
     (like_below ? below : above) = std::move(*found);
   }
   event.cause = cause_of_instability(follower.line().system_at(event.low).balls(), below.stable ? above : below);
-  set_excursion(event, below);
+  event.set_excursion(below);
   return event;
 }
 
@@ -75,8 +69,8 @@ long growing_ways(const Equilibrium& equilibrium) {
                        [](std::complex<double> value) { return value.real() > surely; });
 }
 
-// Whether the periodic motion ends in an equilibrium: all of it is near one, whose stability changes there too. (Where two
-// small orbits meet in a fold, it does not.)
+// Whether the periodic motion ends in an equilibrium: all of it is near one, whose stability changes there too. (Where
+// two small orbits meet in a fold, it does not.)
 bool shrinks_to_equilibrium(const ParameterLine& line, const Advance& end) {
   constexpr double near = 0.2;  // in natural sizes
   const Motion& motion = end.motion;
@@ -127,7 +121,7 @@ BranchEvent kind_change(const BranchContinuation& follower, const BranchPoint& l
     (like_below ? below : above) = std::move(*found);
   }
   event.cause = cause_of_kind(low.motion, high.motion);  // between a torus and chaos the motion may lock for a while
-  set_excursion(event, below);
+  event.set_excursion(below);
   return event;
 }
 
@@ -166,15 +160,9 @@ BranchCause cause_of_end(const BranchContinuation& follower, const Advance& end)
     return end.left ? BranchCause::attraction_ends : BranchCause::unresolved;
   }
   if (end.beyond && end.beyond->kind == MotionKind::periodic && last.kind == MotionKind::periodic) {
-    bool halved = false;
-    for (std::size_t i = 0; i < last.winding.size(); ++i) {
-      if (last.winding[i] != 2 * end.beyond->winding[i]) {
-        halved = false;
-        break;
-      }
-      halved = halved || last.winding[i] != 0;
-    }
-    if (halved) return BranchCause::period_doubling;
+    Winding doubled = end.beyond->winding;
+    for (int& turns : doubled) turns *= 2;
+    if (last.winding == doubled && doubled != Winding{}) return BranchCause::period_doubling;
   }
   if (end.beyond && end.beyond->kind == last.kind && end.beyond->copies < last.copies) return BranchCause::pitchfork;
   if (shrinks_to_equilibrium(follower.line(), end)) return BranchCause::hopf;

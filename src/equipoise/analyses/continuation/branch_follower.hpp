@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "equipoise/analyses/continuation/parameter_line.hpp"
-#include "equipoise/core/base/error.hpp"
+#include "equipoise/core/base/stop_flag.hpp"
 #include "equipoise/results/commands/branch.hpp"
 
 namespace equipoise {
@@ -25,6 +25,15 @@ std::string family_of(const model::Parameters& p, const Motion& motion);
 /// Whether a restless motion at one parameter value may be the one at another: same family and similar excursions.
 /// Measured names may differ by chance; closely similar excursions and drift rates then suffice.
 bool resembles(const model::Parameters& p, const Motion& a, const Motion& b);
+
+struct ValueSearch {
+  std::vector<Motion> motions;    ///< stable motions, and balance
+  std::vector<Motion> commonest;  ///< of every name the one that most starts come to
+};
+
+/// What `attractors` finds with this many random starts, on one thread; `warm_start_states` are followed as well.
+ValueSearch attractors_at(const Study& study, std::uint64_t starts,
+                          const std::vector<std::vector<double>>& warm_start_states, const StopFlag* stop);
 
 /// How far an advance came.
 struct Advance {

@@ -13,7 +13,6 @@
 #include "equipoise/analyses/continuation/branch_events.hpp"
 #include "equipoise/analyses/continuation/branch_follower.hpp"
 #include "equipoise/analyses/continuation/branch_names.hpp"
-#include "equipoise/analyses/continuation/value_search.hpp"
 #include "equipoise/analyses/words/sweeps.hpp"
 #include "equipoise/core/running/parallel.hpp"
 #include "equipoise/core/running/reporting.hpp"
@@ -316,9 +315,7 @@ class Continuation {
       event.change = change == BranchChange::birth ? BranchChange::first_seen : BranchChange::last_seen;
     event.low = std::min(end.value, end.refused);
     event.high = std::max(end.value, end.refused);
-    event.r_min = end.motion.r_min;
-    event.r_mean = end.motion.r_mean;
-    event.r_max = end.motion.r_max;
+    event.set_excursion(end.motion);
     return event;
   }
 

@@ -7,7 +7,7 @@
 
 #include "equipoise/analyses/continuation/parameter_line.hpp"
 #include "equipoise/core/running/run_options.hpp"
-#include "equipoise/results/commands/branches_result.hpp"
+#include "equipoise/results/commands/branch.hpp"
 
 namespace equipoise {
 

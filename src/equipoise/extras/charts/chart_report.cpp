@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/plural.hpp"
@@ -264,20 +263,25 @@ std::string chart_notes(const BifurcationChart& chart) {
   return text;
 }
 
-using ChartJson = nlohmann::ordered_json;
-
-// What is not a number is written as null.
-ChartJson curve_json(const ChartCurve& c) {
-  ChartJson json{{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}, {"of", c.of}};
+Json curve_json(const ChartCurve& c) {
+  Json json = object("kind", curve_kind_names[static_cast<std::size_t>(c.kind)], "of", c.of);
   for (const CurveEnd end : c.ends) json["ends"].push_back(curve_end_names[static_cast<std::size_t>(end)]);
-  json["error"] = c.error;
-  for (const CurveNumber& n : curve_numbers) {
-    if (n.of_cycles && !is_of_cycles(c.kind)) continue;
-    ChartJson& numbers = json[n.name] = ChartJson::array();
-    for (const CurvePoint& p : c.points)
-      numbers.push_back(n.whole ? ChartJson(static_cast<int>(n.value(p))) : ChartJson(n.value(p)));
-  }
+  put(json, "error", c.error);
+  for (const CurveNumber& n : curve_numbers)
+    if (!n.of_cycles || is_of_cycles(c.kind))
+      json[n.name] = list_of(c.points, [&](const CurvePoint& p) {
+        return n.whole ? Json(static_cast<int>(n.value(p))) : Json(n.value(p));
+      });
   return json;
+}
+
+Json region_json(const BifurcationChart& chart, const ChartRegion& r) {
+  Json locked = Json::object();
+  for (std::size_t k = 0; k < r.locked.size(); ++k)
+    locked[chart.locked[k]] = object("stable", r.locked[k].stable, "unstable", r.locked[k].unstable);
+  return object("states", region_words(chart, r), "balance",
+                balance_kind_names[static_cast<std::size_t>(std::max(0, static_cast<int>(r.balance)))], "locked",
+                locked, "part", r.part, "x", r.x, "y", r.y);
 }
 
 }  // namespace
@@ -327,49 +331,28 @@ std::string chart_text(const BifurcationChart& chart, const TextStyle& style) {
 }
 
 std::string chart_json(const BifurcationChart& chart) {
-  ChartJson json;
-  for (const auto& [letter, axis] : {std::pair{"x", &chart.plane.x}, {"y", &chart.plane.y}})
-    json[letter] = {{"key", axis->key}, {"low", axis->low}, {"high", axis->high}, {"points", axis->pixels}};
-  json["answer"] = chart_answer(chart);
-  json["one_of_many"] = chart.plane.one_of_many();
-  json["of_several"] = chart.plane.of_several();
-  const auto* own = chart.plane.own ? &*chart.plane.own : nullptr;
-  json["continuum"] = own && own->continuum ? ChartJson(continuum_json(*own->continuum)) : ChartJson(nullptr);
-  json["curves"] = ChartJson::array();
-  for (const ChartCurve& c : chart.curves) json["curves"].push_back(curve_json(c));
-  json["specials"] = ChartJson::array();
-  for (const SpecialPoint& p : chart.specials)
-    json["specials"].push_back({{"kind", special_kind_names[static_cast<std::size_t>(p.kind)]},
-                                {"curve", p.curve},
-                                {"x", p.x},
-                                {"y", p.y},
-                                {"frequency", p.frequency},
-                                {"second", p.second}});
-  json["regions"] = ChartJson::array();
-  for (const ChartRegion& r : chart.regions) {
-    ChartJson region{
-        {"states", region_words(chart, r)},
-        {"balance", balance_kind_names[static_cast<std::size_t>(std::max(0, static_cast<int>(r.balance)))]},
-        {"locked", ChartJson::object()},
-        {"part", r.part},
-        {"x", r.x},
-        {"y", r.y}};
-    for (std::size_t k = 0; k < r.locked.size(); ++k)
-      region["locked"][chart.locked[k]] = {{"stable", r.locked[k].stable}, {"unstable", r.locked[k].unstable}};
-    json["regions"].push_back(std::move(region));
-  }
-  json["region_of"] = chart.region_of;
+  const auto axis = [](const SliceAxis& a) {
+    return object("key", a.key, "low", a.low, "high", a.high, "points", a.pixels);
+  };
+  const auto special = [](const SpecialPoint& p) {
+    return object("kind", special_kind_names[static_cast<std::size_t>(p.kind)], "curve", p.curve, "x", p.x, "y", p.y,
+                  "frequency", p.frequency, "second", p.second);
+  };
+  const auto region = [&](const ChartRegion& r) { return region_json(chart, r); };
+  const auto box = [](const ProofBox& b) -> Json { return {b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)}; };
   const BalanceLoss loss = balance_loss(chart);
-  json["loss"] = {{"soft", loss.soft}, {"abrupt", loss.abrupt}, {"unknown", loss.unknown}, {"real", loss.real}};
-  ChartJson proof{{"stable", chart.proved(BalanceKind::stable)},
-                  {"unstable", chart.proved(BalanceKind::unstable)},
-                  {"none", chart.proved(BalanceKind::none)},
-                  {"open", chart.proved(BalanceKind::open)},
-                  {"boxes", ChartJson::array()}};
-  for (const ProofBox& b : chart.boxes)
-    proof["boxes"].push_back({b.x[0], b.x[1], b.y[0], b.y[1], static_cast<int>(b.kind)});
-  json["proof"] = chart.boxes.empty() ? ChartJson(nullptr) : proof;
-  json["partial"] = !chart.complete;
+  Json json = object("x", axis(chart.plane.x), "y", axis(chart.plane.y), "answer", chart_answer(chart), "one_of_many",
+                     chart.plane.one_of_many(), "of_several", chart.plane.of_several(), "continuum",
+                     chart.plane.own ? Json(chart.plane.own->continuum) : Json(), "curves",
+                     list_of(chart.curves, curve_json), "specials", list_of(chart.specials, special), "regions",
+                     list_of(chart.regions, region), "region_of", chart.region_of, "loss",
+                     object("soft", loss.soft, "abrupt", loss.abrupt, "unknown", loss.unknown, "real", loss.real),
+                     "proof", nullptr);
+  if (!chart.boxes.empty())
+    json["proof"] = object("stable", chart.proved(BalanceKind::stable), "unstable", chart.proved(BalanceKind::unstable),
+                           "none", chart.proved(BalanceKind::none), "open", chart.proved(BalanceKind::open), "boxes",
+                           list_of(chart.boxes, box));
+  put(json, "partial", !chart.complete);
   add_computed(json, chart);
   return json.dump() + "\n";
 }

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
@@ -117,36 +117,20 @@ std::string boundary_sentence(const StabilityPlane& plane, const BalanceBoundary
   return fmt::format("With a {} {} this changes at {}: {}.", way, key_words(key), at, what);
 }
 
-using PlaneJson = nlohmann::ordered_json;
-
-// What is not a number is written as null.
-PlaneJson point_json(const BalancePoint& p) {
-  PlaneJson json;
-  for (const PointNumber& n : point_numbers)
-    json[n.name] = n.whole ? PlaneJson(static_cast<int>(n.value(p))) : PlaneJson(n.value(p));
-  return json;
-}
-
-PlaneJson own_json(const StabilityPlane& plane) {
+Json own_json(const StabilityPlane& plane) {
   if (!plane.own) return nullptr;
-  PlaneJson json{{"x", plane.own->x}, {"y", plane.own->y}};
-  json.update(point_json(plane.own->point));
-  json["continuum"] = nullptr;
-  if (const auto& part = plane.own->continuum) json["continuum"] = continuum_json(*part);
-  json["boundaries"] = PlaneJson::array();
-  for (const BalanceBoundary& b : plane.own->boundaries)
-    json["boundaries"].push_back({{"axis", b.along_x ? "x" : "y"},
-                                  {"upwards", b.upwards},
-                                  {"change", boundary_change_names[static_cast<std::size_t>(b.change)]},
-                                  {"value", b.value},
-                                  {"frequency", b.frequency}});
+  Json json = object("x", plane.own->x, "y", plane.own->y);
+  for (const PointNumber& n : point_numbers) {
+    const double value = n.value(plane.own->point);
+    json[n.name] = n.whole ? Json(static_cast<int>(value)) : Json(value);
+  }
+  const auto boundary = [](const BalanceBoundary& b) {
+    return object("axis", b.along_x ? "x" : "y", "upwards", b.upwards, "change",
+                  boundary_change_names[static_cast<std::size_t>(b.change)], "value", b.value, "frequency",
+                  b.frequency);
+  };
+  put(json, "continuum", plane.own->continuum, "boundaries", list_of(plane.own->boundaries, boundary));
   return json;
-}
-
-PlaneJson plane_axis_json(const SliceAxis& axis) {
-  std::vector<double> values(static_cast<std::size_t>(axis.pixels));
-  for (int k = 0; k < axis.pixels; ++k) values[static_cast<std::size_t>(k)] = axis.centre(k);
-  return {{"key", axis.key}, {"values", values}};
 }
 
 }  // namespace
@@ -219,7 +203,7 @@ std::string plane_heading(const StabilityPlane& plane) {
 std::string stability_text(const StabilityPlane& plane, const TextStyle& style) {
   std::string text = filled("answer   ", stability_answer(plane), style) + "\n";
   text += lines_filled(plane_heading(plane), style) + "\n";
-  DocumentTable table{{"balance is", "points", "of the plane", "rates, omega_c"}, {}, "", false, {}};
+  DocumentTable table{{"balance is", "points", "of the plane", "rates, omega_c"}};
   for (const BalanceKind kind : balance_kinds) {
     double low = INFINITY, high = -INFINITY;
     for (const BalancePoint& p : plane.points)
@@ -242,31 +226,22 @@ std::string stability_text(const StabilityPlane& plane, const TextStyle& style) 
 }
 
 std::string stability_json(const StabilityPlane& plane) {
-  PlaneJson json{{"x", plane_axis_json(plane.x)}, {"y", plane_axis_json(plane.y)}};
-  json["answer"] = stability_answer(plane);
-  json["one_of_many"] = plane.one_of_many();
-  json["of_several"] = plane.of_several();
+  Json points;
   for (std::size_t k = 0; k < balance_kind_names.size(); ++k)
-    json["points"][balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
-  json["own"] = own_json(plane);
-  std::string text = json.dump();
+    points[balance_kind_names[k]] = plane.count(static_cast<BalanceKind>(k));
+  std::string text =
+      object("x", plane.x, "y", plane.y, "answer", stability_answer(plane), "one_of_many", plane.one_of_many(),
+             "of_several", plane.of_several(), "points", points, "own", own_json(plane))
+          .dump();
   text.pop_back();
-  // Rows of numbers as text: a JSON tree of so many would take ten times the memory.
   for (const PointNumber& n : point_numbers) {
-    text += fmt::format(",\"{}\":[", n.name);
-    for (std::size_t k = 0; k < plane.points.size(); ++k) {
-      const std::size_t column = k % static_cast<std::size_t>(plane.x.pixels);
-      text += column > 0 ? "," : k > 0 ? "],[" : "[";
+    text += fmt::format(",\"{}\":", n.name);
+    append_rows(text, plane.x.pixels, plane.y.pixels, [&](std::size_t k) {
       const double value = n.value(plane.points[k]);
-      if (std::isfinite(value))
-        fmt::format_to(std::back_inserter(text), "{}", value);
-      else
-        text += "null";
-    }
-    text += "]]";
+      return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    });
   }
-  json = PlaneJson::object();
-  json["partial"] = !plane.complete;
+  Json json = object("partial", !plane.complete);
   add_computed(json, plane);
   return text + "," + json.dump().substr(1) + "\n";
 }

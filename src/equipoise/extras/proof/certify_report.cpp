@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/state_layout.hpp"
 #include "equipoise/machine/model/system.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/reports.hpp"
@@ -18,8 +18,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<std::string> variable_names(const model::System& system) {
   std::vector<std::string> names;
@@ -98,19 +96,16 @@ std::string members_text(const CertifyResult& r) {
   return text + words::reports::others_not_proved;
 }
 
-Json members_json(const CertifyResult& r) {
-  Json list = Json::array();
-  for (const MemberProof& m : r.members) {
-    const MemberCertificate& c = m.certificate;
-    list.push_back({{"proved", m.check.proved},
-                    {"reason", m.check.reason},
-                    {"attracts", c.attracts},
-                    {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + r.study.parameters.balls)},
-                    {"radius", c.radius},
-                    {"level", c.level},
-                    {"growth_rate", m.growth}});
-  }
-  return list;
+Json state_json(const StateProof& s, const model::System& system) {
+  const Certificate& c = s.certificate;
+  Json reach, form = Json::array();
+  const std::vector<std::string> names = variable_names(system);
+  for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
+  for (const auto& row : c.form.rowwise()) form.push_back(leading(row, row.size()));
+  return object("proved", c.level > 0.0 && s.check.proved, "reason", s.check.reason, "phi",
+                leading(c.phi, system.balls()), "copies", s.copies, "level", c.level, "critical_level", s.critical,
+                "share_of_critical", c.level / s.critical, "reach", reach, "form", form, "boxes", c.boxes.size(),
+                "seconds", s.seconds, "check_seconds", s.check_seconds);
 }
 
 }  // namespace
@@ -125,31 +120,17 @@ std::string certify_text(const CertifyResult& r, const TextStyle& style) {
 }
 
 std::string certify_json(const CertifyResult& r) {
-  Json json{{"proved", r.proved()}, {"partial", r.partial}, {"note", r.note}, {"speed", r.speed}};
-  json["states"] = Json::array();
   const model::System system = r.study.system();
-  const std::vector<std::string> names = variable_names(system);
-  for (const StateProof& s : r.states) {
-    const Certificate& c = s.certificate;
-    Json reach, form = Json::array();
-    for (std::size_t i = 0; i < names.size(); ++i) reach[names[i]] = s.reach[i];
-    for (const auto row : c.form.rowwise()) form.push_back(std::vector<double>(row.begin(), row.end()));
-    json["states"].push_back({{"proved", c.level > 0.0 && s.check.proved},
-                              {"reason", s.check.reason},
-                              {"phi", std::vector<double>(c.phi.begin(), c.phi.begin() + system.balls())},
-                              {"copies", s.copies},
-                              {"level", c.level},
-                              {"critical_level", s.critical},
-                              {"share_of_critical", c.level / s.critical},
-                              {"reach", reach},
-                              {"form", form},
-                              {"boxes", c.boxes.size()},
-                              {"seconds", s.seconds},
-                              {"check_seconds", s.check_seconds}});
-  }
-  if (!r.members.empty()) json["members"] = members_json(r);
-  json["study_name"] = r.study.name;
-  json["version"] = version_string;
+  const auto state = [&](const StateProof& s) { return state_json(s, system); };
+  const auto member = [&](const MemberProof& m) {
+    const MemberCertificate& c = m.certificate;
+    return object("proved", m.check.proved, "reason", m.check.reason, "attracts", c.attracts, "phi",
+                  leading(c.phi, system.balls()), "radius", c.radius, "level", c.level, "growth_rate", m.growth);
+  };
+  Json json = object("proved", r.proved(), "partial", r.partial, "note", r.note, "speed", r.speed, "states",
+                     list_of(r.states, state));
+  if (!r.members.empty()) put(json, "members", list_of(r.members, member));
+  put(json, "study_name", r.study.name, "version", version_string);
   return json.dump(2) + "\n";
 }
 
@@ -172,22 +153,18 @@ std::string check_text(const CertificateFile& file, const TextStyle& style) {
 }
 
 std::string check_json(const CertificateFile& file) {
-  Json json{{"proved", file.proved()}, {"file", file.path}, {"certificates", Json::array()}};
+  Json json = object("proved", file.proved(), "file", file.path, "certificates", Json::array());
   for (std::size_t i = 0; i < file.checks.size(); ++i) {
     const Certificate& c = file.certificates[i];
-    json["certificates"].push_back({{"proved", file.checks[i].proved},
-                                    {"reason", file.checks[i].reason},
-                                    {"speed", c.speed},
-                                    {"level", c.level},
-                                    {"boxes", c.boxes.size()}});
+    json["certificates"].push_back(object("proved", file.checks[i].proved, "reason", file.checks[i].reason, "speed",
+                                          c.speed, "level", c.level, "boxes", c.boxes.size()));
   }
-  for (std::size_t i = 0; i < file.member_checks.size(); ++i)
-    json["members"].push_back({{"proved", file.member_checks[i].proved},
-                               {"reason", file.member_checks[i].reason},
-                               {"attracts", file.members[i].attracts},
-                               {"speed", file.members[i].speed},
-                               {"level", file.members[i].level}});
-  json["version"] = version_string;
+  for (std::size_t i = 0; i < file.member_checks.size(); ++i) {
+    const MemberCertificate& c = file.members[i];
+    json["members"].push_back(object("proved", file.member_checks[i].proved, "reason", file.member_checks[i].reason,
+                                     "attracts", c.attracts, "speed", c.speed, "level", c.level));
+  }
+  put(json, "version", version_string);
   return json.dump(2) + "\n";
 }
 

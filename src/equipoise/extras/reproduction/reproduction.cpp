@@ -2,17 +2,18 @@
 #include "equipoise/extras/reproduction/reproduction_document.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -140,82 +141,50 @@ std::string balanced_text(const BasinSlice& map) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json with_share(Json json, const Share& share) {
-  json.update(share_json(share));
+  json.update(Json(share));
   return json;
 }
 
-Json ensemble_json(const std::optional<EnsembleResult>& e) {
-  if (!e) return nullptr;
-  Json outcomes = Json::array();
-  for (const OutcomeShare& line : e->attractors)
-    outcomes.push_back(with_share({{"name", line.name}, {"alias", line.alias}}, line.share));
-  return {{"starts", e->starts},
-          {"seed", e->study.sampling.seed},
-          {"complete", !e->partial},
-          {"outcomes", outcomes},
-          {"undecided", share_json(e->undecided)},
-          {"diverged", share_json(e->diverged)},
-          {"failed", share_json(e->failed)},
-          {"seconds", e->seconds},
-          {"cpu_seconds", e->cpu_seconds}};
+Json ensemble_json(const EnsembleResult& e) {
+  const auto outcome = [](const OutcomeShare& line) {
+    return with_share(object("name", line.name, "alias", line.alias), line.share);
+  };
+  return object("starts", e.starts, "seed", e.study.sampling.seed, "complete", !e.partial, "outcomes",
+                list_of(e.attractors, outcome), "undecided", e.undecided, "diverged", e.diverged, "failed", e.failed,
+                "seconds", e.seconds, "cpu_seconds", e.cpu_seconds);
 }
 
-Json difference_json(const ShareDifference& d) {
-  return {{"difference", d.difference}, {"low", d.low}, {"high", d.high}};
-}
-
-Json cell_json(const ReproducedCell& c) {
-  return {{"attractor", c.published->attractor},   {"printed", c.published->printed},
-          {"published", c.published->share.share}, {"published_starts", c.published->share.starts},
-          {"computed", share_json(c.computed)},    {"p_value", c.p_value},
-          {"verdict", name_of(c.verdict)},         {"reason", c.reason}};
+Json row_json(const ReproducedRow& row) {
+  const auto cell = [](const ReproducedCell& c) {
+    return object("attractor", c.published->attractor, "printed", c.published->printed, "published",
+                  c.published->share.share, "published_starts", c.published->share.starts, "computed", c.computed,
+                  "p_value", c.p_value, "verdict", name_of(c.verdict), "reason", c.reason);
+  };
+  const auto ensemble = [](const std::optional<EnsembleResult>& e) { return e ? ensemble_json(*e) : Json(); };
+  return object("row", row.published->label, "study", row.published->study + ".toml", "slip", row.published->slip,
+                "follow_up", row.follow_up, "cells", list_of(row.cells, cell), "published_law",
+                ensemble(row.by_published_law), "kinematic_law", ensemble(row.by_kinematic_law),
+                "kinematic_minus_published", row.law_difference);
 }
 
 Json table_json(const ReproducedTable& t) {
-  Json rows = Json::array();
-  for (const ReproducedRow& row : t.rows) {
-    Json cells = Json::array();
-    for (const ReproducedCell& c : row.cells) cells.push_back(cell_json(c));
-    rows.push_back(
-        {{"row", row.published->label},
-         {"study", row.published->study + ".toml"},
-         {"slip", row.published->slip},
-         {"follow_up", row.follow_up},
-         {"cells", cells},
-         {"published_law", ensemble_json(row.by_published_law)},
-         {"kinematic_law", ensemble_json(row.by_kinematic_law)},
-         {"kinematic_minus_published", row.law_difference ? difference_json(*row.law_difference) : Json(nullptr)}});
-  }
-  return {{"table", t.published->number},
-          {"title", t.published->title},
-          {"agrees", t.agreeing},
-          {"differs", t.differing},
-          {"not_comparable", t.not_comparable},
-          {"p_value_limit", t.single_limit},
-          {"rows", rows}};
+  return object("table", t.published->number, "title", t.published->title, "agrees", t.agreeing, "differs", t.differing,
+                "not_comparable", t.not_comparable, "p_value_limit", t.single_limit, "rows", list_of(t.rows, row_json));
 }
 
-Json map_json(const BasinSlice& map) {
-  Json codes = Json::array();
-  for (const OutcomeShare& c : map.codes) codes.push_back(with_share({{"name", c.name}, {"alias", c.alias}}, c.share));
-  return {{"x", map.x.key}, {"y", map.y.key}, {"pixels", {map.x.pixels, map.y.pixels}}, {"outcomes", codes}};
+Json plane_json(const BasinSlice& map) {
+  const auto code = [](const OutcomeShare& c) { return with_share(object("name", c.name, "alias", c.alias), c.share); };
+  return object("x", map.x.key, "y", map.y.key, "pixels", std::array{map.x.pixels, map.y.pixels}, "outcomes",
+                list_of(map.codes, code));
 }
 
 Json open_json(const OpenQuestions& open) {
-  Json boxes = Json::array();
-  for (const BoxShares& b : open.boxes)
-    boxes.push_back(
-        {{"speed", b.speed}, {"box", Json::parse(basin_json(b.box))}, {"rest", Json::parse(basin_json(b.rest))}});
-  return {{"maps", {map_json(open.eccentricity_and_angle), map_json(open.eccentricity_and_mass)}}, {"boxes", boxes}};
-}
-
-Json answer_json(const ConclusionResult& c) {
-  Json differences = Json::array();
-  for (const ShareDifference& d : c.differences) differences.push_back(difference_json(d));
-  return {{"answer", name_of(c.answer)}, {"differences", differences}};
+  const auto box = [](const BoxShares& b) {
+    return object("speed", b.speed, "box", Json::parse(basin_json(b.box)), "rest", Json::parse(basin_json(b.rest)));
+  };
+  return object("maps", std::array{plane_json(open.eccentricity_and_angle), plane_json(open.eccentricity_and_mass)},
+                "boxes", list_of(open.boxes, box));
 }
 
 // Columns of a table's text. Verdicts, and shares under the other law without a column, stand below a narrow line.
@@ -359,36 +328,25 @@ std::string reproduction_text(const Reproduction& r, const TextStyle& style) {
 }
 
 std::string reproduction_json(const Reproduction& r) {
-  Json tables = Json::array(), conclusions = Json::array(), pictures = Json::array();
-  for (const ReproducedTable& t : r.tables) tables.push_back(table_json(t));
-  for (const ConclusionRow& c : r.conclusions)
-    conclusions.push_back({{"conclusion", c.conclusion->text},
-                           {"table", c.conclusion->table},
-                           {"published_law", answer_json(c.published)},
-                           {"kinematic_law", answer_json(c.kinematic)}});
-  for (const Picture& p : r.pictures) pictures.push_back({{"id", p.id}, {"title", p.title}, {"path", p.path}});
-  Json lead = Json::array();
-  for (const LeadReading& reading : r.table_7_lead)
-    lead.push_back(with_share({{"row", reading.row.label()}, {"printed", reading.row.printed}}, reading.balanced));
-  const Json json{{"command", r.command},
-                  {"version", version_string},
-                  {"citation", published_citation},
-                  {"partial", r.partial},
-                  {"differs", r.differs()},
-                  {"tables", tables},
-                  {"table_7_lead", lead},
-                  {"conclusions", conclusions},
-                  {"open_questions", r.open ? open_json(*r.open) : Json(nullptr)},
-                  {"pictures", pictures},
-                  {"run_seconds", r.run_seconds},
-                  {"run_cpu_seconds", r.run_cpu_seconds},
-                  {"ensembles", r.ensembles},
-                  {"starts", r.starts},
-                  {"seconds", r.seconds},
-                  {"cpu_seconds", r.cpu_seconds},
-                  {"threads", r.threads},
-                  {"cpu_target", r.cpu_target}};
-  return json.dump(2) + "\n";
+  const auto answer = [](const ConclusionResult& c) {
+    return object("answer", name_of(c.answer), "differences", c.differences);
+  };
+  const auto conclusion = [&](const ConclusionRow& c) {
+    return object("conclusion", c.conclusion->text, "table", c.conclusion->table, "published_law", answer(c.published),
+                  "kinematic_law", answer(c.kinematic));
+  };
+  const auto lead = [](const LeadReading& reading) {
+    return with_share(object("row", reading.row.label(), "printed", reading.row.printed), reading.balanced);
+  };
+  const auto picture = [](const Picture& p) { return object("id", p.id, "title", p.title, "path", p.path); };
+  return object("command", r.command, "version", version_string, "citation", published_citation, "partial", r.partial,
+                "differs", r.differs(), "tables", list_of(r.tables, table_json), "table_7_lead",
+                list_of(r.table_7_lead, lead), "conclusions", list_of(r.conclusions, conclusion), "open_questions",
+                r.open ? open_json(*r.open) : Json(), "pictures", list_of(r.pictures, picture), "run_seconds",
+                r.run_seconds, "run_cpu_seconds", r.run_cpu_seconds, "ensembles", r.ensembles, "starts", r.starts,
+                "seconds", r.seconds, "cpu_seconds", r.cpu_seconds, "threads", r.threads, "cpu_target", r.cpu_target)
+             .dump(2) +
+         "\n";
 }
 
 }  // namespace equipoise

@@ -188,7 +188,7 @@ void table_7_evidence(const Reproduction& r, Document& d) {
                 "the time and the law that the other tables need. docs/evidence/table-7.md has the search, the test of "
                 "the lead on tables 1 to 6, and the commands."});
   if (!r.table_7_lead.empty()) {
-    DocumentTable table{{"T0, T1, T2", "printed", "best lead", "95 % interval"}, {}, "", false, {}};
+    DocumentTable table{{"T0, T1, T2", "printed", "best lead", "95 % interval"}};
     for (const LeadReading& lead : r.table_7_lead)
       table.rows.push_back(row_of("lnnn", {lead.row.label(), fmt::format("{:.2f}", lead.row.printed),
                                            percentage(lead.balanced), interval(lead.balanced)}));

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "equipoise/report/answers/answer_parts.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/answers.hpp"

@@ -2,6 +2,7 @@
 // This room: an answer in one sentence; quantities, starts and designs in words.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,15 @@ std::string answer_sentence(const BasinSlice& map);
 
 /// Keys of the study's uncertain values, except those that are `set` otherwise.
 std::vector<std::string> drawn_keys(const Study& study, const std::vector<std::string>& set = {});
+
+/// "With unbalance and rotor damping drawn anew for every start, the rotor ends ..."; just the sentence without keys.
+std::string after_what_is_drawn(std::vector<std::string> keys, std::string sentence);
+
+/// A limit that a study has.
+struct ToldLimit {
+  std::size_t place;  ///< in TransientGroup::exceeded
+  std::string words;  ///< "5 mm is exceeded on the way"
+};
+std::vector<ToldLimit> told_limits(const Study& study);
 
 }  // namespace equipoise

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "equipoise/report/answers/answer.hpp"
-#include "equipoise/report/answers/answer_parts.hpp"
 #include "equipoise/report/answers/quantities.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/answers.hpp"
@@ -17,10 +16,10 @@ namespace equipoise {
 
 namespace {
 
-std::vector<std::size_t> done_cells(const SweepResult& r) {
+template <class Result>
+std::vector<std::size_t> done_cells(const Result& r) {
   std::vector<std::size_t> cells;
-  for (std::size_t k = 0; k < r.cells.size(); ++k)
-    if (r.cells[k]) cells.push_back(k);
+  visit_done(r.cells, [&](std::size_t index, const auto&) { cells.push_back(index); });
   return cells;
 }
 
@@ -164,9 +163,7 @@ std::string answer_sentence(const SweepResult& r) {
 }
 
 std::string answer_sentence(const CapacityResult& r) {
-  std::vector<std::size_t> cells;
-  for (std::size_t k = 0; k < r.cells.size(); ++k)
-    if (r.cells[k]) cells.push_back(k);
+  const std::vector<std::size_t> cells = done_cells(r);
   std::vector<std::string> set = keys_of(r.axes);
   set.push_back(r.key);
   const std::vector<std::string> keys = drawn_keys(r.study, set);

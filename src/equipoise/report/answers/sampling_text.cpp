@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/words/text.hpp"
@@ -87,37 +86,23 @@ std::string sampling_text(const BasinResult& r) {
   return text + words::text::as_good_as_means;
 }
 
-nlohmann::ordered_json sampling_json(const BasinResult& r) {
-  if (r.own_starts) return {{"method", "given"}};
-  nlohmann::ordered_json json = {{"method", sampling_method_names[static_cast<std::size_t>(method_of(r))]}};
-  if (const auto drawn = drawn_instead(r.study); !drawn.empty()) json["drawn_instead_of"] = drawn;
-  if (method_of(r) == SamplingMethod::sobol) {
-    json["replicates"] = sobol_replicates;
-    json["points_per_replicate"] = r.starts / sobol_replicates;
-  }
-  if (r.grid) {
-    json["cells_a_turn"] = r.grid->side();
-    json["cells"] = r.grid->all_cells();
-    json["cells_evaluated"] = r.grid->cells();
-    json["starts_a_cell"] = 2;
-    json["exchange"] = r.grid->exchange();
-  }
-  if (r.half_width > 0.0) json["half_width"] = r.half_width;
-  if (r.choice) {
-    json["chosen"] = true;
-    json["pilot_starts"] = r.choice->pilot;
-    json["random_starts_needed"] = std::round(r.choice->random_starts);
-    if (r.choice->pilot > 0) json["sobol_starts_needed"] = std::round(r.choice->sobol_starts);
-    const std::string why = choice_text(r);
-    json["why"] = why.substr(10, why.size() - 11);  // without "Sampling: " and the end of the line
-  }
+Json sampling_json(const BasinResult& r) {
+  if (r.own_starts) return object("method", "given");
+  Json json = object("method", sampling_method_names[static_cast<std::size_t>(method_of(r))]);
+  if (const auto drawn = drawn_instead(r.study); !drawn.empty()) put(json, "drawn_instead_of", drawn);
+  if (method_of(r) == SamplingMethod::sobol)
+    put(json, "replicates", sobol_replicates, "points_per_replicate", r.starts / sobol_replicates);
+  if (r.grid)
+    put(json, "cells_a_turn", r.grid->side(), "cells", r.grid->all_cells(), "cells_evaluated", r.grid->cells(),
+        "starts_a_cell", 2, "exchange", r.grid->exchange());
+  if (r.half_width > 0.0) put(json, "half_width", r.half_width);
+  if (!r.choice) return json;
+  put(json, "chosen", true, "pilot_starts", r.choice->pilot, "random_starts_needed",
+      std::round(r.choice->random_starts));
+  if (r.choice->pilot > 0) put(json, "sobol_starts_needed", std::round(r.choice->sobol_starts));
+  const std::string why = choice_text(r);
+  put(json, "why", why.substr(10, why.size() - 11));  // without "Sampling: " and the end of the line
   return json;
-}
-
-nlohmann::ordered_json precision_json(const Share& s) {
-  return {{"interval", interval_names[static_cast<std::size_t>(s.by)]},
-          {"standard_error", s.standard_error},
-          {"effective_random_starts", std::round(s.effective_starts)}};
 }
 
 }  // namespace equipoise

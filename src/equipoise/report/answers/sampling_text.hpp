@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 
 namespace equipoise {
@@ -14,8 +13,6 @@ std::string sampling_text(const BasinResult& result);
 /// Equivalent number of random starts, for "as good as", with two digits: "850 000".
 std::string as_good_as(const Share& share);
 /// Method, replicates, points per replicate; a grid's cells; what was chosen, and why.
-nlohmann::ordered_json sampling_json(const BasinResult& result);
-/// Origin of an interval, its standard error, and the equivalent number of random starts.
-nlohmann::ordered_json precision_json(const Share& share);
+Json sampling_json(const BasinResult& result);
 
 }  // namespace equipoise

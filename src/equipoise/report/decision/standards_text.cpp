@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/percent_text.hpp"
@@ -23,7 +22,6 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr std::size_t zones = 3, sliding = 3;  // in standard_levels
 
 // The speed in the end, Hz.
@@ -73,7 +71,7 @@ std::string hours_text(double acceleration, double value) {
 }
 
 DocumentTable hand_arm_table(const HandArm& a, const Judged& j, const Study& study) {
-  DocumentTable table{{words::decision::hand_arm_vibration}, {}, "", false, {}};
+  DocumentTable table{{words::decision::hand_arm_vibration}};
   std::vector<double> columns;
   const auto add = [&](const char* title, double value) {
     table.header.emplace_back(title);
@@ -191,42 +189,42 @@ std::string standards_text(const BasinResult& r, const TextStyle& style) {
   return blocks.empty() ? "" : blocks_text(blocks, style);
 }
 
-nlohmann::ordered_json standards_json(const BasinResult& r) {
+Json standards_json(const BasinResult& r) {
   const auto j = judged(r);
   if (!j) return nullptr;
   Json json = Json::object();
   const auto grade = left_grade(j->all, r.study), bare = left_grade(r.without_balls->bare.figures, r.study);
   if (grade && bare) {
-    if (j->beside) json["balance_quality"]["mean"] = *grade;
-    json["balance_quality"].update({{"without_balls", *bare}, {"unit", "mm/s"}, {"source", "ISO 21940-11"}});
+    Json& quality = json["balance_quality"];
+    if (j->beside) put(quality, "mean", *grade);
+    put(quality, "without_balls", *bare, "unit", "mm/s", "source", "ISO 21940-11");
     if (const auto allowed = permissible(r, *j))
-      json["permissible_unbalance"] = {{"grade", allowed->grade},
-                                       {"unbalance", 1e6 * allowed->unbalance},
-                                       {"left", 1e6 * allowed->left},
-                                       {"unit", "g mm"},
-                                       {"source", "ISO 21940-11"}};
+      put(json, "permissible_unbalance",
+          object("grade", allowed->grade, "unbalance", 1e6 * allowed->unbalance, "left", 1e6 * allowed->left, "unit",
+                 "g mm", "source", "ISO 21940-11"));
   }
   if (j->all.beyond[0]) {
-    Json severity = {
-        {"class", class_of(r.study).name}, {"without_balls", bare_zone(r)}, {"source", "ISO 10816-1:1995"}};
-    for (std::size_t k = 0; k < zones; ++k)
-      severity["within"][standards::zone_names[k]] = sure_share_json(complement(*j->all.beyond[k]));
-    json["severity"] = severity;
+    Json within;
+    for (std::size_t k = 0; k < zones; ++k) within[standards::zone_names[k]] = sure(complement(*j->all.beyond[k]));
+    put(json, "severity",
+        object("class", class_of(r.study).name, "without_balls", bare_zone(r), "source", "ISO 10816-1:1995", "within",
+               within));
   }
   if (const auto arms = hand_arm(r, *j)) {
     const auto times = [](double a) {
-      return Json{{"acceleration", a},
-                  {"hours_to_action_value", standards::hours_to_exposure(a, standards::exposure_action_value)},
-                  {"hours_to_limit_value", standards::hours_to_exposure(a, standards::exposure_limit_value)}};
+      return object("acceleration", a, "hours_to_action_value",
+                    standards::hours_to_exposure(a, standards::exposure_action_value), "hours_to_limit_value",
+                    standards::hours_to_exposure(a, standards::exposure_limit_value));
     };
-    if (!j->one) json["hand_arm"] = {{"median", times(arms->median)}, {"at_most_in_90_percent", times(arms->ninety)}};
-    if (arms->bare || j->one) json["hand_arm"]["without_balls"] = times(arms->bare.value_or(arms->median));
-    json["hand_arm"].update({{"unit", "m/s2"}, {"source", words::decision::hand_arm_source}});
+    Json& told = json["hand_arm"];
+    if (!j->one) put(told, "median", times(arms->median), "at_most_in_90_percent", times(arms->ninety));
+    if (arms->bare || j->one) put(told, "without_balls", times(arms->bare.value_or(arms->median)));
+    put(told, "unit", "m/s2", "source", words::decision::hand_arm_source);
   }
   if (j->all.beyond[sliding])
-    json["slides"] = {{"force", *sliding_level(r.study) * r.study.scales->force()},
-                      {"unit", "N"},
-                      {"share", sure_share_json(*j->all.beyond[sliding])}};
+    put(json, "slides",
+        object("force", *sliding_level(r.study) * r.study.scales->force(), "unit", "N", "share",
+               sure(*j->all.beyond[sliding])));
   return json;
 }
 

@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 
@@ -18,6 +17,6 @@ std::vector<Block> standards_blocks(const BasinResult& result);
 /// The same for the terminal, with an empty line at its end.
 std::string standards_text(const BasinResult& result, const TextStyle& style = wide_style);
 /// The object "standards" of basin_json(); null where standards_text() is empty.
-nlohmann::ordered_json standards_json(const BasinResult& result);
+Json standards_json(const BasinResult& result);
 
 }  // namespace equipoise

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/report/decision/times_bare.hpp"
 #include "equipoise/report/decision/verdict_json.hpp"
@@ -251,11 +250,7 @@ DocumentTable changes_table(const BasinResult& r, std::span<const TriedChange> t
                          length = study::shown_unit(study::Dimension::length, r.study.scales);
   DocumentTable table{
       {"change", limited ? words::decision::keep_limits : fmt::format(words::decision::velocity_column, velocity.name),
-       fmt::format(words::decision::peak_column, length.name)},
-      {},
-      "",
-      false,
-      {}};
+       fmt::format(words::decision::peak_column, length.name)}};
   const auto number = [](const QuantileEstimate& q, const study::ShownUnit& unit) {
     return number_cell(std::isfinite(q.value) ? fmt::format("{:.3g}", q.value * unit.size) : "-");
   };
@@ -282,31 +277,22 @@ std::string verdict_text(const BalancerVerdict& v, const TextStyle& style) {
          filled("because  ", v.because, style) + filled("change   ", v.change, style) + "\n";
 }
 
-nlohmann::ordered_json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
-  nlohmann::ordered_json json = {{"decision", decision_names[static_cast<std::size_t>(v.decision)]},
-                                 {"words", v.words},
-                                 {"because", v.because},
-                                 {"change", v.change}};
+Json verdict_json(const BalancerVerdict& v, std::span<const TriedChange> tried) {
+  const auto name = [](Decision decision) { return decision_names[static_cast<std::size_t>(decision)]; };
+  Json json = object("decision", name(v.decision), "words", v.words, "because", v.because, "change", v.change);
   if (tried.empty()) return json;
-  json["tried"] = nlohmann::ordered_json::array();
-  for (const TriedChange& t : tried) {
+  json["tried"] = list_of(tried, [&](const TriedChange& t) {
     const auto figure = [&](const QuantileEstimate& e, study::Dimension d) {
       const study::ShownUnit unit = study::shown_unit(d, t.study.scales);
-      const auto shown = [&](double value) {
-        return std::isfinite(value) ? nlohmann::ordered_json(value * unit.size) : nlohmann::ordered_json(nullptr);
-      };
-      return nlohmann::ordered_json{
-          {"unit", unit.name}, {"value", shown(e.value)}, {"low", shown(e.low)}, {"high", shown(e.high)}};
+      return object("unit", unit.name, "value", e.value * unit.size, "low", e.low * unit.size, "high",
+                    e.high * unit.size);
     };
-    nlohmann::ordered_json one = {
-        {"words", t.words}, {"starts", t.starts}, {"decision", decision_names[static_cast<std::size_t>(t.decision)]}};
-    if (t.kept) one["kept"] = sure_share_json(*t.kept);
-    one["rms_velocity_90"] = figure(t.end_velocity, study::Dimension::velocity);
-    one["peak_radial_90"] = figure(t.peak, study::Dimension::length);
-    one["seconds"] = t.seconds;
-    one["cpu_seconds"] = t.cpu_seconds;
-    json["tried"].push_back(one);
-  }
+    Json one = object("words", t.words, "starts", t.starts, "decision", name(t.decision));
+    if (t.kept) put(one, "kept", sure(*t.kept));
+    put(one, "rms_velocity_90", figure(t.end_velocity, study::Dimension::velocity), "peak_radial_90",
+        figure(t.peak, study::Dimension::length), "seconds", t.seconds, "cpu_seconds", t.cpu_seconds);
+    return one;
+  });
   return json;
 }
 

@@ -3,13 +3,12 @@
 
 #include <span>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/report/decision/verdict.hpp"
+#include "equipoise/report/text/json.hpp"
 
 namespace equipoise {
 
 /// The verdict's lines, and every change that was tried, in the study's shown units.
-nlohmann::ordered_json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
+Json verdict_json(const BalancerVerdict& verdict, std::span<const TriedChange> tried = {});
 
 }  // namespace equipoise

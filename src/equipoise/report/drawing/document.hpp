@@ -50,12 +50,12 @@ struct ItemList {
   std::vector<std::string> items;
 };
 struct DocumentTable {
-  std::vector<std::string> header;
-  std::vector<std::vector<DocumentCell>> rows;
-  std::string caption;
+  std::vector<std::string> header{};
+  std::vector<std::vector<DocumentCell>> rows{};
+  std::string caption{};
   bool folded = false;  ///< long detail, shown on demand
   /// Columns that a narrow screen may hide.
-  std::vector<std::size_t> spare;
+  std::vector<std::size_t> spare{};
   std::size_t missed = 0;  ///< of these so many, the first, are missed: text says which of them are hidden
 };
 /// A picture drawn for the page itself (report/drawing/svg.hpp), as text in the page's own light or dark colours.

@@ -91,7 +91,7 @@ class Text {
   }
 
   void table() {
-    DocumentTable quantities{{"symbol", "quantity", "physical", "dimensionless"}, {}, "", false, {}};
+    DocumentTable quantities{{"symbol", "quantity", "physical", "dimensionless"}};
     if (!scales_) quantities.header.erase(quantities.header.begin() + 2);
     for (const auto& q : e_.quantities) {
       if (!scales_ && (q.symbol == "M" || q.symbol == "R" || q.symbol == "omega_c" || q.symbol == "1/omega_c"))

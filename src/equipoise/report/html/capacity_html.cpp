@@ -58,8 +58,7 @@ class CapacityDocument {
   }
 
   void table_of_trials() {
-    DocumentTable table{
-        {column_title(key_words(r_.key), r_.unit), "balanced", "95 % interval", "undecided"}, {}, "", false, {}};
+    DocumentTable table{{column_title(key_words(r_.key), r_.unit), "balanced", "95 % interval", "undecided"}};
     for (const CapacityTrial& t : r_.cells.front()->trials) {
       std::vector<DocumentCell> row{number_cell(fmt::format("{:.6g}", t.value))};
       if (t.unstable)

@@ -14,7 +14,7 @@
 #include "equipoise/report/html/page_parts.hpp"
 #include "equipoise/report/plots/design_plots.hpp"
 #include "equipoise/report/answers/quantities.hpp"
-#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/answers/design_words.hpp"
 #include "equipoise/report/reports/result_tables.hpp"
 #include "equipoise/report/words/pages.hpp"
 #include "equipoise/report/words/reports.hpp"
@@ -57,7 +57,7 @@ class DesignDocument {
   void chosen() {
     const DesignCandidate& best = r_.front[*r_.chosen];
     add(Heading{2, words::pages::chosen_design, ""});
-    DocumentTable values{{"chosen", "value", words::pages::could_be}, {}, "", false, {}};
+    DocumentTable values{{"chosen", "value", words::pages::could_be}};
     for (std::size_t k = 0; k < best.settings.size(); ++k)
       values.rows.push_back({{key_words(best.settings[k].key), Tone::plain, false, true},
                              value_cell(best.settings[k].value),
@@ -92,8 +92,8 @@ class DesignDocument {
         v.spin_up->slope ? fmt::format(words::pages::slope_at_most, *v.spin_up->slope, unit,
                                        v.spin_up->time_unit.empty() ? words::runs::unit_of_time : v.spin_up->time_unit)
                          : "";
-    return fmt::format(words::pages::points_from, v.spin_up->points, plural(v.spin_up->points), v.low, v.high,
-                       unit, v.spin_up->until, v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
+    return fmt::format(words::pages::points_from, v.spin_up->points, plural(v.spin_up->points), v.low, v.high, unit,
+                       v.spin_up->until, v.spin_up->time_unit.empty() ? "" : " ", v.spin_up->time_unit, slope);
   }
 
   void front() {

@@ -59,7 +59,7 @@ class MapDocument {
 
   void figures() {
     const SliceFigures& f = map_.figures;
-    DocumentTable table{{words::pages::how_basins_lie, "", "95 % interval"}, {}, "", false, {}};
+    DocumentTable table{{words::pages::how_basins_lie, "", "95 % interval"}};
     const auto row = [&](const char* name, const std::optional<SliceFigure>& figure) {
       if (figure)
         table.rows.push_back({{name},

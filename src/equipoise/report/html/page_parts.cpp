@@ -231,14 +231,14 @@ void add_machine(Document& document, const GivenMachine& machine, const std::str
     if (!machine.matters_most.empty()) add(Paragraph{words::pages::what_matters_most + machine.matters_most + "."});
   }
   add(Heading{2, words::pages::the_machine, ""});
-  DocumentTable table{{"given", given}, {}, "", false, {}};
+  DocumentTable table{{"given", given}};
   for (const GivenTable& of : machine.given) {
     std::string text;
     for (const auto& [key, value] : of.keys) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", key, value);
     table.rows.push_back({{of.name, Tone::plain, false, true}, {text}});
   }
   add(std::move(table));
-  DocumentTable facts{{"follows", words::pages::without_simulation}, {}, "", false, {}};
+  DocumentTable facts{{"follows", words::pages::without_simulation}};
   for (const auto& [name, text] : Derived(machine.explanation).rows())
     facts.rows.push_back({{name, Tone::plain, false, true}, {text}});
   add(std::move(facts));

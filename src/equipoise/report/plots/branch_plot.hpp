@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "equipoise/results/commands/branches_result.hpp"
+#include "equipoise/results/commands/branch.hpp"
 
 namespace equipoise {
 

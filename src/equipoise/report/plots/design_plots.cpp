@@ -9,7 +9,7 @@
 #include "equipoise/analyses/words/design.hpp"
 #include "equipoise/core/base/read_number.hpp"
 #include "equipoise/report/drawing/plot_parts.hpp"
-#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/answers/design_words.hpp"
 #include "equipoise/report/words/plots.hpp"
 
 namespace equipoise {

@@ -1,19 +1,19 @@
 // Attractors as text and as JSON.
-#include "equipoise/report/reports/attractors_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/text/computed.hpp"
-#include "equipoise/report/text/left_unbalance.hpp"
+#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/motion_words.hpp"
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -23,8 +23,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // The smallest share that is missed with a probability of at most `miss`.
 double detection_limit(std::uint64_t starts, double miss) {
@@ -37,17 +35,6 @@ std::uint64_t decided_starts(const AttractorsResult& r) {
   std::uint64_t count = 0;
   for (const OutcomeShare& a : r.basin.attractors) count += a.share.count;
   return count;
-}
-
-Json attractor_json(const Attractor& a, const OutcomeShare& share, const Study& study) {
-  const Motion& m = a.motion;
-  Json json = motion_json(a, study);
-  if (!share.unbalance.empty()) json["left_unbalance"] = left_unbalance_json(share, study);
-  json["share"] = share.share.share;
-  json["share_interval"] = {share.share.low, share.share.high};
-  json["starts"] = share.share.count;
-  json["state"] = std::vector<double>(m.state.data(), m.state.data() + m.state.size());
-  return json;
 }
 
 const OutcomeShare& share_of(const AttractorsResult& r, int id) {
@@ -175,27 +162,25 @@ std::string attractors_text(const AttractorsResult& r, const TextStyle& style) {
 }
 
 std::string attractors_json(const AttractorsResult& r) {
-  Json json;
-  json["attractors"] = Json::array();
-  for (const Attractor& a : r.attractors)
-    json["attractors"].push_back(attractor_json(a, share_of(r, a.id), r.basin.study));
-  json["starts"] = r.basin.starts;
-  json["partial"] = r.basin.partial;
-  json["decided"] = decided_starts(r);
-  for (const OutcomeShare& o : r.basin.others())
-    if (o.id != stalled_code) json[o.name] = o.share.share;
+  const BasinResult& b = r.basin;
   const std::uint64_t decided = decided_starts(r);
-  json["detection"] = {{"share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(nullptr)},
-                       {"of", "decided starts"},
-                       {"miss_probability", least_miss},
-                       {"missing_at_most", r.basin.undecided.most}};
-  json["note"] = r.basin.note;
-  json["seconds"] = r.basin.seconds;
-  json["threads"] = r.basin.threads;
-  json["cpu_target"] = r.basin.cpu_target;
-  json["study_name"] = r.basin.study.name;
-  json["study"] = study_json(r.basin.study);
-  json["version"] = version_string;
+  Json json;
+  json["attractors"] = list_of(r.attractors, [&](const Attractor& a) {
+    const OutcomeShare& of = share_of(r, a.id);
+    Json one = motion_json(a, b.study);
+    put_left_unbalance(one, of, b.study);
+    put(one, "share", of.share.share, "share_interval", std::array{of.share.low, of.share.high}, "starts",
+        of.share.count, "state", leading(a.motion.state, a.motion.state.size()));
+    return one;
+  });
+  put(json, "starts", b.starts, "partial", b.partial, "decided", decided);
+  for (const OutcomeShare& o : b.others())
+    if (o.id != stalled_code) json[o.name] = o.share.share;
+  put(json, "detection",
+      object("share", decided > 0 ? Json(detection_limit(decided, least_miss)) : Json(), "of", "decided starts",
+             "miss_probability", least_miss, "missing_at_most", b.undecided.most),
+      "note", b.note, "seconds", b.seconds, "threads", b.threads, "cpu_target", b.cpu_target, "study_name",
+      b.study.name, "study", b.study, "version", version_string);
   return json.dump(2) + "\n";
 }
 

@@ -1,5 +1,5 @@
 // The result of an ensemble as text and as JSON.
-#include "equipoise/report/reports/basin_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/percent_text.hpp"
 #include "equipoise/core/base/version.hpp"
@@ -20,7 +19,7 @@
 #include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/carrying_text.hpp"
 #include "equipoise/report/text/computed.hpp"
-#include "equipoise/report/text/left_unbalance.hpp"
+#include "equipoise/report/text/grade_text.hpp"
 #include "equipoise/report/text/note_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
@@ -31,20 +30,16 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // Times as in the note; null if a lifetime may be infinite.
 Json chaos_json(const BasinResult& r) {
   const EscapeRate& c = *r.chaos;
   const double time = r.study.scales ? r.study.scales->time() : 1.0;
-  const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  return {{"undecided_after", c.watched_from * time},
-          {"starts", c.trajectories},
-          {"decided_later", c.escapes},
-          {"rate", {{"value", c.rate / time}, {"low", c.low / time}, {"high", c.high / time}}},
-          {"median_lifetime",
-           {{"value", finite(c.median * time)}, {"low", c.least * time}, {"high", finite(c.most * time)}}},
-          {"unit", r.study.scales ? "s" : "1/omega_c"}};
+  const auto estimate = [](double value, double low, double high) {
+    return object("value", value, "low", low, "high", high);
+  };
+  return object("undecided_after", c.watched_from * time, "starts", c.trajectories, "decided_later", c.escapes, "rate",
+                estimate(c.rate / time, c.low / time, c.high / time), "median_lifetime",
+                estimate(c.median * time, c.least * time, c.most * time), "unit", r.study.scales ? "s" : "1/omega_c");
 }
 
 // The grounds on which starts were decided, as shares of all starts.
@@ -109,15 +104,10 @@ std::string bare_text(const BasinResult& r, const TextStyle& style) {
   return text + "\n" + standards_text(r, style);
 }
 
-}  // namespace
-
-std::string bare_words(const BasinResult& r) {
-  const OneBodyRuns& bare = r.without_balls->bare;
-  if (bare.one) return words::reports::one_run_tells_all;
-  return fmt::format(words::reports::runs_draw_the_rest, bare.runs);
+std::string end_name(const BasinResult& r, const OutcomeShare& o) {
+  return o.id == stalled_code ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
+                              : o.name;
 }
-
-namespace {
 
 // Without rows for what no start came to: none_words() names those.
 DocumentTable outcome_table(const BasinResult& r) {
@@ -126,8 +116,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   const double second = physical ? r.study.scales->time() : 1.0;
   const TransientResult* t = r.transients ? &*r.transients : nullptr;
   const study::ShownUnit velocity = study::shown_unit(study::Dimension::velocity, r.study.scales);
-  DocumentTable table{
-      {physical ? words::text::what_the_balls_do : "outcome", words::reports::share_and_interval}, {}, "", false, {}};
+  DocumentTable table{{physical ? words::text::what_the_balls_do : "outcome", words::reports::share_and_interval}};
   const auto column = [&](bool there, const std::string& title, bool spare) {
     if (!there) return;
     if (spare) table.spare.push_back(table.header.size());
@@ -156,10 +145,7 @@ DocumentTable outcome_table(const BasinResult& r) {
   for (const OutcomeShare& a : r.attractors)
     if (a.share.count > 0 || a.id == balanced_id) row(reader_title(a, physical), Tone::plain, a, a.share.count > 0);
   for (const OutcomeShare& o : r.others())
-    if (o.share.count > 0)
-      row(o.id == stalled_code ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
-                               : o.name,
-          Tone::open, o, false);
+    if (o.share.count > 0) row(end_name(r, o), Tone::open, o, false);
   return table;
 }
 
@@ -177,10 +163,7 @@ std::string none_words(const BasinResult& r) {
   for (const OutcomeShare& o : r.others()) {
     if (o.share.count > 0) continue;
     of_ends = r.of(o.id);
-    ends.push_back(o.id == stalled_code
-                       ? words::reports::stalled_below + rotor_speed_text(r.study, r.study.stall_speed())
-                   : o.id == undecided_code ? words::reports::was_undecided
-                                            : o.name);
+    ends.push_back(o.id == undecided_code ? words::reports::was_undecided : end_name(r, o));
   }
   if (!of_ends) return "";
   const auto each = [](std::size_t count) { return count > 1 ? "each " : ""; };
@@ -232,57 +215,47 @@ std::string basin_text(const BasinResult& r, const TextStyle& style, std::span<c
 }
 
 std::string basin_json(const BasinResult& r, std::span<const TriedChange> tried) {
-  Json json;
-  json["starts"] = r.starts;
-  json["starts_asked"] = r.asked > 0 ? Json(r.asked) : Json(nullptr);
-  json["partial"] = r.partial;
-  json["sampling"] = sampling_json(r);
+  Json json = object("starts", r.starts, "starts_asked", r.asked > 0 ? Json(r.asked) : Json(), "partial", r.partial,
+                     "sampling", sampling_json(r));
   const auto share = [&](const Share& s) {
-    Json one = sure_share_json(s);
+    Json one = sure(s);
     if (r.study.sampling.method.value_or(SamplingMethod::random) != SamplingMethod::random)
-      one.update(precision_json(s));
+      put(one, "interval", interval_names[static_cast<std::size_t>(s.by)], "standard_error", s.standard_error,
+          "effective_random_starts", std::round(s.effective_starts));
     return one;
   };
-  json["outcomes"] = Json::array();
-  for (const OutcomeShare& a : r.attractors) {
-    Json outcome = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", a.kind}};
-    outcome.update(share(a.share));
-    outcome["mean_time"] = a.mean_time;
-    if (r.study.scales) outcome["mean_time_si"] = a.mean_time * r.study.scales->time();
-    for (int k = 1; k < decided_by_count; ++k) outcome["decided_by"][decided_by_names[k]] = a.decided_by[k];
-    if (!a.unbalance.empty()) outcome["left_unbalance"] = left_unbalance_json(a, r.study);
-    json["outcomes"].push_back(outcome);
-  }
+  json["outcomes"] = list_of(r.attractors, [&](const OutcomeShare& a) {
+    Json one = outcome_with(a, share(a.share));
+    put(one, "mean_time", a.mean_time);
+    if (r.study.scales) put(one, "mean_time_si", a.mean_time * r.study.scales->time());
+    for (int k = 1; k < decided_by_count; ++k) one["decided_by"][decided_by_names[k]] = a.decided_by[k];
+    put_left_unbalance(one, a, r.study);
+    return one;
+  });
   for (const OutcomeShare& o : r.others()) {
     json[o.name] = share(o.share);
     if (o.id != stalled_code) continue;
     json[o.name]["below"] = r.study.stall_speed();
     if (r.passed) {
-      json["passed"] = share(*r.passed);
+      put(json, "passed", share(*r.passed), "not_passed", share(*r.not_passed));
       json["passed"]["above"] = r.study.passed_speed();
-      json["not_passed"] = share(*r.not_passed);
     }
   }
-  json["confidence"] = 0.95;
-  json["units"] = {{"mean_time", "1/omega_c"}};
-  if (r.study.scales) json["units"]["mean_time_si"] = "s";
-  if (r.stalled) json["units"]["below"] = "omega_c";
-  if (r.met) json["balls_met"] = share(*r.met);
-  if (r.chaos) json["long_lived_chaos"] = chaos_json(r);
-  if (r.passed) json["units"]["above"] = "omega_c";
-  if (const auto verdict = verdict_of(r, tried)) json["verdict"] = verdict_json(*verdict, tried);
-  if (Json judged = standards_json(r); !judged.is_null()) json["standards"] = std::move(judged);
-  if (r.transients) json["transients"] = transient_json(*r.transients, r.study);
-  if (r.without_balls) json["without_balls"] = without_balls_json(*r.without_balls, r.study);
-  if (r.sensitivity) {
-    json["sensitivity"] = sensitivity_json(*r.sensitivity);
-    json["sensitivity_design"] = sensitivity_design_json(*r.sensitivity);
-  }
-  json["balanced_stable"] = r.balanced_stable;
-  json["note"] = r.note;
-  json["starts_per_second"] = r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0;
-  json["resumed_from"] = r.resumed_from;
-  json["law"] = name_of(r.study.speed.law);
+  put(json, "confidence", 0.95, "units", object("mean_time", "1/omega_c"));
+  Json& units = json["units"];
+  if (r.study.scales) put(units, "mean_time_si", "s");
+  if (r.stalled) put(units, "below", "omega_c");
+  if (r.passed) put(units, "above", "omega_c");
+  if (r.met) put(json, "balls_met", share(*r.met));
+  if (r.chaos) put(json, "long_lived_chaos", chaos_json(r));
+  if (const auto verdict = verdict_of(r, tried)) put(json, "verdict", verdict_json(*verdict, tried));
+  if (Json judged = standards_json(r); !judged.is_null()) put(json, "standards", std::move(judged));
+  if (r.transients) put(json, "transients", transient_json(*r.transients, r.study));
+  if (r.without_balls) put(json, "without_balls", without_balls_json(*r.without_balls, r.study));
+  if (r.sensitivity) put(json, "sensitivity", r.sensitivity->inputs, "sensitivity_design", *r.sensitivity);
+  put(json, "balanced_stable", r.balanced_stable, "note", r.note, "starts_per_second",
+      r.seconds > 0.0 ? static_cast<double>(r.starts - r.resumed_from) / r.seconds : 0.0, "resumed_from",
+      r.resumed_from, "law", name_of(r.study.speed.law));
   add_computed(json, r);
   return json.dump(2) + "\n";
 }

@@ -1,11 +1,11 @@
 // Branches as text, JSON and CSV.
-#include "equipoise/report/reports/branches_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/read_number.hpp"
@@ -22,8 +22,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 int digits_of(double width) { return std::clamp(static_cast<int>(std::ceil(-std::log10(width))), 0, 12); }
 
@@ -106,22 +104,15 @@ std::string stable_text(const Branch& branch, const std::vector<ValueRange>& ran
   return text.empty() ? "nowhere" : text;
 }
 
-// What is not a number is written as null.
 Json point_json(const BranchPoint& point, int balls) {
   const Motion& m = point.motion;
-  Json json = {{"value", point.value},
-               {"kind", name_of(m.kind)},
-               {"stable", m.stable},
-               {"period", motion_number("period").value(m)},
-               {"radial", {{"min", m.r_min}, {"mean", m.r_mean}, {"max", m.r_max}}},
-               {"multiplier", largest_multiplier(m)},
-               {"growth_rate", growth_rate(m)},
-               {"drift", std::vector<double>(m.drift.begin(), m.drift.begin() + balls)},
-               {"state", std::vector<double>(m.state.data(), m.state.data() + m.state.size())}};
-  if (!m.motor) return json;
-  json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
-  json["torque"] = m.motor->torque;
-  json["power"] = m.motor->power;
+  Json json = object("value", point.value, "kind", name_of(m.kind), "stable", m.stable, "period",
+                     motion_number("period").value(m), "radial", extremes(m.r_min, m.r_mean, m.r_max), "multiplier",
+                     largest_multiplier(m), "growth_rate", growth_rate(m), "drift", leading(m.drift, balls), "state",
+                     leading(m.state, m.state.size()));
+  if (m.motor)
+    put(json, "speed", extremes(m.motor->speed_min, m.speed, m.motor->speed_max), "torque", m.motor->torque, "power",
+        m.motor->power);
   return json;
 }
 
@@ -134,7 +125,7 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
   text +=
       lines_filled(fmt::format(words::reports::along, key, r.values.front(), r.values.back(), r.values.size()), style);
   const bool physical = r.study.scales.has_value();
-  DocumentTable branches{{"id", "attractor", "exists", "attracts"}, {}, "", false, {}};
+  DocumentTable branches{{"id", "attractor", "exists", "attracts"}};
   for (const Branch& b : r.branches)
     branches.rows.push_back(row_of("nttt", {fmt::format("{}", b.id), reader_title(b, physical), existence_text(r, b),
                                             stable_text(b, ranges_of(b))}));
@@ -143,7 +134,7 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
     for (const BranchEvent& e : b.events) events.emplace_back(&e, &b);
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.first->middle() < b.first->middle(); });
-  DocumentTable table{{"at", "between", "id", "attractor", "event", "type"}, {}, "", false, {}};
+  DocumentTable table{{"at", "between", "id", "attractor", "event", "type"}};
   for (const auto& [e, b] : events)
     table.rows.push_back(row_of("ntnttt", {event_text(*e), bracket_text(*e), fmt::format("{}", e->id),
                                            reader_title(*b, physical), name_of(e->change), name_of(e->cause)}));
@@ -158,32 +149,22 @@ std::string branches_text(const BranchesResult& r, const TextStyle& style) {
 }
 
 std::string branches_json(const BranchesResult& r) {
-  const int balls = r.study.parameters.balls;
-  Json json = {{"parameter", r.key}, {"values", r.values}};
-  json["branches"] = Json::array();
-  json["events"] = Json::array();
+  Json branches = Json::array(), events = Json::array();
   for (const Branch& b : r.branches) {
     const auto ranges = ranges_of(b);
-    Json stable = Json::array(), points = Json::array();
+    Json stable = Json::array();
     for (const ValueRange& range : ranges)
       if (range.stable) stable.push_back({range.begin, range.end});
-    for (const BranchPoint& point : b.points) points.push_back(point_json(point, balls));
-    json["branches"].push_back({{"id", b.id},
-                                {"name", b.name},
-                                {"alias", b.alias},
-                                {"exists", {ranges.front().begin, ranges.back().end}},
-                                {"ends_known", {begin_is_known(r, b), end_is_known(r, b)}},
-                                {"stable", stable},
-                                {"points", points}});
+    branches.push_back(object(
+        "id", b.id, "name", b.name, "alias", b.alias, "exists", std::array{ranges.front().begin, ranges.back().end},
+        "ends_known", std::array{begin_is_known(r, b), end_is_known(r, b)}, "stable", stable, "points",
+        list_of(b.points, [&](const BranchPoint& point) { return point_json(point, r.study.parameters.balls); })));
     for (const BranchEvent& e : b.events)
-      json["events"].push_back({{"id", e.id},
-                                {"change", name_of(e.change)},
-                                {"type", name_of(e.cause)},
-                                {"between", {e.low, e.high}},
-                                {"radial", {{"min", e.r_min}, {"mean", e.r_mean}, {"max", e.r_max}}}});
+      events.push_back(object("id", e.id, "change", name_of(e.change), "type", name_of(e.cause), "between",
+                              std::array{e.low, e.high}, "radial", extremes(e.r_min, e.r_mean, e.r_max)));
   }
-  json["starts"] = r.starts;
-  json["partial"] = r.partial;
+  Json json = object("parameter", r.key, "values", r.values, "branches", branches, "events", events, "starts", r.starts,
+                     "partial", r.partial);
   add_computed(json, r);
   return json.dump(2) + "\n";
 }

@@ -1,5 +1,5 @@
 // Capacities as text, JSON and CSV.
-#include "equipoise/report/reports/capacity_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plain_number.hpp"
 #include "equipoise/core/base/version.hpp"
@@ -25,8 +24,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string four_digits(double value) { return plain_number(value, 4); }
 
@@ -99,39 +96,24 @@ std::string capacity_text(const CapacityResult& r, const TextStyle& style) {
 }
 
 std::string capacity_json(const CapacityResult& r) {
-  Json json{{"of", r.key}, {"unit", r.unit}, {"at_least", r.at_least}, {"by", r.by}, {"from", r.from}, {"to", r.to}};
-  json["over"] = over_json(r.axes);
-  json["partial"] = !r.complete();
-  json["cells"] = Json::array();
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (!r.cells[index]) continue;
-    const CapacityCell& cell = *r.cells[index];
-    Json trials = Json::array();
-    for (const CapacityTrial& t : cell.trials) {
-      Json one{{"value", t.value}};
-      one.update(share_json(t.balanced));
-      one["undecided"] = t.undecided.share;
-      one["unstable"] = t.unstable;
-      trials.push_back(one);
-    }
-    json["cells"].push_back({{"at", at_json(r.axes, index)},
-                             {"value", cell.value.value_or(NAN)},
-                             {"low", cell.low},
-                             {"high", cell.high},
-                             {"always", cell.always},
-                             {"never", cell.never},
-                             {"trials", trials}});
-  }
-  json["open"] = Json::array();
-  for (std::size_t index = 0; index < r.open.size(); ++index)
-    if (const auto& open = r.open[index])
-      json["open"].push_back({{"at", at_json(r.axes, index)},
-                              {"low", open->low.value_or(NAN)},
-                              {"high", open->high.value_or(NAN)},
-                              {"trials", open->trials}});
-  json["confidence"] = 0.95;
-  json["starts"] = r.starts;
-  json["resumed_trials"] = r.resumed_trials;
+  Json cells = Json::array(), open_cells = Json::array();
+  const auto trial = [](const CapacityTrial& t) {
+    Json one = object("value", t.value);
+    one.update(Json(t.balanced));
+    put(one, "undecided", t.undecided.share, "unstable", t.unstable);
+    return one;
+  };
+  visit_done(r.cells, [&](std::size_t index, const CapacityCell& cell) {
+    cells.push_back(object("at", at_json(r.axes, index), "value", cell.value, "low", cell.low, "high", cell.high,
+                           "always", cell.always, "never", cell.never, "trials", list_of(cell.trials, trial)));
+  });
+  visit_done(r.open, [&](std::size_t index, const OpenCapacity& open) {
+    open_cells.push_back(
+        object("at", at_json(r.axes, index), "low", open.low, "high", open.high, "trials", open.trials));
+  });
+  Json json = object("of", r.key, "unit", r.unit, "at_least", r.at_least, "by", r.by, "from", r.from, "to", r.to,
+                     "over", over_json(r.axes), "partial", !r.complete(), "cells", cells, "open", open_cells,
+                     "confidence", 0.95, "starts", r.starts, "resumed_trials", r.resumed_trials);
   add_computed(json, r);
   return json.dump(2) + "\n";
 }
@@ -140,13 +122,11 @@ std::string capacity_csv(const CapacityResult& r) {
   std::string text = fmt::format(words::reports::csv_capacity, version_string, r.key, r.at_least, r.starts,
                                  r.asked_of_one(), sought_text(r), r.complete() ? "" : ", PARTIAL");
   text += csv_study(r.study) + csv_titles(r.axes) + csv_title(r.key, r.unit) + ",low,high,always,never,trials\n";
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (!r.cells[index]) continue;
-    const CapacityCell& cell = *r.cells[index];
+  visit_done(r.cells, [&](std::size_t index, const CapacityCell& cell) {
     text += csv_values(r.axes, index);
     text += fmt::format("{},{},{},{:d},{:d},{}\n", csv_number(cell.value.value_or(NAN)), cell.low, cell.high,
                         cell.always, cell.never, cell.trials.size());
-  }
+  });
   return text;
 }
 

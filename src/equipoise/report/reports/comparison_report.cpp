@@ -1,14 +1,16 @@
 // Comparisons as text and JSON.
-#include "equipoise/report/reports/comparison_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/decision/plain_names.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/text/json.hpp"
+#include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
 #include "equipoise/report/words/reports.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
@@ -16,8 +18,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string points(double difference) { return fmt::format("{:+.2f}", 100.0 * difference); }
 
@@ -73,8 +73,7 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
   text += lines_filled(fmt::format("first\n{}second\n{}", study_heading(r.first) + uncertain_text(r.first),
                                    study_heading(r.second) + uncertain_text(r.second)),
                        style);
-  DocumentTable table{
-      {"outcome", "first", "second", "difference", words::reports::interval_in_points}, {}, "", false, {}};
+  DocumentTable table{{"outcome", "first", "second", "difference", words::reports::interval_in_points}};
   const auto row = [&](const std::string& name, const auto& s) {
     table.rows.push_back(row_of("lnnnn", {name, percent(s.first.share, 2), percent(s.second.share, 2),
                                           points(s.difference.difference), interval_text(s.difference)}));
@@ -99,50 +98,29 @@ std::string comparison_text(const ComparisonResult& r, const TextStyle& style) {
 
 std::string comparison_json(const ComparisonResult& r) {
   Json json;
-  json["differences"] = Json::array();
-  for (const ComparedShare& s : r.shares)
-    json["differences"].push_back({{"name", s.name},
-                                   {"alias", s.alias},
-                                   {"difference", s.difference.difference},
-                                   {"low", s.difference.low},
-                                   {"high", s.difference.high},
-                                   {"first", share_json(s.first)},
-                                   {"second", share_json(s.second)}});
-  json["figures"] = Json::array();
-  for (const ComparedFigure& f : r.figures) {
-    const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-    json["figures"].push_back({{"name", f.name},
-                               {"unit", f.unit},
-                               {"first", f.mean.first},
-                               {"second", f.mean.second},
-                               {"difference", f.mean.difference},
-                               {"low", bound(f.mean.low)},
-                               {"high", bound(f.mean.high)},
-                               {"counts", {f.mean.first_count, f.mean.second_count}},
-                               {"open", {f.first_open, f.second_open}}});
+  json["differences"] = list_of(r.shares, [](const ComparedShare& s) {
+    Json one = object("name", s.name, "alias", s.alias);
+    one.update(Json(s.difference));
+    put(one, "first", s.first, "second", s.second);
+    return one;
+  });
+  json["figures"] = list_of(r.figures, [](const ComparedFigure& f) {
+    const MeanDifference& m = f.mean;
+    return object("name", f.name, "unit", f.unit, "first", m.first, "second", m.second, "difference", m.difference,
+                  "low", m.low, "high", m.high, "counts", std::array{m.first_count, m.second_count}, "open",
+                  std::array{f.first_open, f.second_open});
+  });
+  put(json, "common", r.common, "starts", r.starts, "changed", r.changed ? Json(r.changed->count) : Json(),
+      "changed_share", r.changed, "changes",
+      list_of(r.changes, [](const ChangedFate& c) { return object("from", c.from, "to", c.to, "starts", c.starts); }));
+  json["balanced_surely"] = object("low", r.surely_low, "high", r.surely_high);
+  if (r.limits) {
+    json["limits"] = r.limits->difference;
+    put(json["limits"], "surely_low", r.limits->surely_low, "surely_high", r.limits->surely_high, "first",
+        r.limits->first, "second", r.limits->second, "alike", r.limits->alike);
   }
-  json["common"] = r.common;
-  json["starts"] = r.starts;
-  json["changed"] = r.changed ? Json(r.changed->count) : Json(nullptr);
-  json["changed_share"] = r.changed ? share_json(*r.changed) : Json(nullptr);
-  json["changes"] = Json::array();
-  for (const ChangedFate& c : r.changes)
-    json["changes"].push_back({{"from", c.from}, {"to", c.to}, {"starts", c.starts}});
-  json["balanced_surely"] = {{"low", r.surely_low}, {"high", r.surely_high}};
-  if (r.limits)
-    json["limits"] = {{"difference", r.limits->difference.difference},
-                      {"low", r.limits->difference.low},
-                      {"high", r.limits->difference.high},
-                      {"surely_low", r.limits->surely_low},
-                      {"surely_high", r.limits->surely_high},
-                      {"first", share_json(r.limits->first)},
-                      {"second", share_json(r.limits->second)},
-                      {"alike", r.limits->alike}};
-  json["verdict"] = verdict(r);
-  json["partial"] = r.partial;
-  json["first"] = study_json(r.first);
-  json["second"] = study_json(r.second);
-  json["version"] = version_string;
+  put(json, "verdict", verdict(r), "partial", r.partial, "first", r.first, "second", r.second, "version",
+      version_string);
   return json.dump(2) + "\n";
 }
 

@@ -1,5 +1,5 @@
 // Fronts, choices and margins in words and numbers.
-#include "equipoise/report/reports/design_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/analyses/words/design.hpp"
 #include "equipoise/core/base/plural.hpp"
@@ -25,57 +24,36 @@ namespace equipoise {
 
 namespace {
 
-using DesignOut = nlohmann::ordered_json;
-
-// What is not a number, or has no end, is written as null.
-DesignOut estimate_out(const DesignEstimate& e) { return {{"value", e.value}, {"low", e.low}, {"high", e.high}}; }
-
-DesignOut candidate_out(const DesignResult& r, const DesignCandidate& c) {
+// What has no end is written as null.
+Json candidate_json(const DesignResult& r, const DesignCandidate& c) {
   const DesignSample& sample = c.best_known();
-  DesignOut out{{"as_it_is", c.as_it_is},
-                {"things", things_chosen(r.study, c.settings)},
-                {"variables", DesignOut::object()},
-                {"objectives", DesignOut::object()},
-                {"constraints", DesignOut::object()}};
-  for (const DesignSetting& s : c.settings) out["variables"][s.key] = tree_json(s.value);
+  Json variables = Json::object(), objectives = Json::object(), constraints = Json::object();
+  for (const DesignSetting& s : c.settings) variables[s.key] = s.value;
   if (!sample.figures.empty()) {
     for (const std::size_t k : r.objectives) {
-      out["objectives"][r.figures[k].name] = estimate_out(sample.figures[k]);
-      if (c.held_out && !c.search.figures.empty())
-        out["objectives"][r.figures[k].name]["on_search_starts"] = c.search.figures[k].value;
+      Json& objective = objectives[r.figures[k].name] = sample.figures[k];
+      if (c.held_out && !c.search.figures.empty()) put(objective, "on_search_starts", c.search.figures[k].value);
     }
     for (const DesignLimit& limit : r.limits) {
       const DesignEstimate& e = sample.figures[limit.figure];
-      DesignOut one = estimate_out(e);
-      if (limit.below) one["below"] = *limit.below;
-      if (limit.above) one["above"] = *limit.above;
-      one["kept"] = keeps(limit, e.value);
-      one["surely"] = surely_keeps(limit, e);
-      out["constraints"][r.figures[limit.figure].name] = one;
+      Json& one = constraints[r.figures[limit.figure].name] = e;
+      put_known(one, "below", limit.below, "above", limit.above);
+      put(one, "kept", keeps(limit, e.value), "surely", surely_keeps(limit, e));
     }
   }
-  out["undecided"] = estimate_out(sample.undecided);
-  out["starts"] = sample.starts;
-  out["held_out"] = c.held_out.has_value();
-  return out;
+  return object("as_it_is", c.as_it_is, "things", things_chosen(r.study, c.settings), "variables", variables,
+                "objectives", objectives, "constraints", constraints, "undecided", sample.undecided, "starts",
+                sample.starts, "held_out", c.held_out.has_value());
 }
 
-DesignOut margin_out(const DesignResult& r, const DesignMargin& m) {
-  DesignOut points = DesignOut::array();
-  for (const DesignPoint& p : m.points) {
-    DesignOut figures = DesignOut::object();
-    for (std::size_t k = 0; k < p.sample.figures.size(); ++k)
-      figures[r.figures[k].name] = estimate_out(p.sample.figures[k]);
-    points.push_back({{"value", p.given}, {"figures", figures}, {"starts", p.sample.starts}});
-  }
-  return {{"unit", m.unit},
-          {"value", m.value},
-          {"keeps_from", m.keeps_from},
-          {"keeps_to", m.keeps_to},
-          {"fails_below", m.fails_below},
-          {"fails_above", m.fails_above},
-          {"effect", m.effect},
-          {"points", points}};
+Json margin_json(const DesignResult& r, const DesignMargin& m) {
+  const auto point = [&](const DesignPoint& p) {
+    Json figures = Json::object();
+    for (std::size_t k = 0; k < p.sample.figures.size(); ++k) figures[r.figures[k].name] = p.sample.figures[k];
+    return object("value", p.given, "figures", figures, "starts", p.sample.starts);
+  };
+  return object("unit", m.unit, "value", m.value, "keeps_from", m.keeps_from, "keeps_to", m.keeps_to, "fails_below",
+                m.fails_below, "fails_above", m.fails_above, "effect", m.effect, "points", list_of(m.points, point));
 }
 
 std::string estimate_or_dash(const DesignResult& r, const DesignSample* s, std::size_t k) {
@@ -148,11 +126,7 @@ DocumentTable figure_table(const DesignResult& r) {
 DocumentTable margin_table(const DesignResult& r, KeyWords words) {
   const DesignFigure& first = r.figures[r.objectives.front()];
   DocumentTable table{{words::reports::varied_alone, "chosen", words::reports::may_go_from, "to",
-                       words::reports::near_it, words::reports::what_fails_beyond},
-                      {},
-                      "",
-                      false,
-                      {}};
+                       words::reports::near_it, words::reports::what_fails_beyond}};
   for (const DesignMargin& m : r.margins) {
     const bool ordered = m.keeps_from != m.keeps_to || !m.fails_below.empty() || !m.fails_above.empty();
     table.rows.push_back(row_of(
@@ -215,40 +189,28 @@ std::string design_text(const DesignResult& r, const TextStyle& style) {
 
 std::string design_json(const DesignResult& r) {
   const DesignVerdict verdict = design_verdict(r);
-  DesignOut json{{"verdict", {{"words", verdict.words}, {"because", verdict.because}, {"margins", verdict.margins}}},
-                 {"front", DesignOut::array()},
-                 {"chosen", nullptr},
-                 {"before", nullptr}};
-  for (const DesignCandidate& c : r.front) json["front"].push_back(candidate_out(r, c));
-  if (r.chosen) json["chosen"] = candidate_out(r, r.front[*r.chosen]);
+  const auto candidate = [&](const DesignCandidate& c) { return candidate_json(r, c); };
+  Json json = object("verdict", object("words", verdict.words, "because", verdict.because, "margins", verdict.margins),
+                     "front", list_of(r.front, candidate), "chosen", r.chosen ? candidate(r.front[*r.chosen]) : Json(),
+                     "before", nullptr);
   if (r.before && !r.before->figures.empty()) {
     DesignCandidate as_it_is;
     as_it_is.search = *r.before;
     as_it_is.as_it_is = true;
-    json["before"] = candidate_out(r, as_it_is);
+    json["before"] = candidate(as_it_is);
     json["before"]["held_out"] = r.chosen && r.front[*r.chosen].held_out.has_value();
   }
-  json["feasible"] = r.feasible;
-  json["leave_out"] = r.leave_out;
-  json["trajectories"] = r.trajectories;
-  json["budget"] = r.budget;
-  json["candidates"] = r.candidates;
-  json["method"] = design_method_names[static_cast<std::size_t>(r.method)];
-  json["units"] = DesignOut::object();
-  for (const DesignFigure& f : r.figures) json["units"][f.name] = f.unit;
-  json["margins"] = DesignOut::object();
-  for (const DesignMargin& m : r.margins) json["margins"][m.key] = margin_out(r, m);
-  json["limited_by"] = r.limited_by;
-  json["history"] = DesignOut::array();
-  for (const DesignStep& s : r.history)
-    json["history"].push_back({{"trajectories", s.trajectories}, {"violation", s.violation}, {"value", s.value}});
-  json["partial"] = r.partial;
-  json["confidence"] = 0.95;
-  json["search_seed"] = r.search_seed;
-  json["held_out_seed"] = r.held_out_seed;
-  json["resumed"] = r.resumed;
-  json["best_study"] = r.best_study;
-  json["proposed_design"] = r.proposed.empty() ? DesignOut(nullptr) : DesignOut(r.proposed);
+  Json units = Json::object(), margins = Json::object();
+  for (const DesignFigure& f : r.figures) units[f.name] = f.unit;
+  for (const DesignMargin& m : r.margins) margins[m.key] = margin_json(r, m);
+  const auto step = [](const DesignStep& s) {
+    return object("trajectories", s.trajectories, "violation", s.violation, "value", s.value);
+  };
+  put(json, "feasible", r.feasible, "leave_out", r.leave_out, "trajectories", r.trajectories, "budget", r.budget,
+      "candidates", r.candidates, "method", design_method_names[static_cast<std::size_t>(r.method)], "units", units,
+      "margins", margins, "limited_by", r.limited_by, "history", list_of(r.history, step), "partial", r.partial,
+      "confidence", 0.95, "search_seed", r.search_seed, "held_out_seed", r.held_out_seed, "resumed", r.resumed,
+      "best_study", r.best_study, "proposed_design", r.proposed.empty() ? Json() : Json(r.proposed));
   add_computed(json, r);
   return json.dump(2) + "\n";
 }

@@ -1,11 +1,11 @@
 // Inspections as text and JSON.
-#include "equipoise/report/reports/inspection_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
@@ -27,15 +27,13 @@ std::string inspection_text(const Inspection& i) {
 }
 
 std::string inspection_json(const Inspection& i) {
-  using Json = nlohmann::ordered_json;
-  Json json{{"path", i.path},   {"kind", i.kind},     {"version", i.version},
-            {"bytes", i.bytes}, {"damage", i.damage}, {"complete", i.complete ? Json(*i.complete) : Json(nullptr)}};
-  json["facts"] = Json::array();
-  for (const auto& [name, value] : i.facts) json["facts"].push_back({{"name", name}, {"value", value}});
-  json["outcomes"] = Json::array();
-  for (const OutcomeShare& o : i.outcomes)
-    json["outcomes"].push_back({{"id", o.id}, {"name", o.name}, {"share", o.share.share}});
-  json["study"] = i.study;
+  const Json json = object(
+      "path", i.path, "kind", i.kind, "version", i.version, "bytes", i.bytes, "damage", i.damage, "complete",
+      i.complete, "facts",
+      list_of(i.facts, [](const auto& fact) { return object("name", fact.first, "value", fact.second); }), "outcomes",
+      list_of(i.outcomes,
+              [](const OutcomeShare& o) { return object("id", o.id, "name", o.name, "share", o.share.share); }),
+      "study", i.study);
   return json.dump(2) + "\n";
 }
 

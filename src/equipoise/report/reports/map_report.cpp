@@ -1,15 +1,13 @@
 // Basin slices as text and as JSON.
-#include "equipoise/report/reports/map_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
@@ -23,8 +21,6 @@
 namespace equipoise {
 
 namespace {
-
-using MapJson = nlohmann::ordered_json;
 
 std::string axis_text(const char* letter, const SliceAxis& a, int every) {
   return fmt::format(words::reports::map_axis, letter, a.key, a.low, a.high, a.pixels,
@@ -43,42 +39,6 @@ std::string scales_text(const SliceFigures& f) {
     values += fmt::format("{}{:.2f}", values.empty() ? "" : ", ", e.value);
   return fmt::format(words::reports::exponent_scales, f.local_exponents.front().from, f.local_exponents.back().to,
                      values);
-}
-
-MapJson local_json(const std::vector<LocalExponent>& exponents) {
-  MapJson json = MapJson::array();
-  for (const LocalExponent& e : exponents) json.push_back({{"from", e.from}, {"to", e.to}, {"value", e.value}});
-  return json;
-}
-
-MapJson figure_json(const std::optional<SliceFigure>& f) {
-  return f ? MapJson{{"value", f->value}, {"low", f->low}, {"high", f->high}} : MapJson(nullptr);
-}
-
-MapJson axis_json(const SliceAxis& a) {
-  std::vector<double> values;
-  for (int k = 0; k < a.pixels; ++k) values.push_back(a.centre(k));
-  return {{"key", a.key}, {"values", values}};
-}
-
-// Rows of a slice as text: a JSON tree of so many numbers would take ten times the memory.
-template <class Cell>
-void add_rows(const BasinSlice& map, std::string& text, const Cell& cell) {
-  text += '[';
-  for (int row = 0; row < map.y.pixels; ++row) {
-    text += row == 0 ? "[" : ",[";
-    for (int column = 0; column < map.x.pixels; ++column) {
-      if (column > 0) text += ',';
-      cell(map.at(column, row));
-    }
-    text += ']';
-  }
-  text += ']';
-}
-
-template <class Number>
-void add_number(std::string& text, Number number) {
-  fmt::format_to(std::back_inserter(text), "{}", number);
 }
 
 // Where balls start that neither an axis nor a link places.
@@ -137,11 +97,7 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
     text += fmt::format("phi_{} = phi_{} + {:.10g}\n", link.ball, link.of, link.offset);
   text = answer + lines_filled(text + starts_text(map), style) + "\n";
   DocumentTable table{
-      {"code", physical ? words::text::what_the_balls_do : "outcome", "pixels", words::reports::of_the_map},
-      {},
-      "",
-      false,
-      {}};
+      {"code", physical ? words::text::what_the_balls_do : "outcome", "pixels", words::reports::of_the_map}};
   for (const OutcomeShare& c : map.codes)
     table.rows.push_back(row_of("ntnn", {fmt::format("{}", c.id), reader_title(c, physical),
                                          fmt::format("{}", c.share.count), part_of_map(map, c.share)}));
@@ -167,50 +123,40 @@ std::string map_text(const BasinSlice& map, const TextStyle& style) {
   return text + lines_filled(notes, style);
 }
 
+void to_json(Json& json, const SliceAxis& axis) {
+  std::vector<double> values;
+  for (int k = 0; k < axis.pixels; ++k) values.push_back(axis.centre(k));
+  json = object("key", axis.key, "values", values);
+}
+
 std::string map_json(const BasinSlice& map) {
   const SliceFigures& f = map.figures;
-  MapJson json = {{"x", axis_json(map.x)}, {"y", axis_json(map.y)}};
-  json["ties"] = MapJson::array();
-  for (const AngleLink& link : map.links)
-    json["ties"].push_back({{"ball", link.ball}, {"of", link.of}, {"offset", link.offset}});
-  json["outcomes"] = MapJson::array();
-  for (const OutcomeShare& c : map.codes)
-    json["outcomes"].push_back(
-        {{"id", c.id}, {"name", c.name}, {"alias", c.alias}, {"pixels", c.share.count}, {"share", c.share.share}});
-  std::string text = json.dump();
+  const auto tie = [](const AngleLink& link) {
+    return object("ball", link.ball, "of", link.of, "offset", link.offset);
+  };
+  const auto code = [](const OutcomeShare& c) {
+    return object("id", c.id, "name", c.name, "alias", c.alias, "pixels", c.share.count, "share", c.share.share);
+  };
+  const auto exponent = [](const LocalExponent& e) { return object("from", e.from, "to", e.to, "value", e.value); };
+  std::string text =
+      object("x", map.x, "y", map.y, "ties", list_of(map.links, tie), "outcomes", list_of(map.codes, code)).dump();
   text.back() = ',';
   text += "\"outcome\":";
-  add_rows(map, text, [&](std::size_t at) {
-    if (map.code[at] == not_computed_code)
-      text += "null";
-    else
-      add_number(text, map.code[at]);
+  append_rows(text, map.x.pixels, map.y.pixels, [&](std::size_t k) {
+    return map.code[k] == not_computed_code ? std::nullopt : std::optional(map.code[k]);
   });
   text += ",\"time\":";
-  add_rows(map, text, [&](std::size_t at) {
-    if (std::isfinite(map.time[at]))
-      add_number(text, map.time[at]);
-    else
-      text += "null";
-  });
-  json = MapJson::object();
-  json["figures"] = {{"box_dimension", figure_json(f.box_dimension)},
-                     {"uncertainty_exponent", figure_json(f.uncertainty_exponent)},
-                     {"local_exponents", local_json(f.local_exponents)},
-                     {"basin_entropy", figure_json(f.basin_entropy)},
-                     {"boundary_basin_entropy", figure_json(f.boundary_basin_entropy)},
-                     {"balanced_radius", f.balanced_radius ? MapJson(*f.balanced_radius) : MapJson(nullptr)}};
-  json["partial"] = !map.complete;
-  json["pixels"] = map.pixels;
-  json["pixels_open"] = open_pixels(map);
-  json["pixels_left_out"] = map.pixels_left_out;
-  json["pixels_computed"] = map.pixels_computed;
-  json["pixels_kept"] = map.pixels_kept;
-  json["draws_starts"] = draws_starts(map);
-  json["every"] = map.every;
+  append_rows(text, map.x.pixels, map.y.pixels,
+              [&](std::size_t k) { return std::isfinite(map.time[k]) ? std::optional(map.time[k]) : std::nullopt; });
+  Json json = object("figures",
+                     object("box_dimension", f.box_dimension, "uncertainty_exponent", f.uncertainty_exponent,
+                            "local_exponents", list_of(f.local_exponents, exponent), "basin_entropy", f.basin_entropy,
+                            "boundary_basin_entropy", f.boundary_basin_entropy, "balanced_radius", f.balanced_radius),
+                     "partial", !map.complete, "pixels", map.pixels, "pixels_open", open_pixels(map), "pixels_left_out",
+                     map.pixels_left_out, "pixels_computed", map.pixels_computed, "pixels_kept", map.pixels_kept,
+                     "draws_starts", draws_starts(map), "every", map.every);
   add_computed(json, map);
-  const std::string rest = json.dump();
-  return text + "," + rest.substr(1) + "\n";
+  return text + "," + json.dump().substr(1) + "\n";
 }
 
 }  // namespace equipoise

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/table_text.hpp"
@@ -38,10 +37,6 @@ std::string distribution_text(const UncertainValue& v) {
 }
 
 std::string range_text(const IndexEstimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); }
-
-nlohmann::ordered_json estimate_json(const IndexEstimate& e) {
-  return {{"value", e.value}, {"low", e.low}, {"high", e.high}};
-}
 
 }  // namespace
 
@@ -77,19 +72,13 @@ std::string sensitivity_text(const SensitivityResult& r) {
   return text + (r.partial ? words::text::partial_rows : ".\n\n");
 }
 
-nlohmann::ordered_json sensitivity_json(const SensitivityResult& r) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& [key, indices] : r.inputs)
-    json.push_back({{"key", key}, {"first", estimate_json(indices.first)}, {"total", estimate_json(indices.total)}});
-  return json;
+void to_json(Json& json, const InputSensitivity& input) {
+  json = object("key", input.key, "first", input.indices.first, "total", input.indices.total);
 }
 
-nlohmann::ordered_json sensitivity_design_json(const SensitivityResult& r) {
-  return {{"rows", r.rows},
-          {"evaluations", r.evaluations},
-          {"undecided", r.undecided},
-          {"partial", r.partial},
-          {"balanced", share_json(r.balanced)}};
+void to_json(Json& json, const SensitivityResult& r) {
+  json = object("rows", r.rows, "evaluations", r.evaluations, "undecided", r.undecided, "partial", r.partial,
+                "balanced", r.balanced);
 }
 
 }  // namespace equipoise

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/sensitivity_result.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -16,9 +15,9 @@ namespace equipoise {
 std::string uncertain_text(const Study& study, const std::vector<std::string>& set = {});
 
 std::string sensitivity_text(const SensitivityResult& result);
-/// An array: key, first and total, each value, low and high.
-nlohmann::ordered_json sensitivity_json(const SensitivityResult& result);
+/// Key, first and total, each value, low and high.
+void to_json(Json& json, const InputSensitivity& input);
 /// Numbers of rows and evaluations, and so on.
-nlohmann::ordered_json sensitivity_design_json(const SensitivityResult& result);
+void to_json(Json& json, const SensitivityResult& result);
 
 }  // namespace equipoise

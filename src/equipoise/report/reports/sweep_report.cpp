@@ -1,5 +1,5 @@
 // Sweeps as text, JSON and CSV.
-#include "equipoise/report/reports/sweep_report.hpp"
+#include "equipoise/report/reports/reports.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
 #include "equipoise/report/answers/answer.hpp"
 #include "equipoise/report/reports/sensitivity_report.hpp"
+#include "equipoise/report/reports/transient_report.hpp"
 #include "equipoise/report/text/cell_text.hpp"
 #include "equipoise/report/text/computed.hpp"
 #include "equipoise/report/text/csv.hpp"
@@ -22,8 +22,6 @@
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Number of attractors with their own column in a terminal's table.
 constexpr std::size_t most_columns = 4;  // beside balanced
@@ -46,16 +44,15 @@ std::string column_name(const SweepOutcome& o) {
 struct Columns {
   explicit Columns(const SweepResult& r) {
     std::map<int, SweepColumn> all;
-    for (const auto& cell : r.cells) {
-      if (!cell) continue;
-      if (cell->stalled && cell->stalled->count > 0) stalled = true;
-      for (const SweepOutcome& o : cell->outcomes) {
+    visit_done(r.cells, [&](std::size_t, const SweepCell& cell) {
+      if (cell.stalled && cell.stalled->count > 0) stalled = true;
+      for (const SweepOutcome& o : cell.outcomes) {
         if (o.share.count == 0 || o.id == balanced_id) continue;
         SweepColumn& column = all[o.id];
         column = {o.id, column_name(o), column.sum + o.share.share, std::max(column.largest, o.share.share),
                   column.cells + 1};
       }
-    }
+    });
     for (const auto& [id, column] : all) shown.push_back(column);
     std::stable_sort(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.sum > b.sum; });
     tell_apart();
@@ -100,7 +97,7 @@ const SweepOutcome* find(const SweepCell& cell, int id) {
 // The rarest motions go first where the terminal is narrow, then what all cells have alike.
 DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
   const bool limits = std::any_of(r.cells.begin(), r.cells.end(), [](const auto& c) { return c && kept_share(*c); });
-  DocumentTable table{parameter_titles(r.axes, key_itself), {}, "", false, {}};
+  DocumentTable table{parameter_titles(r.axes, key_itself)};
   const auto column = [&](bool there, const std::string& title) {
     if (there) table.header.push_back(title);
     return table.header.size() - 1;
@@ -118,9 +115,7 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
   if (!columns.others.empty()) table.spare.push_back(others);
   table.missed = table.spare.size();
   table.spare.push_back(starts);
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (!r.cells[index]) continue;
-    const SweepCell& cell = *r.cells[index];
+  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     std::vector<DocumentCell> row = parameter_values(r.axes, index);
     const auto put = [&](bool there, const std::string& text) {
       if (there) row.push_back(number_cell(text));
@@ -139,7 +134,7 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
     put(columns.stalled, cell.stalled ? percent(cell.stalled->share, 2) : "-");
     put(true, percent(cell.undecided.share, 2));
     table.rows.push_back(std::move(row));
-  }
+  });
   return table;
 }
 
@@ -147,25 +142,11 @@ DocumentTable cells_table(const SweepResult& r, const Columns& columns) {
 std::string what_else(const SweepResult& r) {
   std::string text;
   std::uint64_t lost = 0;
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (!r.cells[index]) continue;
-    const SweepCell& cell = *r.cells[index];
+  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     lost += cell.lost();
     if (!cell.note.empty()) text += fmt::format(words::reports::note_at, cell_title(r.axes, index), cell.note);
-  }
+  });
   return lost > 0 ? fmt::format(words::reports::lost_starts, lost) + text : text;
-}
-
-Json outcome_json(const SweepOutcome& o) {
-  const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
-  Json outcome = {{"id", o.id}, {"name", o.name}, {"alias", o.alias}, {"kind", o.kind}};
-  outcome.update(sure_share_json(o.share));
-  outcome["mean_time"] = o.mean_time;
-  outcome["radial"] = {{"min", optional(o.r_min)}, {"mean", optional(o.r_mean)}, {"max", optional(o.r_max)}};
-  outcome["period"] = o.period > 0.0 ? Json(o.period) : Json(nullptr);
-  if (!o.unbalance.empty())
-    outcome["left_unbalance"] = {{"probability", unbalance_quantiles}, {"unbalance", o.unbalance}};
-  return outcome;
 }
 
 Json transients_json(const TransientGroup& group) {
@@ -173,35 +154,34 @@ Json transients_json(const TransientGroup& group) {
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     if (!group.tells(k)) continue;
     const SampleSummary& s = group.figures[k];
-    Json& figure = transients[transient_figures[k].name];
-    figure = {{"mean", s.mean}, {"largest", s.largest}};
-    for (std::size_t q = 0; q < reported_quantiles.size(); ++q)
-      figure["quantiles"].push_back({{"at", reported_quantiles[q]},
-                                     {"value", s.quantiles[q].value},
-                                     {"low", s.quantiles[q].low},
-                                     {"high", s.quantiles[q].high}});
+    Json& figure = transients[transient_figures[k].name] = object("mean", s.mean, "largest", s.largest);
+    for (std::size_t q = 0; q < reported_quantiles.size(); ++q) {
+      Json& quantile = figure["quantiles"][q] = object("at", reported_quantiles[q]);
+      quantile.update(Json(s.quantiles[q]));
+    }
   }
-  for (std::size_t k = 0; k < transient_limits.size(); ++k)
-    if (group.exceeded[k]) transients["exceeded"][transient_limits[k].name] = share_json(*group.exceeded[k]);
-  for (std::size_t k = 0; k < within_names.size(); ++k)
-    if (group.within[k]) transients["within"][within_names[k]] = sure_share_json(*group.within[k]);
+  const auto told = [](const Share& s) { return Json(s); };
+  if (Json exceeded = limits_json(group.exceeded, told); !exceeded.empty()) put(transients, "exceeded", exceeded);
+  if (Json within = within_json(group, sure); !within.empty()) put(transients, "within", within);
   return transients;
 }
 
-Json cell_json(const SweepResult& r, std::size_t index) {
-  const SweepCell& cell = *r.cells[index];
-  Json one;
-  one["at"] = at_json(r.axes, index);
-  one["starts"] = cell.starts;
-  one["outcomes"] = Json::array();
-  for (const SweepOutcome& o : cell.outcomes) one["outcomes"].push_back(outcome_json(o));
+Json cell_json(const SweepResult& r, std::size_t index, const SweepCell& cell) {
+  Json one = object("at", at_json(r.axes, index), "starts", cell.starts);
+  one["outcomes"] = list_of(cell.outcomes, [](const SweepOutcome& o) {
+    Json outcome = outcome_with(o, sure(o.share));
+    put(outcome, "mean_time", o.mean_time, "radial", extremes(o.r_min, o.r_mean, o.r_max), "period",
+        o.period > 0.0 ? Json(o.period) : Json());
+    if (!o.unbalance.empty())
+      put(outcome, "left_unbalance", object("probability", unbalance_quantiles, "unbalance", o.unbalance));
+    return outcome;
+  });
   for (const OutcomeShare& o : cell.others()) {
-    if (o.id == undecided_code && cell.passed) one["passed"] = sure_share_json(*cell.passed);
-    one[o.name] = sure_share_json(o.share);
+    if (o.id == undecided_code && cell.passed) put(one, "passed", sure(*cell.passed));
+    one[o.name] = sure(o.share);
   }
-  if (cell.transients) one["transients"] = transients_json(*cell.transients);
-  one["balanced_stable"] = cell.balanced_stable;
-  one["note"] = cell.note;
+  if (cell.transients) put(one, "transients", transients_json(*cell.transients));
+  put(one, "balanced_stable", cell.balanced_stable, "note", cell.note);
   return one;
 }
 
@@ -215,8 +195,7 @@ std::string sweep_text(const SweepResult& r, const TextStyle& style) {
   std::string notes = words::reports::intervals_are + others_text(columns) + what_else(r);
   std::size_t done = 0;
   std::uint64_t starts = 0;
-  for (const auto& cell : r.cells)
-    if (cell) ++done, starts += cell->starts;
+  visit_done(r.cells, [&](std::size_t, const SweepCell& cell) { ++done, starts += cell.starts; });
   if (done < r.cells.size()) notes += fmt::format(words::reports::partial_sweep, done, r.cells.size());
   notes += fmt::format(words::reports::sweep_made_with, done, plural(done), starts, r.study.sampling.seed);
   if (r.resumed_cells > 0)
@@ -226,16 +205,11 @@ std::string sweep_text(const SweepResult& r, const TextStyle& style) {
 }
 
 std::string sweep_json(const SweepResult& r) {
-  Json json;
-  json["over"] = over_json(r.axes);
-  json["zipped"] = r.axes.size() == 1 && r.axes.front().parameters.size() > 1;
-  json["partial"] = !r.complete();
-  json["cells"] = Json::array();
-  for (std::size_t index = 0; index < r.cells.size(); ++index)
-    if (r.cells[index]) json["cells"].push_back(cell_json(r, index));
-  json["confidence"] = 0.95;
-  json["half_width"] = r.half_width;
-  json["resumed_cells"] = r.resumed_cells;
+  Json cells = Json::array();
+  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) { cells.push_back(cell_json(r, index, cell)); });
+  Json json = object("over", over_json(r.axes), "zipped", r.axes.size() == 1 && r.axes.front().parameters.size() > 1,
+                     "partial", !r.complete(), "cells", cells, "confidence", 0.95, "half_width", r.half_width,
+                     "resumed_cells", r.resumed_cells);
   add_computed(json, r);
   return json.dump(2) + "\n";
 }
@@ -247,9 +221,7 @@ std::string sweep_csv(const SweepResult& r) {
   text += "starts,id,name,alias,kind,count,share,low,high";
   for (const MotionColumn& c : motion_columns) text += std::string(",") + c.name;
   text += "\n";
-  for (std::size_t index = 0; index < r.cells.size(); ++index) {
-    if (!r.cells[index]) continue;
-    const SweepCell& cell = *r.cells[index];
+  visit_done(r.cells, [&](std::size_t index, const SweepCell& cell) {
     const std::string at = csv_values(r.axes, index);
     const auto line = [&](const OutcomeShare& o, const std::string& motion) {
       const Share& s = o.share;
@@ -262,7 +234,7 @@ std::string sweep_csv(const SweepResult& r) {
       line(o, motion);
     }
     for (const OutcomeShare& o : cell.others()) line(o, std::string(motion_columns.size(), ','));
-  }
+  });
   return text;
 }
 

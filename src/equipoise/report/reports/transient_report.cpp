@@ -2,19 +2,20 @@
 #include "equipoise/report/reports/transient_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/machine/balance/balance_grade.hpp"
 #include "equipoise/machine/balance/tolerance_planes.hpp"
 #include "equipoise/machine/model/stroboscopic_section.hpp"
 #include "equipoise/report/text/table_text.hpp"
 #include "equipoise/report/text/text.hpp"
+#include "equipoise/report/words/reports.hpp"
 #include "equipoise/report/words/text.hpp"
 #include "equipoise/results/commands/left_grade.hpp"
 #include "equipoise/results/types/fate.hpp"
@@ -23,7 +24,6 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using study::Dimension;
 
 using Unit = study::ShownUnit;
@@ -99,23 +99,17 @@ std::string group_text(const TransientGroup& group, const TransientResult& r, co
   return text;
 }
 
-Json json_number(double value, double size) { return std::isfinite(value) ? Json(value * size) : Json(nullptr); }
-
 Json figure_json(const SampleSummary& s, const Unit& unit) {
-  Json one = {{"unit", unit.name}, {"count", s.count}, {"open", s.open}};
-  const bool some = s.open < s.count;
-  one["mean"] = some ? json_number(s.mean, unit.size) : Json(nullptr);
-  one["mean_low"] = some ? json_number(s.mean_low, unit.size) : Json(nullptr);
-  one["mean_high"] = some ? json_number(s.mean_high, unit.size) : Json(nullptr);
-  one["largest"] = json_number(s.largest, unit.size);
-  one["quantiles"] = Json::array();
-  for (std::size_t k = 0; k < s.quantiles.size(); ++k)
-    one["quantiles"].push_back({{"probability", reported_quantiles[k]},
-                                {"value", json_number(s.quantiles[k].value, unit.size)},
-                                {"low", json_number(s.quantiles[k].low, unit.size)},
-                                {"high", json_number(s.quantiles[k].high, unit.size)}});
-  one["exact"] = s.exact;
-  return one;
+  const auto of_finite = [&](double value) { return s.open < s.count ? Json(value * unit.size) : Json(); };
+  Json quantiles = Json::array();
+  for (std::size_t k = 0; k < s.quantiles.size(); ++k) {
+    const QuantileEstimate& q = s.quantiles[k];
+    quantiles.push_back(object("probability", reported_quantiles[k], "value", q.value * unit.size, "low",
+                               q.low * unit.size, "high", q.high * unit.size));
+  }
+  return object("unit", unit.name, "count", s.count, "open", s.open, "mean", of_finite(s.mean), "mean_low",
+                of_finite(s.mean_low), "mean_high", of_finite(s.mean_high), "largest", s.largest * unit.size,
+                "quantiles", quantiles, "exact", s.exact);
 }
 
 // The speed that an unbalance is graded at; empty for a driven rotor whose speed was never measured.
@@ -161,32 +155,23 @@ std::string of_runs(std::uint64_t count, const OneBodyRuns& runs) {
   return runs.one ? "" : fmt::format(words::text::in_runs, count, runs.runs);
 }
 
-Json figures_json(const TransientGroup& group, bool one, const Study& study) {
+Json one_body_json(const OneBodyRuns& body, const Study& study) {
+  const TransientGroup& g = body.figures;
   Json figures = Json::object();
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
-    const SampleSummary& s = group.figures[k];
     if (!f.of_bare_rotor || (f.needs && !(study.limits.*f.needs))) continue;
     const Unit unit = unit_of(study, f.told_in());
-    figures[f.name] = figure_json(s, unit);
-    if (one)  // without an interval, and null without an end
-      figures[f.name] = {{"unit", unit.name}, {"value", figures[f.name]["quantiles"][0]["value"]}};
+    // One run has no interval.
+    figures[f.name] = body.one ? object("unit", unit.name, "value", g.figures[k].quantiles[0].value * unit.size)
+                               : figure_json(g.figures[k], unit);
   }
-  return figures;
-}
-
-Json one_body_json(const OneBodyRuns& body, const Study& study) {
-  const TransientGroup& g = body.figures;
-  Json json = {{"runs", body.runs},       {"one_for_all", body.one}, {"stalled", body.stalled},
-               {"not_steady", body.open}, {"lost", body.lost},       {"figures", figures_json(g, body.one, study)}};
-  const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : Json(sure_share_json(s)); };
-  json["exceeded"] = json["within"] = Json::object();
-  for (std::size_t k = 0; k < transient_limits.size(); ++k)
-    if (g.exceeded[k]) json["exceeded"][transient_limits[k].name] = told(*g.exceeded[k]);
-  for (std::size_t k = 0; k < within_names.size(); ++k)
-    if (g.within[k]) json["within"][within_names[k]] = told(*g.within[k]);
-  if (const auto grade = left_grade(g, study); grade && g.starts > 0) json["balance_grade"] = *grade;
-  if (g.mean_speed) json["mean_speed"] = *g.mean_speed;
+  const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : sure(s); };
+  Json json =
+      object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open, "lost",
+             body.lost, "figures", figures, "exceeded", limits_json(g.exceeded, told), "within", within_json(g, told));
+  if (g.starts > 0) put_known(json, "balance_grade", left_grade(g, study));
+  put_known(json, "mean_speed", g.mean_speed);
   return json;
 }
 
@@ -210,7 +195,7 @@ bool tells_without_balls(const BasinResult& r) {
 
 DocumentTable bare_table(const BasinResult& r) {
   const OneBodyRuns& bare = r.without_balls->bare;
-  DocumentTable table{{"", bare.one ? words::text::one_run : "median"}, {}, "", false, {}};
+  DocumentTable table{{"", bare.one ? words::text::one_run : "median"}};
   if (!bare.one) table.header.emplace_back("90 % below");
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
@@ -223,14 +208,17 @@ DocumentTable bare_table(const BasinResult& r) {
   return table;
 }
 
+std::string bare_words(const BasinResult& r) {
+  const OneBodyRuns& bare = r.without_balls->bare;
+  if (bare.one) return words::reports::one_run_tells_all;
+  return fmt::format(words::reports::runs_draw_the_rest, bare.runs);
+}
+
 DocumentTable without_balls_table(const BasinResult& r) {
   const TransientGroup &with = r.transients->groups.front(), &bare = r.without_balls->bare.figures,
                        &held = r.without_balls->held.figures;
-  DocumentTable table{{"", words::text::no_balls, words::text::balls_held_title, words::text::with_balls, "90 % below"},
-                      {},
-                      "",
-                      false,
-                      {}};
+  DocumentTable table{
+      {"", words::text::no_balls, words::text::balls_held_title, words::text::with_balls, "90 % below"}};
   for (std::size_t k = 0; k < transient_figures.size(); ++k) {
     const TransientFigure& f = transient_figures[k];
     if (!f.of_bare_rotor || !shows(f, r.study) || !r.transients->asks(f, r.study.limits)) continue;
@@ -290,13 +278,13 @@ std::vector<std::string> without_balls_words(const BasinResult& r) {
 }
 
 Json without_balls_json(const WithoutBalls& without, const Study& study) {
-  Json json = {{"no_balls", one_body_json(without.bare, study)}};
-  if (without.held.runs > 0) json["balls_held"] = one_body_json(without.held, study);
+  Json json = object("no_balls", one_body_json(without.bare, study));
+  if (without.held.runs > 0) put(json, "balls_held", one_body_json(without.held, study));
   return json;
 }
 
 DocumentTable limits_table(const TransientGroup& group, const Study& study) {
-  DocumentTable table{{"starts", "share", "95 % interval"}, {}, "", false, {}};
+  DocumentTable table{{"starts", "share", "95 % interval"}};
   const auto opens = [](const std::optional<Share>& s) { return s && (s->least < s->low || s->most > s->high); };
   const bool open = std::any_of(group.within.begin(), group.within.end(), opens);
   if (open) table.header.emplace_back("bounds");
@@ -367,47 +355,36 @@ std::string transient_text(const TransientResult& r, const Study& study) {
   return text + "\n";
 }
 
-nlohmann::ordered_json transient_json(const TransientResult& r, const Study& study) {
+Json transient_json(const TransientResult& r, const Study& study) {
   const Unit length = unit_of(study, Dimension::length), time = unit_of(study, Dimension::time);
-  Json json;
-  for (const TransientLimit& l : transient_limits) json["units"][l.name] = unit_of(study, l).name;
-  json["units"]["time"] = time.name;
-  json["units"]["energy"] = unit_of(study, Dimension::energy).name;
-  json["window"] = r.settings.window * time.size;
-  const double sag = 0.0 - model::static_sag(study.parameters);
-  json["static_sag"] = sag * length.size;
-  json["weight"] = (0.0 + model::total_weight(study.parameters)) * unit_of(study, Dimension::force).size;
+  Json units, limits = Json::object();
+  for (const TransientLimit& l : transient_limits) {
+    units[l.name] = unit_of(study, l).name;
+    if (const auto& limit = study.limits.*l.limit) limits[l.name] = *limit * unit_of(study, l).size;
+  }
+  put(units, "time", time.name, "energy", unit_of(study, Dimension::energy).name);
+  if (r.settings.watches_settling()) put(limits, "settled", r.settings.settled * length.size);
+  Json json = object("units", units, "window", r.settings.window * time.size, "static_sag",
+                     (0.0 - model::static_sag(study.parameters)) * length.size, "weight",
+                     (0.0 + model::total_weight(study.parameters)) * unit_of(study, Dimension::force).size);
+  const WatchedShaft& shaft = r.settings.shaft;
   if (study.parameters.tilts())
-    json["places"] = {r.settings.shaft.places[0] * length.size, r.settings.shaft.places[1] * length.size};
-  if (study.parameters.tilts()) json["force_of"] = r.settings.shaft.bearings.empty() ? "supports" : "bearing";
-  json["limits"] = Json::object();
-  for (const TransientLimit& l : transient_limits)
-    if (const auto& limit = study.limits.*l.limit) json["limits"][l.name] = *limit * unit_of(study, l).size;
-  if (r.settings.watches_settling()) json["limits"]["settled"] = r.settings.settled * length.size;
-  json["lost"] = r.lost;
-  json["groups"] = Json::array();
-  for (const TransientGroup& group : r.groups) {
-    Json one = {{"name", group.name}, {"id", group.id ? Json(*group.id) : Json(nullptr)}, {"starts", group.starts}};
+    put(json, "places", std::array{shaft.places[0] * length.size, shaft.places[1] * length.size}, "force_of",
+        shaft.bearings.empty() ? "supports" : "bearing");
+  const auto group_json = [&](const TransientGroup& group) {
+    Json one = object("name", group.name, "id", group.id, "starts", group.starts);
     for (std::size_t k = 0; k < transient_figures.size(); ++k) {
       const TransientFigure& f = transient_figures[k];
       if (!r.asks(f, study.limits)) continue;
       Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
-      if (f.needs) figure["for_good"] = group.for_good(f);
+      if (f.needs) put(figure, "for_good", group.for_good(f));
     }
-    one["exceeded"] = Json::object();
-    one["exceeded_at_end"] = one["within"] = Json::object();
-    for (std::size_t k = 0; k < transient_limits.size(); ++k) {
-      if (const auto& s = group.exceeded[k]) one["exceeded"][transient_limits[k].name] = sure_share_json(*s);
-      if (const auto& s = group.exceeded_at_end[k])
-        one["exceeded_at_end"][transient_limits[k].name] = sure_share_json(*s);
-    }
-    for (std::size_t k = 0; k < within_names.size(); ++k)
-      if (const auto& share = group.within[k]) one["within"][within_names[k]] = sure_share_json(*share);
-    const std::optional<double> grade = left_grade(group, study);
-    if (grade) one["balance_grade"] = *grade;
-    if (group.mean_speed) one["mean_speed"] = *group.mean_speed;
-    json["groups"].push_back(one);
-  }
+    put(one, "exceeded", limits_json(group.exceeded, sure), "exceeded_at_end", limits_json(group.exceeded_at_end, sure),
+        "within", within_json(group, sure));
+    put_known(one, "balance_grade", left_grade(group, study), "mean_speed", group.mean_speed);
+    return one;
+  };
+  put(json, "limits", limits, "lost", r.lost, "groups", list_of(r.groups, group_json));
   return json;
 }
 

@@ -1,13 +1,13 @@
 // The transients of an ensemble as text and as JSON.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/basin_result.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
 
@@ -26,10 +26,12 @@ bool tells_without_balls(const BasinResult& result);
 DocumentTable without_balls_table(const BasinResult& result);
 /// The same of a rotor that has no balls at all.
 DocumentTable bare_table(const BasinResult& result);
+/// Then: how many runs tell of it.
+std::string bare_words(const BasinResult& result);
 /// What to read from either, a sentence each.
 std::vector<std::string> without_balls_words(const BasinResult& result);
 /// The object "without_balls" of basin_json(), in the units of transient_json().
-nlohmann::ordered_json without_balls_json(const WithoutBalls& without, const Study& study);
+Json without_balls_json(const WithoutBalls& without, const Study& study);
 
 /// Starts within all limits, a row each of Within; without rows where no limit is stated.
 DocumentTable limits_table(const TransientGroup& group, const Study& study);
@@ -37,6 +39,23 @@ DocumentTable limits_table(const TransientGroup& group, const Study& study);
 std::string clearance_words(const TransientGroup& group, const Study& study);
 
 /// The object "transients" of basin_json(), in the same units, which it names.
-nlohmann::ordered_json transient_json(const TransientResult& result, const Study& study);
+Json transient_json(const TransientResult& result, const Study& study);
+
+/// Shares of starts by the name of the limit that they exceed, or of the limits that they are within, each as `told`
+/// has it; without those that are not known.
+template <class Told>
+Json limits_json(const std::array<std::optional<Share>, transient_limits.size()>& exceeded, const Told& told) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < exceeded.size(); ++k)
+    if (exceeded[k]) json[transient_limits[k].name] = told(*exceeded[k]);
+  return json;
+}
+template <class Told>
+Json within_json(const TransientGroup& group, const Told& told) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < within_names.size(); ++k)
+    if (group.within[k]) json[within_names[k]] = told(*group.within[k]);
+  return json;
+}
 
 }  // namespace equipoise

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/report/text/csv.hpp"
 
@@ -46,16 +45,16 @@ std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell) {
   return line;
 }
 
-nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes) {
-  auto json = nlohmann::ordered_json::array();
+Json over_json(const std::vector<SweepAxis>& axes) {
+  Json json = Json::array();
   visit_parameters(axes, 0, [&](const SweepParameter& p, std::size_t) {
-    json.push_back({{"key", p.key}, {"unit", p.unit}, {"values", p.values}});
+    json.push_back(object("key", p.key, "unit", p.unit, "values", p.values));
   });
   return json;
 }
 
-nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell) {
-  auto json = nlohmann::ordered_json::object();
+Json at_json(const std::vector<SweepAxis>& axes, std::size_t cell) {
+  Json json = Json::object();
   visit_parameters(axes, cell, [&](const SweepParameter& p, std::size_t k) { json[p.key] = p.values[k]; });
   return json;
 }

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/report/drawing/document.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/results/commands/sweep_result.hpp"
 
 namespace equipoise {
@@ -28,7 +27,7 @@ std::string csv_values(const std::vector<SweepAxis>& axes, std::size_t cell);
 std::string csv_title(const std::string& key, const std::string& unit);
 
 /// The parameters with their values, and a cell's values by key.
-nlohmann::ordered_json over_json(const std::vector<SweepAxis>& axes);
-nlohmann::ordered_json at_json(const std::vector<SweepAxis>& axes, std::size_t cell);
+Json over_json(const std::vector<SweepAxis>& axes);
+Json at_json(const std::vector<SweepAxis>& axes, std::size_t cell);
 
 }  // namespace equipoise

@@ -7,7 +7,7 @@
 
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/core/base/version.hpp"
-#include "equipoise/report/text/text.hpp"
+#include "equipoise/report/text/json.hpp"
 
 namespace equipoise {
 
@@ -19,15 +19,12 @@ std::string computed_text(const Result& r) {
 }
 
 /// Time, threads and instruction set; the study; the version.
-template <class Json, class Result>
+template <class Result>
 void add_computed(Json& json, const Result& r) {
-  json["seconds"] = r.seconds;
-  if constexpr (requires { r.cpu_seconds; }) json["cpu_seconds"] = r.cpu_seconds;
-  json["threads"] = r.threads;
-  json["cpu_target"] = r.cpu_target;
-  json["study_name"] = r.study.name;
-  json["study"] = study_json(r.study);
-  json["version"] = version_string;
+  put(json, "seconds", r.seconds);
+  if constexpr (requires { r.cpu_seconds; }) put(json, "cpu_seconds", r.cpu_seconds);
+  put(json, "threads", r.threads, "cpu_target", r.cpu_target, "study_name", r.study.name, "study", r.study, "version",
+      version_string);
 }
 
 }  // namespace equipoise

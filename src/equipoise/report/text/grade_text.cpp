@@ -1,11 +1,11 @@
-// The figure itself, and the standard's grade that it meets.
+// Grades, and quantiles of the unbalance left with theirs.
 #include "equipoise/report/text/grade_text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "equipoise/machine/balance/balance_grade.hpp"
+#include "equipoise/report/text/engineering.hpp"
 #include "equipoise/report/words/text.hpp"
+#include "equipoise/results/commands/left_grade.hpp"
 
 namespace equipoise {
 
@@ -17,10 +17,46 @@ std::string grade_text(double grade_mm_s) {
              : fmt::format(words::text::beyond_grade, grade_mm_s, model::standard_balance_grades.back());
 }
 
-nlohmann::ordered_json grade_json(double grade_mm_s) {
-  nlohmann::ordered_json json{{"mm_per_s", grade_mm_s}, {"standard", nullptr}};
-  if (const auto met = model::standard_grade_met(grade_mm_s)) json["standard"] = *met;
-  return json;
+Json grade_json(double grade_mm_s) {
+  return object("mm_per_s", grade_mm_s, "standard", model::standard_grade_met(grade_mm_s));
+}
+
+namespace {
+
+std::string amount_text(double unbalance, const Study& study) {
+  if (!study.scales) return fmt::format("{:.3g}", unbalance);
+  const double grade = left_balance_grade(unbalance, study);
+  const auto met = model::standard_grade_met(grade);
+  return fmt::format("{} ({})", engineering(unbalance * study.scales->unbalance(), study::Dimension::unbalance),
+                     met ? fmt::format("G {}", *met) : "beyond G 4000");
+}
+
+}  // namespace
+
+std::string left_unbalance_text(const std::vector<OutcomeShare>& attractors, const Study& study) {
+  std::string text;
+  for (const OutcomeShare& a : attractors) {
+    if (a.unbalance.empty()) continue;
+    text += fmt::format(words::text::unbalance_left, a.name);
+    for (std::size_t k = 0; k < a.unbalance.size(); ++k) {
+      const double share = unbalance_quantiles[k];
+      text += fmt::format("{}{} {}", k ? ", " : "",
+                          share < 1.0 ? fmt::format("{:.0f} % below", 100.0 * share) : words::text::all_within,
+                          amount_text(a.unbalance[k], study));
+    }
+    text += fmt::format(words::text::rotors_own, amount_text(study.parameters.eccentricity, study));
+  }
+  return text;
+}
+
+void put_left_unbalance(Json& json, const OutcomeShare& a, const Study& study) {
+  if (a.unbalance.empty()) return;
+  Json& left = json["left_unbalance"] = object("probability", unbalance_quantiles, "unbalance", a.unbalance);
+  if (!study.scales) return;
+  for (const double u : a.unbalance) {
+    left["unbalance_si"].push_back(u * study.scales->unbalance());
+    left["balance_grade"].push_back(grade_json(left_balance_grade(u, study)));
+  }
 }
 
 }  // namespace equipoise

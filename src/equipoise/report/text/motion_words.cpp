@@ -17,17 +17,13 @@ namespace equipoise {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json events_json(const Motion& m) {
   constexpr std::array<const char*, 6> words{"strike", "press", "part", "stick", "slip", "turn"};
-  Json events = Json::array();
-  for (const BallEvent& e : m.events) {
-    Json one = {{"time", e.time}, {"kind", words[static_cast<std::size_t>(e.kind)]}, {"balls", {e.ball + 1}}};
-    if (e.other >= 0) one["balls"].push_back(e.other + 1);
-    events.push_back(one);
-  }
-  return events;
+  return list_of(m.events, [&](const BallEvent& e) {
+    Json balls = {e.ball + 1};
+    if (e.other >= 0) balls.push_back(e.other + 1);
+    return object("time", e.time, "kind", words[static_cast<std::size_t>(e.kind)], "balls", balls);
+  });
 }
 
 // In a continuum each member has its own stability.
@@ -75,48 +71,34 @@ TableUnits::TableUnits(const std::optional<model::Scales>& scales) {
   rate = " /s";
 }
 
-nlohmann::ordered_json continuum_json(const ContinuumPart& part) {
-  return {{"drawn", part.drawn},
-          {"stable", part.stable},
-          {"slowest_rate", {part.slowest_rate, part.fastest_rate}},
-          {"growth_rate", {part.least_growth, part.most_growth}}};
+void to_json(Json& json, const ContinuumPart& part) {
+  json = object("drawn", part.drawn, "stable", part.stable, "slowest_rate",
+                std::array{part.slowest_rate, part.fastest_rate}, "growth_rate",
+                std::array{part.least_growth, part.most_growth});
 }
 
-nlohmann::ordered_json motion_json(const Attractor& a, const Study& study) {
+Json motion_json(const Attractor& a, const Study& study) {
   const int balls = study.parameters.balls;
   const Motion& m = a.motion;
-  Json json = {{"id", a.id}, {"name", a.name}, {"alias", a.alias}, {"kind", name_of(m.kind)}, {"copies", m.copies}};
-  if (a.continuum)
-    json["continuum"] = continuum_json(*a.continuum);
-  const bool periodic = m.kind == MotionKind::periodic;
-  json["period"] = motion_number("period").value(m);  // null of what is not periodic
-  json["winding"] = std::vector<int>(m.winding.begin(), m.winding.begin() + (periodic ? balls : 0));
-  if (periodic && m.depends_on_angle) json["strobes"] = m.sections;
-  const auto list = [&](const auto& values) { return std::vector<double>(values.begin(), values.begin() + balls); };
-  json["drift"] = list(m.drift);
-  json["rate"] = {{"min", list(m.rate_min)}, {"max", list(m.rate_max)}};
-  if (m.motor) {
-    json["speed"] = {{"min", m.motor->speed_min}, {"mean", m.speed}, {"max", m.motor->speed_max}};
-    json["torque"] = m.motor->torque;
-    json["power"] = {{"motor", m.motor->power}, {"supports", m.motor->support_power}};
-  }
   const auto number = [&](const char* name) { return motion_number(name).value(m); };
-  json["radial"] = {{"min", number("r_min")}, {"mean", number("r_mean")}, {"max", number("r_max")}};
-  if (m.kind == MotionKind::equilibrium || periodic) {
-    Json spectrum = Json::array();
-    for (Eigen::Index k = 0; k < m.spectrum.size(); ++k)
-      spectrum.push_back({m.spectrum[k].real(), m.spectrum[k].imag()});
-    json[m.kind == MotionKind::equilibrium && !m.depends_on_angle ? "eigenvalues" : "multipliers"] = spectrum;
-    json["residual"] = m.residual;
-  }
-  json["exponents"] = m.exponents;
-  json["stable"] = m.stable;
-  if (m.eventful) {
-    json["lasting"] = text_of(m.mode, balls);
-    json["events"] = events_json(m);
-    json["stuck"] = m.stuck;
-    json["continuum_of_friction"] = m.set_valued;
-  }
+  const bool periodic = m.kind == MotionKind::periodic;
+  Json json = object("id", a.id, "name", a.name, "alias", a.alias, "kind", name_of(m.kind), "copies", m.copies);
+  put_known(json, "continuum", a.continuum);
+  put(json, "period", number("period"), "winding", leading(m.winding, periodic ? balls : 0));
+  if (periodic && m.depends_on_angle) put(json, "strobes", m.sections);
+  put(json, "drift", leading(m.drift, balls), "rate",
+      object("min", leading(m.rate_min, balls), "max", leading(m.rate_max, balls)));
+  if (m.motor)
+    put(json, "speed", extremes(m.motor->speed_min, m.speed, m.motor->speed_max), "torque", m.motor->torque, "power",
+        object("motor", m.motor->power, "supports", m.motor->support_power));
+  put(json, "radial", extremes(number("r_min"), number("r_mean"), number("r_max")));
+  if (m.kind == MotionKind::equilibrium || periodic)
+    put(json, m.kind == MotionKind::equilibrium && !m.depends_on_angle ? "eigenvalues" : "multipliers",
+        list_of(m.spectrum, complex_pair), "residual", m.residual);
+  put(json, "exponents", m.exponents, "stable", m.stable);
+  if (m.eventful)
+    put(json, "lasting", text_of(m.mode, balls), "events", events_json(m), "stuck", m.stuck, "continuum_of_friction",
+        m.set_valued);
   return json;
 }
 

@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "equipoise/machine/datasheet/scales.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/results/types/attractor.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -23,8 +22,8 @@ struct TableUnits {
 /// The slowest decay of a deviation, without shifts in time: "stable, slowest rate -0.02510".
 std::string stability_text(const Attractor& a, const TableUnits& units);
 
-nlohmann::ordered_json continuum_json(const ContinuumPart& part);
+void to_json(Json& json, const ContinuumPart& part);
 /// The keys of `equipoise attractors --json`, without shares and state.
-nlohmann::ordered_json motion_json(const Attractor& a, const Study& study);
+Json motion_json(const Attractor& a, const Study& study);
 
 }  // namespace equipoise

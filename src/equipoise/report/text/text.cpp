@@ -7,13 +7,13 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/core/base/angles.hpp"
 #include "equipoise/core/base/plural.hpp"
 #include "equipoise/machine/mechanics/sustained_speed.hpp"
 #include "equipoise/report/answers/start_text.hpp"
 #include "equipoise/report/text/engineering.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/words/text.hpp"
 
 namespace equipoise {
@@ -185,35 +185,21 @@ std::string rotor_speed_text(const Study& study, double speed) {
 
 const char* name_of(model::SpeedLaw law) { return speed_law_names[static_cast<std::size_t>(law)]; }
 
-nlohmann::ordered_json share_json(const Share& s) {
-  return {{"count", s.count}, {"share", s.share}, {"low", s.low}, {"high", s.high}};
-}
-
-nlohmann::ordered_json sure_share_json(const Share& s) {
-  nlohmann::ordered_json json = share_json(s);
-  json["least"] = s.least;
-  json["most"] = s.most;
-  return json;
-}
-
-nlohmann::ordered_json tree_json(const StudyValue& value) {
-  using nlohmann::ordered_json;
+void to_json(Json& json, const StudyValue& value) {
   if (const auto* table = value.table()) {
-    ordered_json json = ordered_json::object();
-    for (const auto& [key, member] : *table) json[key] = tree_json(member);
-    return json;
+    json = Json::object();
+    for (const auto& [key, member] : *table) json[key] = member;
+  } else if (const auto* array = value.array()) {
+    json = *array;
+  } else if (const auto* truth = value.boolean()) {
+    json = *truth;
+  } else if (value.is_number()) {
+    json = value.integer() ? Json(*value.integer()) : Json(*value.real());
+  } else {
+    json = value.string() ? *value.string() : value.other()->text;
   }
-  if (const auto* array = value.array()) {
-    ordered_json json = ordered_json::array();
-    for (const StudyValue& entry : *array) json.push_back(tree_json(entry));
-    return json;
-  }
-  if (const auto* truth = value.boolean()) return *truth;
-  if (const auto* whole = value.integer()) return *whole;
-  if (const auto* number = value.real()) return *number;
-  return value.string() ? ordered_json(*value.string()) : ordered_json(value.other()->text);
 }
 
-nlohmann::ordered_json study_json(const Study& study) { return tree_json(to_tree(study)); }
+void to_json(Json& json, const Study& study) { json = to_tree(study); }
 
 }  // namespace equipoise

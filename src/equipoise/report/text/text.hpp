@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "equipoise/core/statistics/share.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -25,13 +23,5 @@ std::string rotor_speed_text(const Study& study, double speed);
 std::string study_heading(const Study& study);
 /// "published" or "kinematic".
 const char* name_of(model::SpeedLaw law);
-/// count, share, low, high.
-nlohmann::ordered_json share_json(const Share& s);
-/// The same with least and most.
-nlohmann::ordered_json sure_share_json(const Share& s);
-/// A value of a study.
-nlohmann::ordered_json tree_json(const StudyValue& value);
-/// The resolved study.
-nlohmann::ordered_json study_json(const Study& study);
 
 }  // namespace equipoise

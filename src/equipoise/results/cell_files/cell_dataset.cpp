@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "equipoise/results/commands/branches_result.hpp"
+#include "equipoise/results/commands/branch.hpp"
 #include "equipoise/results/words/files.hpp"
 
 namespace equipoise::io {

@@ -13,7 +13,6 @@
 #include "equipoise/results/commands/sensitivity_result.hpp"
 #include "equipoise/results/commands/start_arrays.hpp"
 #include "equipoise/results/commands/transient_result.hpp"
-#include "equipoise/results/commands/without_balls.hpp"
 #include "equipoise/results/types/fate.hpp"
 #include "equipoise/study/contents/study.hpp"
 #include "equipoise/study/sampling/sampling.hpp"

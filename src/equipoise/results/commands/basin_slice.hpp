@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "equipoise/results/columns/column.hpp"
-#include "equipoise/results/columns/slice_figures.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
 #include "equipoise/study/contents/study.hpp"
 
@@ -71,6 +71,33 @@ void visit_pixel_numbers(bool one_rotor, const Visit& visit) {
   for (std::size_t k = 0; k < pixel_numbers.size(); ++k)
     if (!one_rotor || !pixel_numbers[k].of_rotor) visit(k, pixel_numbers[k].value);
 }
+
+/// With a 95 % interval.
+struct SliceFigure {
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// The uncertainty exponent between two distances.
+struct LocalExponent {
+  int from = 1, to = 2;  ///< pixels
+  double value = 0.0;
+};
+
+/// Each is empty if the slice does not show it: no boundary, or too few pixels. Distances in the plane are in pixels.
+struct SliceFigures {
+  /// Of the boundary, by box counting: 1 if smooth, 2 if it fills the plane.
+  std::optional<SliceFigure> box_dimension;
+  /// The share of pixels with another outcome at distance e grows as e to this power: what more accurate starts gain in
+  /// certainty. It is 2 minus the dimension (McDonald, Grebogi, Ott and Yorke, Physica D 17 (1985) 125).
+  std::optional<SliceFigure> uncertainty_exponent;
+  /// The same from each distance to the next: where these differ by more than the interval, no one power holds.
+  std::vector<LocalExponent> local_exponents;
+  /// Mean entropy of outcomes in boxes of 5 x 5 pixels: all, and those with several outcomes. Above log 2 the latter
+  /// indicates a fractal boundary (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan, Sci. Rep. 6 (2016) 31416).
+  std::optional<SliceFigure> basin_entropy, boundary_basin_entropy;
+  /// For two balls over both angles: largest distance (rad) from balanced angles within which every pixel is balanced.
+  std::optional<double> balanced_radius;
+};
 
 /// Rows follow y, pixels within a row x. NaN means no value.
 struct BasinSlice {

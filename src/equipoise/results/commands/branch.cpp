@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "equipoise/results/words/results.hpp"
+
 namespace equipoise {
 
 const char* name_of(BranchChange change) {
@@ -77,6 +79,16 @@ double largest_multiplier(const Motion& motion) {
   for (const auto& value : motion.orbit.decays())
     if (motion.kind == MotionKind::periodic || std::abs(value - 1.0) >= unit_multiplier) return std::abs(value);
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string parameter_label(const std::string& key) {
+  if (key == "speed.final" || key == "speed.speed") return words::results::final_speed;
+  if (key == "rotor.eccentricity") return words::results::eccentricity;
+  if (key == "rotor.damping") return words::results::damping;
+  if (key == "rotor.stiffness") return words::results::stiffness;
+  if (key == "balancer.mass") return words::results::mass_of_ball;
+  if (key == "balancer.drag") return words::results::drag_of_ball;
+  return key;
 }
 
 }  // namespace equipoise

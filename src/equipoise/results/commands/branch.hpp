@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "equipoise/results/types/motion.hpp"
+#include "equipoise/study/contents/study.hpp"
 
 namespace equipoise {
 
@@ -45,6 +47,7 @@ struct BranchEvent {
   BranchCause cause = BranchCause::unresolved;
   double low = 0.0, high = 0.0;                   ///< it happens between these
   double r_min = 0.0, r_mean = 0.0, r_max = 0.0;  ///< of the branch on the side where it exists, else on the lower side
+  void set_excursion(const Motion& motion) { r_min = motion.r_min, r_mean = motion.r_mean, r_max = motion.r_max; }
   double middle() const { return 0.5 * (low + high); }
   /// Where the event is shown: the middle; for a branch not continued further, where it was seen.
   double place() const {
@@ -74,5 +77,21 @@ std::vector<ValueRange> ranges_of(const Branch& branch);
 double growth_rate(const Motion& motion);
 /// Largest modulus of a Floquet multiplier, without shifts in time and along a continuum; NaN without multipliers.
 double largest_multiplier(const Motion& motion);
+
+struct BranchesResult {
+  Study study;                 ///< as given; its own value of the parameter plays no part
+  std::string key;             ///< of the parameter
+  std::vector<double> values;  ///< rising
+  double step = 0.0;
+  std::uint64_t starts = 0;      ///< random starts searched at every value and half-way between
+  std::vector<Branch> branches;  ///< by identifier
+  bool partial = false;          ///< stopped before everything was continued
+  double seconds = 0.0;
+  int threads = 1;
+  std::string cpu_target;
+};
+
+/// "final rotor speed Omega / critical speed" and so on; the key itself for parameters without a label.
+std::string parameter_label(const std::string& key);
 
 }  // namespace equipoise

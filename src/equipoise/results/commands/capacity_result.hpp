@@ -1,6 +1,7 @@
 // How large a parameter may become before a balancer fails.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -81,9 +82,7 @@ struct CapacityResult {
   /// The same of one start: "ends balanced", "keeps velocity".
   std::string asked_of_one() const { return by == "balanced" ? "ends balanced" : "keeps " + by; }
   bool complete() const {
-    for (const auto& cell : cells)
-      if (!cell) return false;
-    return true;
+    return std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return !!cell; });
   }
 };
 

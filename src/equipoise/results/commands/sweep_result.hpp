@@ -1,6 +1,7 @@
 // The result of a sweep over parameters: one ensemble per cell.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -82,13 +83,16 @@ struct SweepResult {
   double seconds = 0.0, cpu_seconds = 0.0;  ///< of this run
 
   bool complete() const {
-    for (const auto& cell : cells)
-      if (!cell) return false;
-    return true;
+    return std::all_of(cells.begin(), cells.end(), [](const auto& cell) { return !!cell; });
   }
-  /// Index of a cell along every axis.
-  std::vector<std::size_t> place(std::size_t cell) const;
 };
+
+/// Calls visit(index, cell) for every cell that is done.
+template <class Cells, class Visit>
+void visit_done(const Cells& cells, const Visit& visit) {
+  for (std::size_t index = 0; index < cells.size(); ++index)
+    if (cells[index]) visit(index, *cells[index]);
+}
 
 inline std::vector<std::size_t> place_on(const std::vector<SweepAxis>& axes, std::size_t cell) {
   std::vector<std::size_t> place(axes.size());
@@ -117,6 +121,5 @@ inline std::string cell_title(const std::vector<SweepAxis>& axes, std::size_t ce
   });
   return title;
 }
-inline std::vector<std::size_t> SweepResult::place(std::size_t cell) const { return place_on(axes, cell); }
 
 }  // namespace equipoise

@@ -13,7 +13,7 @@
 #include "equipoise/machine/datasheet/scales.hpp"
 #include "equipoise/results/columns/transient_figures.hpp"
 #include "equipoise/results/commands/outcome_share.hpp"
-#include "equipoise/results/commands/without_balls.hpp"
+#include "equipoise/results/commands/transient_result.hpp"
 #include "equipoise/results/io/row_store.hpp"
 #include "equipoise/results/result_files/start_columns.hpp"
 #include "equipoise/results/types/fate.hpp"

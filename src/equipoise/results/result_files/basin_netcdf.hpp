@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "equipoise/results/columns/dataset.hpp"
+#include "equipoise/results/commands/transient_result.hpp"
 #include "equipoise/results/result_files/basin_file.hpp"
 
 namespace equipoise::io {

@@ -1,0 +1,62 @@
+// Each result as text for the terminal, as one JSON object whose keys docs/reference/commands lists, and as CSV.
+// This room: each result as text, CSV and JSON.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "equipoise/report/decision/verdict.hpp"
+#include "equipoise/report/text/table_text.hpp"
+#include "equipoise/results/commands/attractors_result.hpp"
+#include "equipoise/results/commands/basin_slice.hpp"
+#include "equipoise/results/commands/branch.hpp"
+#include "equipoise/results/commands/capacity_result.hpp"
+#include "equipoise/results/commands/comparison_result.hpp"
+#include "equipoise/results/commands/design_result.hpp"
+#include "equipoise/results/commands/inspection.hpp"
+#include "equipoise/results/commands/sweep_result.hpp"
+
+namespace equipoise {
+
+/// Verdict, shares in percent, the rotor without balls beside that with them. `tried`: changes for the verdict to tell
+/// of.
+std::string basin_text(const BasinResult& result, const TextStyle& style = wide_style,
+                       std::span<const TriedChange> tried = {});
+std::string basin_json(const BasinResult& result, std::span<const TriedChange> tried = {});
+
+std::string attractors_text(const AttractorsResult& result, const TextStyle& style = wide_style);
+std::string attractors_json(const AttractorsResult& result);
+
+/// CSV: one line per value and branch, after comment lines with the study and the version.
+std::string branches_text(const BranchesResult& result, const TextStyle& style = wide_style);
+std::string branches_json(const BranchesResult& result);
+std::string branches_csv(const BranchesResult& result);
+
+/// The cells with the largest and the smallest share, then one line per cell. CSV: one line per cell and outcome.
+std::string sweep_text(const SweepResult& result, const TextStyle& style = wide_style);
+std::string sweep_json(const SweepResult& result);
+std::string sweep_csv(const SweepResult& result);
+
+/// One line per cell.
+std::string capacity_text(const CapacityResult& result, const TextStyle& style = wide_style);
+std::string capacity_json(const CapacityResult& result);
+std::string capacity_csv(const CapacityResult& result);
+
+std::string map_text(const BasinSlice& map, const TextStyle& style = wide_style);
+std::string map_json(const BasinSlice& map);
+
+/// Shares, differences, changes and a verdict, which is the difference in balanced starts in one sentence.
+std::string comparison_text(const ComparisonResult& result, const TextStyle& style = wide_style);
+std::string comparison_json(const ComparisonResult& result);
+std::string verdict(const ComparisonResult& result);
+
+/// The front, the chosen design beside the original study, its margins, what limits it. JSON: figures are in the units
+/// of "units", shares are fractions of one, infinite values are null. CSV: one line per member of the front.
+std::string design_text(const DesignResult& result, const TextStyle& style = wide_style);
+std::string design_json(const DesignResult& result);
+std::string design_csv(const DesignResult& result);
+
+std::string inspection_text(const Inspection& inspection);
+std::string inspection_json(const Inspection& inspection);
+
+}  // namespace equipoise

@@ -1,0 +1,127 @@
+// JSON of results: objects whose members stand in the order in which they are named. nlohmann/json writes null for
+// numbers that are not finite.
+#pragma once
+
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "equipoise/core/statistics/comparison.hpp"
+#include "equipoise/core/statistics/share.hpp"
+#include "equipoise/results/commands/outcome_share.hpp"
+#include "equipoise/study/contents/study.hpp"
+
+/// Null where there is none.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+  template <class Json>
+  static void to_json(Json& json, const std::optional<T>& value) {
+    json = nullptr;
+    if (value) json = *value;
+  }
+};
+
+namespace equipoise {
+
+struct SliceAxis;
+
+using Json = nlohmann::ordered_json;
+
+/// put(json, "low", s.low, "high", s.high)
+template <class T, class... More>
+void put(Json& json, const char* name, T&& value, More&&... more) {
+  json[name] = std::forward<T>(value);
+  if constexpr (sizeof...(more) > 0) put(json, std::forward<More>(more)...);
+}
+template <class... Members>
+Json object(Members&&... members) {
+  Json json;
+  put(json, std::forward<Members>(members)...);
+  return json;
+}
+/// Only those that there are.
+template <class T, class... More>
+void put_known(Json& json, const char* name, const std::optional<T>& value, const More&... more) {
+  if (value) json[name] = *value;
+  if constexpr (sizeof...(more) > 0) put_known(json, more...);
+}
+
+/// Rows of numbers as text: a JSON tree of so many would take ten times the memory. `value(k)`: of the k-th entry, row
+/// by row; empty: null.
+template <class Value>
+void append_rows(std::string& text, int columns, int rows, const Value& value) {
+  for (int k = 0; k < columns * rows; ++k) {
+    text += k % columns > 0 ? "," : k > 0 ? "],[" : "[[";
+    if (const auto number = value(static_cast<std::size_t>(k)))
+      fmt::format_to(std::back_inserter(text), "{}", *number);
+    else
+      text += "null";
+  }
+  text += "]]";
+}
+
+/// A list of what `one` makes of each entry.
+template <class List, class One>
+Json list_of(const List& entries, One&& one) {
+  Json list = Json::array();
+  for (const auto& entry : entries) list.push_back(one(entry));
+  return list;
+}
+
+/// The first `count` of `values`.
+template <class Values>
+auto leading(const Values& values, std::ptrdiff_t count) {
+  return std::vector(values.begin(), values.begin() + count);
+}
+inline Json complex_pair(const std::complex<double>& value) { return {value.real(), value.imag()}; }
+template <class Number>
+Json extremes(Number least, Number mean, Number most) {
+  return object("min", least, "mean", mean, "max", most);
+}
+
+/// An estimate with its interval and nothing else.
+template <class T>
+concept WithInterval = sizeof(T) == 3 * sizeof(double) && requires(const T& e) {
+  { e.value } -> std::convertible_to<double>;
+  { e.low } -> std::convertible_to<double>;
+  { e.high } -> std::convertible_to<double>;
+};
+template <WithInterval T>
+void to_json(Json& json, const T& e) {
+  json = object("value", e.value, "low", e.low, "high", e.high);
+}
+inline void to_json(Json& json, const ShareDifference& d) {
+  json = object("difference", d.difference, "low", d.low, "high", d.high);
+}
+
+inline void to_json(Json& json, const Share& s) {
+  json = object("count", s.count, "share", s.share, "low", s.low, "high", s.high);
+}
+/// With the bounds that hold whatever open starts come to.
+inline Json sure(const Share& s) {
+  Json json = s;
+  put(json, "least", s.least, "most", s.most);
+  return json;
+}
+/// What all results tell of an outcome.
+inline Json outcome_with(const OutcomeShare& o, const Json& share) {
+  Json json = object("id", o.id, "name", o.name, "alias", o.alias, "kind", o.kind);
+  json.update(share);
+  return json;
+}
+
+/// The key, and the values at the pixels' centres.
+void to_json(Json& json, const SliceAxis& axis);
+void to_json(Json& json, const StudyValue& value);
+/// The resolved study.
+void to_json(Json& json, const Study& study);
+
+}  // namespace equipoise
