@@ -8,18 +8,16 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "equipoise/classification/words/proof.hpp"
 #include "equipoise/core/base/error.hpp"
 #include "equipoise/core/base/version.hpp"
+#include "equipoise/report/text/json.hpp"
 #include "equipoise/report/words/reports.hpp"
 
 namespace equipoise {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "equipoise certificate 1";
 
@@ -35,10 +33,10 @@ class Writer {
   }
   template <class Values>
   void operator()(const char* key, const Values& values, std::size_t count) {
-    json[key] = std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
+    json[key] = leading(values, static_cast<std::ptrdiff_t>(count));
   }
   void matrix(const char* key, const Eigen::MatrixXd& m, int) {
-    for (const auto row : m.rowwise()) json[key].push_back(std::vector<double>(row.begin(), row.end()));
+    for (const auto row : m.rowwise()) json[key].push_back(leading(row, row.size()));
   }
   // The same in X and Y.
   template <class Values>
