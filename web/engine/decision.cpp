@@ -29,7 +29,6 @@ namespace equipoise::web {
 
 namespace {
 
-
 Fate fate_of(int code, double speed) {
   Fate fate;
   fate.mean_speed = static_cast<float>(speed);
@@ -100,26 +99,20 @@ const char* name_of(Tone tone) {
 }
 
 Json table_json(const DocumentTable& table) {
-  Json rows = Json::array();
-  for (const auto& cells : table.rows) {
-    Json row = Json::array();
-    for (const DocumentCell& cell : cells) row.push_back(cell.text);
-    rows.push_back({{"cells", row}, {"tone", cells.empty() ? "plain" : name_of(cells.front().tone)}});
-  }
-  return {{"header", table.header}, {"rows", rows}, {"caption", table.caption}};
+  const auto row = [](const std::vector<DocumentCell>& cells) {
+    return object("cells", list_of(cells, [](const DocumentCell& cell) { return cell.text; }), "tone",
+                  cells.empty() ? "plain" : name_of(cells.front().tone));
+  };
+  return object("header", table.header, "rows", list_of(table.rows, row), "caption", table.caption);
 }
 
-Json groups_json(const BasinResult& r) {
-  Json groups = Json::array();
-  for (const auto& group : balancer_blocks(r)) {
-    Json blocks = Json::array();
-    for (const Block& block : group) {
-      if (const auto* table = std::get_if<DocumentTable>(&block)) blocks.push_back({{"table", table_json(*table)}});
-      if (const auto* words = std::get_if<Paragraph>(&block)) blocks.push_back({{"text", words->text}});
-    }
-    groups.push_back(blocks);
+Json group_json(const std::vector<Block>& group) {
+  Json blocks = Json::array();
+  for (const Block& block : group) {
+    if (const auto* table = std::get_if<DocumentTable>(&block)) blocks.push_back(object("table", table_json(*table)));
+    if (const auto* words = std::get_if<Paragraph>(&block)) blocks.push_back(object("text", words->text));
   }
-  return groups;
+  return blocks;
 }
 
 // As the program's table of outcomes has it, by code.
@@ -196,7 +189,7 @@ Json judge(const Json& args) {
       for (const Change& change : usual_changes(uncertain)) json["possible"].push_back(change.words);
     if (!tried.empty()) json["changes"] = table_json(changes_table(r, tried));
   }
-  json["groups"] = groups_json(r);
+  json["groups"] = list_of(balancer_blocks(r), group_json);
   json["velocity"] = velocities_json(r);
   return json;
 }

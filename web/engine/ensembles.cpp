@@ -59,11 +59,8 @@ Ensemble& kept(const std::string& toml, const Study& study, bool transients, dou
 }
 
 Json outcome_json(const OutcomeShare& o, const Study& study) {
-  return {{"code", o.id},
-          {"name", o.name},
-          {"alias", o.alias},
-          {"title", reader_title(o, study.scales.has_value())},
-          {"colour", colour_of(o.id)}};
+  return object("code", o.id, "name", o.name, "alias", o.alias, "title", reader_title(o, study.scales.has_value()),
+                "colour", colour_of(o.id));
 }
 
 Json outcomes_json(const Ensemble& ensemble) {
@@ -106,8 +103,8 @@ Json fates_json(const Ensemble& ensemble, std::uint64_t first, Decide&& decide, 
 }
 
 Json share_of(const Share& s) {
-  return {{"count", s.count}, {"total", s.total}, {"share", s.share}, {"low", s.low},
-          {"high", s.high},   {"least", s.least}, {"most", s.most}};
+  return object("count", s.count, "total", s.total, "share", s.share, "low", s.low, "high", s.high, "least", s.least,
+                "most", s.most);
 }
 
 BasinOutcomes outcomes_of(const Json& side) {
@@ -186,20 +183,12 @@ Json compare_shares(const Json& args) {
   const BasinOutcomes first = outcomes_of(args.at(0)), second = outcomes_of(args.at(1));
   const ComparisonResult r = compare(first, second);
   const bool physical = first.study.scales && second.study.scales;
-  Json shares = Json::array();
-  for (const ComparedShare& s : r.shares)
-    shares.push_back(
-        {{"name", s.name},
-         {"alias", s.alias},
-         {"title", reader_title(s, physical)},
-         {"first", share_of(s.first)},
-         {"second", share_of(s.second)},
-         {"difference", s.difference}});
-  return {{"common", r.common},
-          {"why_not", r.why_not_common},
-          {"starts", r.starts},
-          {"shares", shares},
-          {"verdict", verdict(r)}};
+  const auto share = [&](const ComparedShare& s) {
+    return object("name", s.name, "alias", s.alias, "title", reader_title(s, physical), "first", share_of(s.first),
+                  "second", share_of(s.second), "difference", s.difference);
+  };
+  return object("common", r.common, "why_not", r.why_not_common, "starts", r.starts, "shares", list_of(r.shares, share),
+                "verdict", verdict(r));
 }
 
 }  // namespace equipoise::web

@@ -28,65 +28,30 @@ namespace {
 
 Json scales_json(const std::optional<model::Scales>& s) {
   if (!s) return nullptr;
-  return {{"mass", s->mass},
-          {"length", s->length},
-          {"time", s->time()},
-          {"force", s->force()},
-          {"velocity", s->velocity()},
-          {"speed", s->frequency},
-          {"speed_rpm", s->frequency * 30.0 / pi}};
+  return object("mass", s->mass, "length", s->length, "time", s->time(), "force", s->force(), "velocity", s->velocity(),
+                "speed", s->frequency, "speed_rpm", s->frequency * 30.0 / pi);
 }
 
 Json machine_json(const Study& study, const Explanation& e) {
   const model::Parameters& p = study.parameters;
-  const auto by_ball = [&](const auto& values) {
-    return std::vector<double>(values.begin(), values.begin() + p.balls);
-  };
   const Limits& limits = study.limits;
   std::optional<double> spun_up = e.spin_up;
   if (!spun_up && !study.speed.driven()) spun_up = 0.0;
-  return {{"balls", p.balls},
-          {"mass", by_ball(p.mass)},
-          {"ball_radius", by_ball(p.ball_radius)},
-          {"eccentricity", p.eccentricity},
-          {"race_offset", p.race_offset},
-          {"contact_angle", p.contact_angle},
-          {"gravity", p.gravity},
-          {"sag", model::static_sag(p)},
-          {"driven", study.speed.driven()},
-          {"final_speed", e.speed},
-          {"release_time", study.release_time()},
-          {"spun_up", spun_up},
-          {"watch_until", output_times(study).back()},
-          {"limits",
-           {{"displacement", limits.displacement},
-            {"force", limits.force},
-            {"velocity", limits.velocity},
-            {"settled", limits.settled}}}};
+  return object("balls", p.balls, "mass", leading(p.mass, p.balls), "ball_radius", leading(p.ball_radius, p.balls),
+                "eccentricity", p.eccentricity, "race_offset", p.race_offset, "contact_angle", p.contact_angle,
+                "gravity", p.gravity, "sag", model::static_sag(p), "driven", study.speed.driven(), "final_speed",
+                e.speed, "release_time", study.release_time(), "spun_up", spun_up, "watch_until",
+                output_times(study).back(), "limits",
+                object("displacement", limits.displacement, "force", limits.force, "velocity", limits.velocity,
+                       "settled", limits.settled));
 }
 
-Json fields_json(const std::vector<FormField>& fields) {
-  Json json = Json::array();
-  for (const FormField& f : fields)
-    json.push_back({{"key", f.key},
-                    {"label", f.label},
-                    {"value", f.value},
-                    {"unit", f.unit},
-                    {"units", f.units},
-                    {"worth", f.worth},
-                    {"allowed", f.allowed},
-                    {"choices", f.choices},
-                    {"kind", name_of(f.kind)},
-                    {"given", f.given}});
-  return json;
+Json field_json(const FormField& f) {
+  return object("key", f.key, "label", f.label, "value", f.value, "unit", f.unit, "units", f.units, "worth", f.worth,
+                "allowed", f.allowed, "choices", f.choices, "kind", name_of(f.kind), "given", f.given);
 }
 
-Json offers_json(const Study& study, const std::vector<FormField>& fields) {
-  Json json = Json::array();
-  for (const OfferedKey& o : offered_keys(study, fields))
-    json.push_back({{"key", o.key}, {"label", o.label}, {"sentence", o.sentence}});
-  return json;
-}
+Json offer_json(const OfferedKey& o) { return object("key", o.key, "label", o.label, "sentence", o.sentence); }
 
 std::string command_of(const std::vector<std::string>& overrides) {
   std::string command = "equipoise basin study.toml";
@@ -134,8 +99,8 @@ Json check_study(const Json& args) {
           {"physical", study.scales.has_value()},
           {"scales", scales_json(study.scales)},
           {"machine", machine_json(study, e)},
-          {"fields", fields_json(fields)},
-          {"offers", offers_json(uncertain, fields)},
+          {"fields", list_of(fields, field_json)},
+          {"offers", list_of(offered_keys(uncertain, fields), offer_json)},
           {"explain", explain_text(e)},
           {"warnings", e.warnings},
           {"command", command_of(overrides)},

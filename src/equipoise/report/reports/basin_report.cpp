@@ -34,12 +34,10 @@ namespace {
 Json chaos_json(const BasinResult& r) {
   const EscapeRate& c = *r.chaos;
   const double time = r.study.scales ? r.study.scales->time() : 1.0;
-  const auto estimate = [](double value, double low, double high) {
-    return object("value", value, "low", low, "high", high);
-  };
   return object("undecided_after", c.watched_from * time, "starts", c.trajectories, "decided_later", c.escapes, "rate",
-                estimate(c.rate / time, c.low / time, c.high / time), "median_lifetime",
-                estimate(c.median * time, c.least * time, c.most * time), "unit", r.study.scales ? "s" : "1/omega_c");
+                QuantileEstimate{c.rate / time, c.low / time, c.high / time}, "median_lifetime",
+                QuantileEstimate{c.median * time, c.least * time, c.most * time}, "unit",
+                r.study.scales ? "s" : "1/omega_c");
 }
 
 // The grounds on which starts were decided, as shares of all starts.

@@ -161,8 +161,9 @@ Json transients_json(const TransientGroup& group) {
     }
   }
   const auto told = [](const Share& s) { return Json(s); };
-  if (Json exceeded = limits_json(group.exceeded, told); !exceeded.empty()) put(transients, "exceeded", exceeded);
-  if (Json within = within_json(group, sure); !within.empty()) put(transients, "within", within);
+  if (Json exceeded = by_name(group.exceeded, transient_limits, told); !exceeded.empty())
+    put(transients, "exceeded", exceeded);
+  if (Json within = by_name(group.within, within_names, sure); !within.empty()) put(transients, "within", within);
   return transients;
 }
 

@@ -167,9 +167,9 @@ Json one_body_json(const OneBodyRuns& body, const Study& study) {
                                : figure_json(g.figures[k], unit);
   }
   const auto told = [&](const Share& s) { return body.one ? Json(s.count > 0) : sure(s); };
-  Json json =
-      object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open, "lost",
-             body.lost, "figures", figures, "exceeded", limits_json(g.exceeded, told), "within", within_json(g, told));
+  Json json = object("runs", body.runs, "one_for_all", body.one, "stalled", body.stalled, "not_steady", body.open,
+                     "lost", body.lost, "figures", figures, "exceeded", by_name(g.exceeded, transient_limits, told),
+                     "within", by_name(g.within, within_names, told));
   if (g.starts > 0) put_known(json, "balance_grade", left_grade(g, study));
   put_known(json, "mean_speed", g.mean_speed);
   return json;
@@ -379,8 +379,8 @@ Json transient_json(const TransientResult& r, const Study& study) {
       Json& figure = one["figures"][f.name] = figure_json(group.figures[k], unit_of(study, f.told_in()));
       if (f.needs) put(figure, "for_good", group.for_good(f));
     }
-    put(one, "exceeded", limits_json(group.exceeded, sure), "exceeded_at_end", limits_json(group.exceeded_at_end, sure),
-        "within", within_json(group, sure));
+    put(one, "exceeded", by_name(group.exceeded, transient_limits, sure), "exceeded_at_end",
+        by_name(group.exceeded_at_end, transient_limits, sure), "within", by_name(group.within, within_names, sure));
     put_known(one, "balance_grade", left_grade(group, study), "mean_speed", group.mean_speed);
     return one;
   };

@@ -43,18 +43,16 @@ Json transient_json(const TransientResult& result, const Study& study);
 
 /// Shares of starts by the name of the limit that they exceed, or of the limits that they are within, each as `told`
 /// has it; without those that are not known.
-template <class Told>
-Json limits_json(const std::array<std::optional<Share>, transient_limits.size()>& exceeded, const Told& told) {
+template <std::size_t n, class Named, class Told>
+Json by_name(const std::array<std::optional<Share>, n>& shares, const std::array<Named, n>& names, const Told& told) {
   Json json = Json::object();
-  for (std::size_t k = 0; k < exceeded.size(); ++k)
-    if (exceeded[k]) json[transient_limits[k].name] = told(*exceeded[k]);
-  return json;
-}
-template <class Told>
-Json within_json(const TransientGroup& group, const Told& told) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < within_names.size(); ++k)
-    if (group.within[k]) json[within_names[k]] = told(*group.within[k]);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!shares[k]) continue;
+    if constexpr (requires { names[k].name; })
+      json[names[k].name] = told(*shares[k]);
+    else
+      json[names[k]] = told(*shares[k]);
+  }
   return json;
 }
 
